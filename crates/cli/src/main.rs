@@ -1,0 +1,2 @@
+//! The `closeranks` program.
+fn main() {}

@@ -1,0 +1,2 @@
+//! One robot.
+#![no_std]
