@@ -1,0 +1,110 @@
+//! Smooth weight of a link of the proximity graph.
+
+use crate::math::{Vector, dot};
+use crate::scaled::{Number, Scaled};
+
+/// Shape of the link weight.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct LinkShape {
+    /// Communication radius R, m, positive.
+    pub radius_m: f64,
+    /// Height q₁ = 2 + ε, dimensionless; `0 < ε < 1/(n−1)` makes `h_i ≥ 0` imply degree ≥ F′ (lem:connectivity).
+    pub q1: f64,
+    /// Steepness q₂, 1/m⁴, positive.
+    pub q2: f64,
+}
+
+/// A link as robot i sees it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Link<N = Scaled> {
+    /// `a_ij`, dimensionless, in `[0, q1/2]`. The end q1/2 is reached in floating point, though not in the paper.
+    pub weight: f64,
+    /// `2 ∂a/∂Δ²`, 1/m², never positive: the factor of `x_i − x_j` in ∂a_ij/∂x_i.
+    pub slope: N,
+}
+
+impl LinkShape {
+    /// Weight and slope of the link at `offset` = x_i − x_j (m); `None` if the two are farther apart than R.
+    ///
+    /// ```text
+    /// s    = R² − ‖x_i − x_j‖²,   e = exp(−q₂ s²)
+    /// a_ij = q₁/(1 + e) − q₁/2 = (q₁/2) (1 − e)/(1 + e)
+    /// ∂a_ij/∂x_i = −4 q₁ q₂ s e/(1 + e)² (x_i − x_j)
+    /// ```
+    ///
+    /// Both reach zero together at the rim s = 0, so a link may form or break without a jump. With `N = Scaled` the slope
+    /// keeps its own exponent: for robots close together it vanishes below what `f64` holds, but its direction matters.
+    //= paper eq:adjacency
+    #[must_use]
+    pub fn link<const D: usize, N: Number>(&self, offset: &Vector<D>) -> Option<Link<N>> {
+        let slack_m2 = self.radius_m * self.radius_m - dot(offset, offset);
+        if slack_m2 < 0.0 || slack_m2.is_nan() {
+            return None;
+        }
+        let e = N::exp(-self.q2 * slack_m2 * slack_m2);
+        let tail = e.to_f64();
+        let inverse = 1.0 / (1.0 + tail);
+        let steepness = -4.0 * self.q1 * self.q2 * slack_m2 * inverse * inverse;
+        Some(Link { weight: 0.5 * self.q1 * (1.0 - tail) * inverse, slope: e.times_f64(steepness) })
+    }
+}
+
+impl<N: Number> Link<N> {
+    /// ∂a_ij/∂x_i, 1/m, for the `offset` the link was made from. By symmetry it is also ∂a_ji/∂x_i = ∂h_j/∂x_i.
+    #[must_use]
+    pub fn gradient<const D: usize>(&self, offset: &Vector<D>) -> Vector<D> {
+        let slope = self.slope.to_f64();
+        offset.map(|component| slope * component)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const SHAPE: LinkShape = LinkShape { radius_m: 3.0, q1: 2.05, q2: 0.9 };
+
+    //= paper eq:adjacency type=test
+    #[test]
+    fn the_gradient_is_the_derivative_of_the_weight() {
+        let h = 1e-6;
+        for q2 in [0.05, 0.1, 0.3, 0.9] {
+            let shape = LinkShape { q2, ..SHAPE };
+            let weight = |r: f64| shape.link::<3, f64>(&[r, 0.3, -0.2]).map_or(0.0, |link| link.weight);
+            for r in [0.5, 1.0, 2.0, 2.5, 2.8, 2.95, 2.97, 2.999] {
+                let slope = (weight(r + h) - weight(r - h)) / (2.0 * h);
+                let offset = [r, 0.3, -0.2];
+                let gradient =
+                    shape.link::<3, Scaled>(&offset).map_or([0.0; 3], |link| link.gradient(&offset));
+                assert!((gradient[0] - slope).abs() < 1e-6, "at r = {r} m: {} and {slope}", gradient[0]);
+            }
+        }
+    }
+
+    #[test]
+    fn weight_and_gradient_meet_zero_at_the_rim() {
+        let rim = SHAPE.link::<2, f64>(&[3.0, 0.0]).unwrap();
+        assert_eq!(rim.weight, 0.0);
+        assert_eq!(rim.slope, 0.0);
+        assert!(SHAPE.link::<2, f64>(&[3.0 + 1e-12, 0.0]).is_none());
+        assert!(SHAPE.link::<2, f64>(&[f64::NAN, 0.0]).is_none());
+    }
+
+    #[test]
+    fn the_weight_falls_with_distance_and_stays_in_its_range() {
+        let mut last = SHAPE.q1 / 2.0;
+        for step in 0..=3_000 {
+            let weight = SHAPE.link::<1, f64>(&[f64::from(step) * 0.001]).unwrap().weight;
+            assert!((0.0..=last).contains(&weight), "at step {step}");
+            last = weight;
+        }
+    }
+
+    #[test]
+    fn the_slope_of_a_tight_cluster_is_tiny_but_not_lost() {
+        let far_sighted = LinkShape { radius_m: 30.0, ..SHAPE };
+        let link = far_sighted.link::<2, Scaled>(&[0.5, 0.0]).unwrap();
+        assert_eq!(link.slope.value(), 0.0);
+        assert!(link.slope.mantissa < 0.0 && link.slope.exponent < -100_000);
+    }
+}

@@ -1,0 +1,175 @@
+//! What a robot tells: one fixed-size message, parsed or rejected.
+//!
+//! ```text
+//! byte   0    2        3      4         8      16     24
+//!        "CR" version  flags  sequence  level  value        all little-endian
+//! ```
+
+/// Bytes of an encoded message.
+pub const MESSAGE_BYTES: usize = 24;
+
+const MAGIC: [u8; 2] = *b"CR";
+const VERSION: u8 = 1;
+const HAS_VALUE: u8 = 1;
+
+/// A message; one that exists holds only finite numbers, so nothing later needs to ask again.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Message {
+    sequence: u32,
+    level: f64,
+    value: Option<f64>,
+}
+
+/// Why bytes or numbers are not a message.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum MessageError {
+    /// Not exactly [`MESSAGE_BYTES`] bytes; holds how many.
+    Length(usize),
+    /// Does not begin with `CR`.
+    Magic,
+    /// A version this program does not know; holds it.
+    Version(u8),
+    /// Unknown flags, or a value without its flag; holds the flags.
+    Flags(u8),
+    /// The level is NaN or infinite.
+    Level,
+    /// The value is NaN or infinite.
+    Value,
+}
+
+impl Message {
+    /// A message with connectivity level `c_i` and, in a consensus round, value `y_i`; both must be finite.
+    pub fn new(sequence: u32, level: f64, value: Option<f64>) -> Result<Self, MessageError> {
+        if !level.is_finite() {
+            return Err(MessageError::Level);
+        }
+        if value.is_some_and(|value| !value.is_finite()) {
+            return Err(MessageError::Value);
+        }
+        Ok(Self { sequence, level, value })
+    }
+
+    /// Number of the message among those of its sender; strictly increasing.
+    #[must_use]
+    pub fn sequence(&self) -> u32 {
+        self.sequence
+    }
+
+    /// Told connectivity level `c_i`, dimensionless, finite, of any size.
+    #[must_use]
+    pub fn level(&self) -> f64 {
+        self.level
+    }
+
+    /// Told value `y_i`, finite, if a consensus round is on.
+    #[must_use]
+    pub fn value(&self) -> Option<f64> {
+        self.value
+    }
+
+    /// The bytes to send.
+    #[must_use]
+    pub fn encode(&self) -> [u8; MESSAGE_BYTES] {
+        let mut bytes = [0; MESSAGE_BYTES];
+        bytes[..2].copy_from_slice(&MAGIC);
+        bytes[2] = VERSION;
+        bytes[3] = if self.value.is_some() { HAS_VALUE } else { 0 };
+        bytes[4..8].copy_from_slice(&self.sequence.to_le_bytes());
+        bytes[8..16].copy_from_slice(&self.level.to_le_bytes());
+        bytes[16..].copy_from_slice(&self.value.unwrap_or(0.0).to_le_bytes());
+        bytes
+    }
+
+    /// Reads what came from the network; anything but the exact form is rejected.
+    pub fn parse(bytes: &[u8]) -> Result<Self, MessageError> {
+        let bytes: &[u8; MESSAGE_BYTES] = bytes.try_into().map_err(|_| MessageError::Length(bytes.len()))?;
+        let [m0, m1, version, flags, rest @ ..] = *bytes;
+        let [s0, s1, s2, s3, numbers @ ..] = rest;
+        if [m0, m1] != MAGIC {
+            return Err(MessageError::Magic);
+        }
+        if version != VERSION {
+            return Err(MessageError::Version(version));
+        }
+        let value_bytes = u64::from_le_bytes(half(&numbers, 8));
+        if flags > HAS_VALUE || (flags == 0 && value_bytes != 0) {
+            return Err(MessageError::Flags(flags));
+        }
+        let level = f64::from_le_bytes(half(&numbers, 0));
+        let value = (flags == HAS_VALUE).then_some(f64::from_bits(value_bytes));
+        Self::new(u32::from_le_bytes([s0, s1, s2, s3]), level, value)
+    }
+}
+
+fn half(numbers: &[u8; 16], start: usize) -> [u8; 8] {
+    core::array::from_fn(|index| numbers[start + index])
+}
+
+impl core::fmt::Display for MessageError {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        match self {
+            Self::Length(found) => write!(f, "message of {found} bytes, must be {MESSAGE_BYTES}"),
+            Self::Magic => write!(f, "message does not begin with `CR`"),
+            Self::Version(found) => write!(f, "message of version {found}, must be {VERSION}"),
+            Self::Flags(found) => {
+                write!(f, "message with flags {found}, must be 0 (no value) or 1 (with value)")
+            }
+            Self::Level => write!(f, "told level is not finite"),
+            Self::Value => write!(f, "told value is not finite"),
+        }
+    }
+}
+
+impl core::error::Error for MessageError {}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_is_encoded_is_parsed_again() {
+        for value in [None, Some(-0.0), Some(499.5)] {
+            let message = Message::new(7, -2.5, value).unwrap();
+            assert_eq!(Message::parse(&message.encode()), Ok(message));
+        }
+    }
+
+    #[test]
+    fn every_length_but_one_is_rejected() {
+        for length in 0..64 {
+            let parsed = Message::parse(&[0; 64][..length]);
+            let expected =
+                if length == MESSAGE_BYTES { MessageError::Magic } else { MessageError::Length(length) };
+            assert_eq!(parsed, Err(expected));
+        }
+    }
+
+    #[test]
+    fn not_finite_wrong_version_and_stray_bytes_are_rejected() {
+        let bytes = Message::new(1, 2.0, Some(3.0)).unwrap().encode();
+        let with = |at: usize, patch: &[u8]| {
+            let mut changed = bytes;
+            changed[at..at + patch.len()].copy_from_slice(patch);
+            Message::parse(&changed)
+        };
+        assert_eq!(with(2, &[9]), Err(MessageError::Version(9)));
+        assert_eq!(with(3, &[2]), Err(MessageError::Flags(2)));
+        assert_eq!(with(3, &[0]), Err(MessageError::Flags(0)));
+        assert_eq!(with(8, &f64::NAN.to_le_bytes()), Err(MessageError::Level));
+        assert_eq!(with(16, &f64::INFINITY.to_le_bytes()), Err(MessageError::Value));
+    }
+
+    #[test]
+    fn any_single_byte_change_gives_a_message_or_an_error() {
+        let bytes = Message::new(1, 2.0, Some(3.0)).unwrap().encode();
+        for at in 0..MESSAGE_BYTES {
+            for byte in 0..=255 {
+                let mut changed = bytes;
+                changed[at] = byte;
+                if let Ok(message) = Message::parse(&changed) {
+                    assert_eq!(message.encode(), changed, "one message has one form");
+                }
+            }
+        }
+    }
+}

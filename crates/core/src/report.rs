@@ -1,0 +1,79 @@
+//! What a robot says about one tick.
+
+use core::time::Duration;
+
+use crate::math::Vector;
+use crate::program::Outcome;
+
+/// Velocity and everything a caller should look at before using it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Output<const D: usize> {
+    /// u_i, m/s, always finite and inside U_i.
+    pub velocity_m_s: Vector<D>,
+    /// How it came about.
+    pub report: Report,
+}
+
+/// State of one robot after a tick, from what it knows itself.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Report {
+    /// δ_i, neighbours sensed within R.
+    pub degree: u16,
+    /// δ_i − F′; negative when the condition of thm:rs_robust does not hold here.
+    pub margin: i32,
+    /// c_i as sensed at the last update, before any restatement.
+    pub level: f64,
+    /// h_i = c_i − F′ (eq:h_i).
+    pub h: f64,
+    /// φ_i (eq:phi_i). May be negative while all is well (METHOD.md 2.2).
+    pub phi: f64,
+    /// What the program found.
+    pub outcome: Outcome,
+    /// What the answer is worth.
+    pub mode: Mode,
+    /// Neighbours that have told no level yet; their terms are left out.
+    pub untold: u16,
+    /// Age of the oldest told level in use.
+    pub told_age_max: Duration,
+    /// The consensus round of this tick, if one was on.
+    pub round: Option<RoundReport>,
+}
+
+/// A consensus round as a robot saw it; [`Slot::discarded`](crate::neighbor::Slot::discarded) says whose values went.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct RoundReport {
+    /// Values of neighbours kept.
+    pub kept: u16,
+    /// Values discarded because they were among the F largest or smallest.
+    pub discarded: u16,
+    /// Neighbours that told no value in this round.
+    pub silent: u16,
+}
+
+/// What a robot can promise for its answer.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Mode {
+    /// All assumptions that a robot can check hold. `composed` never says so: its theorem needs continuous time.
+    Guaranteed,
+    /// The answer is used, but an assumption does not hold.
+    Degraded(Reason),
+    /// No usable desired velocity: the answer is the one closest to standing still.
+    Hold,
+    /// No usable own position: the answer is 0.
+    Stopped,
+}
+
+/// Why an answer is not guaranteed; the gravest that applies.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Reason {
+    /// Fewer than F′ neighbours.
+    Degree,
+    /// The program had no solution.
+    Infeasible,
+    /// φ_i < 0: the robot is outside Z_i (thm:cbf-qp).
+    OutsideSafeSet,
+    /// A neighbour has told no level.
+    Untold,
+    /// thm:cbf-qp needs continuous time and a constant bias; a robot that ticks cannot have the first.
+    ContinuousTime,
+}

@@ -1,0 +1,291 @@
+//! One robot as a state machine without inputs or outputs of its own.
+
+use core::time::Duration;
+
+use crate::barrier::degree_barrier;
+use crate::math::{Vector, is_finite, subtract};
+use crate::message::Message;
+use crate::neighbor::{RobotId, Slot, Told};
+use crate::params::Params;
+use crate::program::{Outcome, closest};
+use crate::refusal::{ObserveError, Observed, ReceiveError, RobotError, SenseError};
+use crate::report::{Mode, Output, Reason, Report, RoundReport};
+use crate::scaled::Scaled;
+use crate::time::{Instant, Timer};
+
+/// A robot between its planner and its motion controller.
+///
+/// The owner calls, in every tick and in this order:
+///
+/// 1. [`sense`](Self::sense): the time and the robot's own position;
+/// 2. [`observe`](Self::observe): the position of every robot it senses (trusted);
+/// 3. [`share`](Self::share): what is to be told now, if anything is due;
+/// 4. [`receive`](Self::receive): messages of neighbours (not trusted);
+/// 5. [`tick`](Self::tick): desired velocity in, safe velocity out.
+///
+/// A level shared before the others' `receive` is used in the same tick (eq:continuous_a); one that comes later is
+/// held until the next (eq:connectivity). `now` must never fall. A robot that is not observed in a tick is not a
+/// neighbour and what it told is forgotten. Any order of calls with any numbers is safe: no panic, and every velocity
+/// is finite and in its box. The answer does not depend on the order of `observe` or `receive`.
+#[derive(Debug)]
+pub struct Robot<'memory, const D: usize> {
+    pub(crate) params: Params<D>,
+    id: RobotId,
+    pub(crate) slots: &'memory mut [Slot<D>],
+    pub(crate) values: &'memory mut [f64],
+    pub(crate) count: usize,
+    now: Instant,
+    position: Option<Vector<D>>,
+    level_timer: Timer,
+    value_timer: Timer,
+    sequence: u32,
+    /// c_i as sensed, and as told: the same for whoever follows eq:connectivity.
+    level: f64,
+    told_level: f64,
+    pub(crate) value: f64,
+    pub(crate) next_value: f64,
+    pub(crate) round_on: bool,
+}
+
+impl<'memory, const D: usize> Robot<'memory, D> {
+    /// A robot with initial value `y_i(t₀)`, due to share at once.
+    ///
+    /// `slots` bounds how many neighbours it can have; `values` is scratch of at least the same length.
+    pub fn new(
+        params: Params<D>,
+        id: RobotId,
+        value: f64,
+        slots: &'memory mut [Slot<D>],
+        values: &'memory mut [f64],
+    ) -> Result<Self, RobotError> {
+        if values.len() < slots.len() {
+            return Err(RobotError::Memory);
+        }
+        if !value.is_finite() {
+            return Err(RobotError::Value);
+        }
+        Ok(Self {
+            params,
+            id,
+            slots,
+            values,
+            count: 0,
+            now: Instant::START,
+            position: None,
+            level_timer: Timer::new(Instant::START, params.settings().level_period),
+            value_timer: Timer::new(Instant::START, params.settings().value_period),
+            sequence: 0,
+            level: 0.0,
+            told_level: 0.0,
+            value,
+            next_value: value,
+            round_on: false,
+        })
+    }
+
+    /// Begins a tick at `now` with the robot's own position x_i, m.
+    pub fn sense(&mut self, now: Instant, position: Vector<D>) -> Result<(), SenseError> {
+        self.position = None;
+        for slot in &mut self.slots[..self.count] {
+            slot.sensed = false;
+        }
+        if now < self.now {
+            return Err(SenseError::TimeFell);
+        }
+        self.now = now;
+        if !is_finite(&position) {
+            return Err(SenseError::NotFinite);
+        }
+        self.position = Some(position);
+        Ok(())
+    }
+
+    /// Takes the sensed position of another robot, m.
+    pub fn observe(&mut self, id: RobotId, position: Vector<D>) -> Result<Observed, ObserveError> {
+        let own = self.position.ok_or(ObserveError::NoPosition)?;
+        if id == self.id {
+            return Err(ObserveError::OwnId);
+        }
+        if !is_finite(&position) {
+            return Err(ObserveError::NotFinite);
+        }
+        let offset_m = subtract(&own, &position);
+        let Some(link) = self.params.link().link(&offset_m) else {
+            return Ok(Observed::OutOfRange);
+        };
+        let collision = self.params.composed().collision_term(&offset_m);
+        let slot = self.slot(id)?;
+        *slot = Slot { id, sensed: true, offset_m, link, collision, ..*slot };
+        Ok(Observed::Neighbor)
+    }
+
+    /// What to tell now: the level when τ₁ has passed, with the value when τ₂ has.
+    ///
+    /// Forgets robots that were not observed in this tick. `None` while nothing is due or the own position is unknown.
+    //= paper eq:connectivity
+    pub fn share(&mut self) -> Option<Message> {
+        self.position?;
+        self.forget_unsensed();
+        let level_due = self.level_timer.fires(self.now);
+        let value_due = self.value_timer.fires(self.now);
+        if level_due {
+            self.level = self.neighbors().iter().fold(0.0, |level, slot| level + slot.link.weight);
+            self.told_level = self.level;
+        }
+        if value_due {
+            self.begin_round();
+        }
+        if !level_due && !value_due {
+            return None;
+        }
+        self.sequence = self.sequence.saturating_add(1);
+        Message::new(self.sequence, self.told_level, value_due.then_some(self.value)).ok()
+    }
+
+    /// Takes a message that arrived from `sender`.
+    pub fn receive(&mut self, sender: RobotId, message: &Message) -> Result<(), ReceiveError> {
+        let (now, round_on) = (self.now, self.round_on);
+        let term = self.params.composed().degree_term(message.level());
+        let found = self.neighbors().binary_search_by_key(&sender, |slot| slot.id);
+        let slot = &mut self.slots[found.map_err(|_| ReceiveError::NotNeighbor)?];
+        if !slot.sensed {
+            return Err(ReceiveError::NotNeighbor);
+        }
+        if slot.told.is_some_and(|told| message.sequence() <= told.sequence) {
+            return Err(ReceiveError::Stale);
+        }
+        let earlier = slot.told.and_then(|told| told.value);
+        let value = if round_on { message.value().or(earlier) } else { None };
+        slot.told = Some(Told { sequence: message.sequence(), level: message.level(), term, at: now, value });
+        Ok(())
+    }
+
+    /// Replaces the level that the robot holds and tells, until the next update.
+    ///
+    /// A robot that follows eq:connectivity never needs this. It is how the world makes a robot malicious in the sense
+    /// of `misbeh`: by Assumption 1 such a robot uses its false `c_i` in its own row too. Ignored unless finite.
+    pub fn restate(&mut self, level: f64) {
+        if level.is_finite() {
+            self.told_level = level;
+        }
+    }
+
+    /// Ends the tick: the velocity closest to `desired` (m/s) that satisfies the robot's row, and W-MSR if a round is on.
+    pub fn tick(&mut self, desired: Vector<D>) -> Output<D> {
+        let round = self.end_round();
+        if self.position.is_none() {
+            return self.stopped(round);
+        }
+        let known = is_finite(&desired);
+        let desired = if known { desired } else { [0.0; D] };
+        let composed = self.params.composed();
+        let own = composed.degree_term(self.told_level);
+        let composition = composed.compose(own, self.sensed().map(Slot::term));
+        let solution = closest(&desired, &composition.row, &self.params.settings().input);
+        let mut report = self.report(composition.phi, solution.outcome, round);
+        if !known {
+            report.mode = Mode::Hold;
+        }
+        Output { velocity_m_s: solution.velocity_m_s, report }
+    }
+
+    /// When the next share is due.
+    #[must_use]
+    pub fn poll_at(&self) -> Instant {
+        self.level_timer.due().min(self.value_timer.due())
+    }
+
+    /// The robot's number.
+    #[must_use]
+    pub fn id(&self) -> RobotId {
+        self.id
+    }
+
+    /// y_i, held since the last round began.
+    #[must_use]
+    pub fn value(&self) -> f64 {
+        self.value
+    }
+
+    /// c_i as told: differs from the sensed level only after [`restate`](Self::restate).
+    #[must_use]
+    pub fn told_level(&self) -> f64 {
+        self.told_level
+    }
+
+    /// The neighbours in order of their number.
+    #[must_use]
+    pub fn neighbors(&self) -> &[Slot<D>] {
+        &self.slots[..self.count]
+    }
+
+    fn sensed(&self) -> impl Iterator<Item = &Slot<D>> + Clone {
+        self.neighbors().iter().filter(|slot| slot.sensed)
+    }
+
+    /// The slot of `id`, made anew in its place in the order if it had none.
+    fn slot(&mut self, id: RobotId) -> Result<&mut Slot<D>, ObserveError> {
+        let index = match self.neighbors().binary_search_by_key(&id, |slot| slot.id) {
+            Ok(index) => index,
+            Err(index) if self.count < self.slots.len() => {
+                self.slots.copy_within(index..self.count, index + 1);
+                self.slots[index] = Slot::default();
+                self.count += 1;
+                index
+            }
+            Err(_) => return Err(ObserveError::Full),
+        };
+        Ok(&mut self.slots[index])
+    }
+
+    fn forget_unsensed(&mut self) {
+        let mut kept = 0;
+        for index in 0..self.count {
+            if self.slots[index].sensed {
+                self.slots[kept] = self.slots[index];
+                kept += 1;
+            }
+        }
+        self.count = kept;
+    }
+
+    fn report(&self, phi: f64, outcome: Outcome, round: Option<RoundReport>) -> Report {
+        let degree = small(self.sensed().count());
+        let untold = small(self.sensed().filter(|slot| slot.told.is_none()).count());
+        let required = self.params.required_degree();
+        let reason = match outcome {
+            _ if degree < required => Reason::Degree,
+            Outcome::Infeasible => Reason::Infeasible,
+            _ if phi < 0.0 => Reason::OutsideSafeSet,
+            _ if untold > 0 => Reason::Untold,
+            _ => Reason::ContinuousTime,
+        };
+        Report {
+            degree,
+            margin: i32::from(degree) - i32::from(required),
+            level: self.level,
+            h: degree_barrier(self.level, required),
+            phi,
+            outcome,
+            mode: Mode::Degraded(reason),
+            untold,
+            told_age_max: self
+                .sensed()
+                .filter_map(|slot| slot.told_age(self.now))
+                .max()
+                .unwrap_or(Duration::ZERO),
+            round,
+        }
+    }
+
+    fn stopped(&self, round: Option<RoundReport>) -> Output<D> {
+        let composed = self.params.composed();
+        let alone = composed.compose(Scaled::ZERO, core::iter::empty::<crate::composed::Term<D>>());
+        let report = self.report(alone.phi, Outcome::Infeasible, round);
+        Output { velocity_m_s: [0.0; D], report: Report { mode: Mode::Stopped, ..report } }
+    }
+}
+
+pub(crate) fn small(count: usize) -> u16 {
+    u16::try_from(count).unwrap_or(u16::MAX)
+}

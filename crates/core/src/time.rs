@@ -1,0 +1,90 @@
+//! Time as an argument: the core reads no clock.
+
+use core::time::Duration;
+
+/// A moment on the owner's own monotonic clock, in nanoseconds since any fixed start.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
+pub struct Instant(u64);
+
+impl Instant {
+    /// The start of the clock, t₀.
+    pub const START: Self = Self(0);
+
+    /// From nanoseconds since the start.
+    #[must_use]
+    pub fn from_nanos(nanos: u64) -> Self {
+        Self(nanos)
+    }
+
+    /// Nanoseconds since the start.
+    #[must_use]
+    pub fn as_nanos(self) -> u64 {
+        self.0
+    }
+
+    /// This moment plus `period`; stops at the end of time (584 years) instead of wrapping.
+    #[must_use]
+    pub fn after(self, period: Duration) -> Self {
+        Self(self.0.saturating_add(u64::try_from(period.as_nanos()).unwrap_or(u64::MAX)))
+    }
+
+    /// Time since `earlier`, 0 if that lies in the future.
+    #[must_use]
+    pub fn since(self, earlier: Self) -> Duration {
+        Duration::from_nanos(self.0.saturating_sub(earlier.0))
+    }
+}
+
+/// A clock that is due every `period`, as `t_l = l τ₁` and `t_p = p τ₂` in the paper.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct Timer {
+    period: Duration,
+    due: Instant,
+}
+
+impl Timer {
+    /// Due at `first`, then every `period` (positive).
+    pub(crate) fn new(first: Instant, period: Duration) -> Self {
+        Self { period, due: first }
+    }
+
+    /// When it is due next.
+    pub(crate) fn due(&self) -> Instant {
+        self.due
+    }
+
+    /// True once for each time it was due; after a long pause it fires once and starts anew from `now`.
+    pub(crate) fn fires(&mut self, now: Instant) -> bool {
+        if now < self.due {
+            return false;
+        }
+        self.due = self.due.after(self.period);
+        if self.due <= now {
+            self.due = now.after(self.period);
+        }
+        true
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_timer_keeps_its_grid_and_does_not_pile_up_missed_turns() {
+        let mut timer = Timer::new(Instant::START, Duration::from_millis(100));
+        let at = |ms: u64| Instant::from_nanos(ms * 1_000_000);
+        assert!(timer.fires(at(0)) && !timer.fires(at(0)) && !timer.fires(at(99)));
+        assert!(timer.fires(at(105)));
+        assert_eq!(timer.due(), at(200), "late by 5 ms, the grid stays");
+        assert!(timer.fires(at(1_000)) && !timer.fires(at(1_050)));
+        assert_eq!(timer.due(), at(1_100));
+    }
+
+    #[test]
+    fn the_end_of_time_is_a_bound_and_not_a_panic() {
+        let end = Instant::from_nanos(u64::MAX);
+        assert_eq!(end.after(Duration::MAX), end);
+        assert_eq!(Instant::START.since(end), Duration::ZERO);
+    }
+}
