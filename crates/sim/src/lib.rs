@@ -1,1 +1,30 @@
-//! The deterministic world.
+//! The deterministic world in which robots of [`closeranks_core`] live.
+//!
+//! A run is a pure function of scenario, seed and commit: the same bits on every target and for every number of
+//! threads. Nothing here reads a file, a clock or a socket.
+//!
+//! One tick: sense → share → tick every robot → watch → record → integrate. In the perfect network what is shared in a
+//! tick is used in that tick. Liars wrap the network; a robot never knows.
+//!
+//! | what | where |
+//! | --- | --- |
+//! | what to run, and the TOML it is written in | [`scenario`] |
+//! | where robots start and want to go | [`start`], [`motion`] |
+//! | what malicious robots tell | [`attack`] |
+//! | all robots of a tick, one by one or as a team | [`robots`], [`team`] |
+//! | the theorems as code | [`monitor`] |
+//! | the run, its record and its table row | [`world`], [`record`], [`summary`] |
+
+pub mod attack;
+pub mod frame;
+pub mod monitor;
+pub mod motion;
+// pub mod parse;
+pub mod random;
+pub mod record;
+pub mod robots;
+pub mod scenario;
+pub mod start;
+pub mod summary;
+pub mod team;
+pub mod world;

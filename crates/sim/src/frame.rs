@@ -1,0 +1,57 @@
+//! One tick of all robots, as it is watched, recorded and integrated.
+
+use closeranks_core::math::Vector;
+use closeranks_core::program::Outcome;
+
+/// State of every robot in one tick; index 0 is robot 1.
+#[derive(Clone, Debug)]
+pub struct Frame<const D: usize> {
+    /// x_i, m.
+    pub positions_m: Vec<Vector<D>>,
+    /// u_{i,des}, m/s.
+    pub desired_m_s: Vec<Vector<D>>,
+    /// u_i, m/s, held from this tick on.
+    pub velocities_m_s: Vec<Vector<D>>,
+    /// δ_i.
+    pub degrees: Vec<u16>,
+    /// True c_i.
+    pub levels: Vec<f64>,
+    /// c_i as told.
+    pub told: Vec<f64>,
+    /// φ_i.
+    pub phis: Vec<f64>,
+    /// y_i; of malicious robots what they tell.
+    pub values: Vec<f64>,
+    /// What the program found.
+    pub outcomes: Vec<Outcome>,
+    /// Number of links, each counted once.
+    pub links: u32,
+}
+
+impl<const D: usize> Frame<D> {
+    /// A frame for robots at `positions_m` with initial `values`.
+    #[must_use]
+    pub fn new(positions_m: Vec<Vector<D>>, values: Vec<f64>) -> Self {
+        let robots = positions_m.len();
+        Self {
+            positions_m,
+            desired_m_s: vec![[0.0; D]; robots],
+            velocities_m_s: vec![[0.0; D]; robots],
+            degrees: vec![0; robots],
+            levels: vec![0.0; robots],
+            told: vec![0.0; robots],
+            phis: vec![0.0; robots],
+            values,
+            outcomes: vec![Outcome::Free; robots],
+            links: 0,
+        }
+    }
+
+    /// Forward Euler over `step_s`: `x_i += T u_i` (eq:dynamics with the input held).
+    //= paper eq:dynamics
+    pub fn integrate(&mut self, step_s: f64) {
+        for (position, velocity) in self.positions_m.iter_mut().zip(&self.velocities_m_s) {
+            *position = closeranks_core::math::add_scaled(position, step_s, velocity);
+        }
+    }
+}

@@ -1,0 +1,324 @@
+//! The theorems as code: each law names what must hold and remembers where it first did not.
+
+use closeranks_core::barrier::degree_barrier;
+use closeranks_core::math::{sqrt, subtract};
+use closeranks_core::params::Params;
+use closeranks_core::program::{InputBox, Outcome};
+
+use crate::frame::Frame;
+use crate::scenario::Scenario;
+use crate::start::squared_distance;
+
+/// Something that a run can be expected to keep.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Law {
+    /// Every normal robot has at least F′ neighbours (thm:rs_robust, thm:cbf-qp a).
+    Degree,
+    /// No two robots are closer than Δ_d (thm:cbf-qp b).
+    Distance,
+    /// Values of normal robots stay inside the interval they started in (def:consensus).
+    Interval,
+    /// In every round the spread of normal values shrinks by 1 − β/2 if degrees hold (thm:rs_robust, Theorem A).
+    Agreement,
+    /// Every input is finite and in U_i.
+    Input,
+    /// The global composition φ of the true levels is not negative (eq:composition).
+    Composition,
+    /// No φ_i is negative (eq:phi_i). Not a theorem: METHOD.md 2.2.
+    Shares,
+    /// Every program has a solution (seq:qp). Not a theorem either.
+    Feasible,
+}
+
+impl Law {
+    /// All, in the order of reports.
+    pub const ALL: [Self; 8] = [
+        Self::Degree,
+        Self::Distance,
+        Self::Interval,
+        Self::Agreement,
+        Self::Input,
+        Self::Composition,
+        Self::Shares,
+        Self::Feasible,
+    ];
+
+    /// What a scenario expects if it says nothing.
+    pub const EXPECTED: [Self; 5] =
+        [Self::Degree, Self::Distance, Self::Interval, Self::Agreement, Self::Input];
+
+    /// Its name in scenario files.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Degree => "degree",
+            Self::Distance => "distance",
+            Self::Interval => "interval",
+            Self::Agreement => "agreement",
+            Self::Input => "input",
+            Self::Composition => "composition",
+            Self::Shares => "shares",
+            Self::Feasible => "feasible",
+        }
+    }
+
+    /// What it demands, in one line.
+    #[must_use]
+    pub fn demand(self) -> &'static str {
+        match self {
+            Self::Degree => "neighbours of a normal robot >= F'",
+            Self::Distance => "distance of two robots >= distance_min_m",
+            Self::Interval => "value of a normal robot inside the interval of the start",
+            Self::Agreement => "spread of normal values shrinks by 1 - beta/2 a round",
+            Self::Input => "input inside its box",
+            Self::Composition => "global phi >= 0",
+            Self::Shares => "phi_i >= 0",
+            Self::Feasible => "the program of a robot has a solution",
+        }
+    }
+}
+
+/// Where a law was broken.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Violation {
+    /// Tick.
+    pub tick: u32,
+    /// The robots, from 1; the second where the law is about a pair, 0 where it is about all.
+    pub robots: [u16; 2],
+    /// What was seen.
+    pub seen: f64,
+    /// What was demanded.
+    pub demanded: f64,
+}
+
+/// What became of a law.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Verdict {
+    /// Which.
+    pub law: Law,
+    /// How often it was broken, counted per tick and robot, pair or team.
+    pub count: u64,
+    /// Where first.
+    pub first: Option<Violation>,
+}
+
+/// Watches the frames of one run.
+#[derive(Clone, Debug)]
+pub struct Monitors<const D: usize> {
+    params: Params<D>,
+    malicious: Vec<bool>,
+    ticks_per_round: u32,
+    verdicts: [Verdict; 8],
+    interval: Option<[f64; 2]>,
+    spread: Option<f64>,
+    degrees_held: bool,
+    degrees_held_in_round: bool,
+    extremes: Extremes,
+}
+
+/// Least and greatest over a run.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Extremes {
+    /// Least degree of normal robots.
+    pub degree_min: u16,
+    /// Least degree of malicious robots; `u16::MAX` if there are none.
+    pub malicious_degree_min: u16,
+    /// Least h_i of normal robots.
+    pub h_min: f64,
+    /// Least distance of two robots, m.
+    pub distance_min_m: f64,
+    /// Least global φ.
+    pub phi_global_min: f64,
+    /// Least φ_i.
+    pub phi_min: f64,
+    /// First tick at which every φ_i ≥ 0.
+    pub inside_from: Option<u32>,
+    /// First tick of the last stretch in which degrees and distances hold to the end.
+    pub safe_from: Option<u32>,
+    /// First round after which the spread of normal values is below 1.
+    pub rounds_to_agree: Option<u32>,
+    /// Spread of normal values at the end.
+    pub spread: f64,
+}
+
+impl<const D: usize> Monitors<D> {
+    /// For the robots of `scenario`.
+    #[must_use]
+    pub fn new(scenario: &Scenario, params: Params<D>) -> Self {
+        Self {
+            params,
+            malicious: scenario.malicious_mask(),
+            ticks_per_round: scenario.ticks_per_round(),
+            verdicts: Law::ALL.map(|law| Verdict { law, count: 0, first: None }),
+            interval: None,
+            spread: None,
+            degrees_held: true,
+            degrees_held_in_round: false,
+            extremes: Extremes {
+                degree_min: u16::MAX,
+                malicious_degree_min: u16::MAX,
+                h_min: f64::INFINITY,
+                distance_min_m: f64::INFINITY,
+                phi_global_min: f64::INFINITY,
+                phi_min: f64::INFINITY,
+                inside_from: None,
+                safe_from: None,
+                rounds_to_agree: None,
+                spread: 0.0,
+            },
+        }
+    }
+
+    /// What became of each law.
+    #[must_use]
+    pub fn verdicts(&self) -> &[Verdict; 8] {
+        &self.verdicts
+    }
+
+    /// Least and greatest.
+    #[must_use]
+    pub fn extremes(&self) -> &Extremes {
+        &self.extremes
+    }
+
+    /// Looks at one tick, after its robots ticked and before they move.
+    pub fn watch(&mut self, tick: u32, frame: &Frame<D>) {
+        let broken = |verdicts: &[Verdict; 8]| verdicts[0].count + verdicts[1].count;
+        let before = broken(&self.verdicts);
+        self.watch_degrees(tick, frame);
+        if tick.is_multiple_of(self.ticks_per_round) {
+            self.watch_values(tick, frame);
+            self.degrees_held_in_round = self.degrees_held;
+        }
+        self.watch_distances(tick, frame);
+        self.watch_programs(tick, frame);
+        if broken(&self.verdicts) > before {
+            self.extremes.safe_from = None;
+        } else if self.extremes.safe_from.is_none() {
+            self.extremes.safe_from = Some(tick);
+        }
+    }
+
+    fn broke(&mut self, law: Law, violation: Violation) {
+        let verdict = &mut self.verdicts[law as usize];
+        verdict.count += 1;
+        verdict.first.get_or_insert(violation);
+    }
+
+    fn watch_degrees(&mut self, tick: u32, frame: &Frame<D>) {
+        let required = self.params.required_degree();
+        self.degrees_held = true;
+        for (robot, index) in (1_u16..).zip(0..frame.degrees.len()) {
+            let degree = frame.degrees[index];
+            if self.malicious[index] {
+                self.extremes.malicious_degree_min = self.extremes.malicious_degree_min.min(degree);
+                continue;
+            }
+            self.extremes.degree_min = self.extremes.degree_min.min(degree);
+            self.extremes.h_min = self.extremes.h_min.min(degree_barrier(frame.levels[index], required));
+            if degree < required {
+                self.degrees_held = false;
+                let (seen, demanded) = (f64::from(degree), f64::from(required));
+                self.broke(Law::Degree, Violation { tick, robots: [robot, 0], seen, demanded });
+            }
+        }
+    }
+
+    fn watch_distances(&mut self, tick: u32, frame: &Frame<D>) {
+        let settings = *self.params.settings();
+        let allowed = settings.distance_min_m * settings.distance_min_m;
+        let (mut least, mut collisions) = (f64::INFINITY, 0.0);
+        for (second, x) in (1_u16..).zip(&frame.positions_m) {
+            for (first, y) in (1..second).zip(&frame.positions_m) {
+                let distance_m2 = squared_distance(x, y);
+                least = least.min(distance_m2);
+                if distance_m2 <= settings.radius_m * settings.radius_m {
+                    collisions += self.params.composed().collision_term::<D, f64>(&subtract(x, y));
+                }
+                if distance_m2 < allowed {
+                    let (seen, demanded) = (sqrt(distance_m2), settings.distance_min_m);
+                    self.broke(Law::Distance, Violation { tick, robots: [first, second], seen, demanded });
+                }
+            }
+        }
+        self.extremes.distance_min_m = self.extremes.distance_min_m.min(sqrt(least));
+        self.watch_composition(tick, frame, collisions);
+    }
+
+    /// φ of the true levels.
+    //= paper eq:composition
+    fn watch_composition(&mut self, tick: u32, frame: &Frame<D>, collisions: f64) {
+        let degrees: f64 =
+            frame.levels.iter().map(|level| self.params.composed().degree_term::<f64>(*level)).sum();
+        let phi = 1.0 - degrees - collisions;
+        self.extremes.phi_global_min = self.extremes.phi_global_min.min(phi);
+        if phi < 0.0 {
+            self.broke(Law::Composition, Violation { tick, robots: [0, 0], seen: phi, demanded: 0.0 });
+        }
+    }
+
+    fn watch_programs(&mut self, tick: u32, frame: &Frame<D>) {
+        let input = self.params.settings().input;
+        let mut inside = true;
+        for (robot, index) in (1_u16..).zip(0..frame.phis.len()) {
+            let (phi, velocity) = (frame.phis[index], frame.velocities_m_s[index]);
+            let at = |seen, demanded| Violation { tick, robots: [robot, 0], seen, demanded };
+            self.extremes.phi_min = self.extremes.phi_min.min(phi);
+            if phi < 0.0 {
+                inside = false;
+                self.broke(Law::Shares, at(phi, 0.0));
+            }
+            if frame.outcomes[index] == Outcome::Infeasible {
+                self.broke(Law::Feasible, at(phi, 0.0));
+            }
+            if !input.contains(&velocity) {
+                let (seen, demanded) = worst_component(&velocity, &input);
+                self.broke(Law::Input, at(seen, demanded));
+            }
+        }
+        if inside && self.extremes.inside_from.is_none() {
+            self.extremes.inside_from = Some(tick);
+        }
+    }
+
+    /// Values are updated once a round, so they are looked at once a round.
+    fn watch_values(&mut self, tick: u32, frame: &Frame<D>) {
+        let normal =
+            || frame.values.iter().zip(&self.malicious).filter(|(_, liar)| !**liar).map(|(value, _)| *value);
+        let (low, high) =
+            (normal().fold(f64::INFINITY, f64::min), normal().fold(f64::NEG_INFINITY, f64::max));
+        let [least, most] = *self.interval.get_or_insert([low, high]);
+        for index in 0..frame.values.len() {
+            let value = frame.values[index];
+            if !self.malicious[index] && !(least..=most).contains(&value) {
+                let robots = [u16::try_from(index + 1).unwrap_or(u16::MAX), 0];
+                let demanded = if value < least { least } else { most };
+                self.broke(Law::Interval, Violation { tick, robots, seen: value, demanded });
+            }
+        }
+        self.watch_spread(tick, (high - low).max(0.0), least.abs().max(most.abs()));
+    }
+
+    //= paper thm:rs_robust
+    fn watch_spread(&mut self, tick: u32, spread: f64, magnitude: f64) {
+        let beta = 1.0 / f64::from(self.params.settings().robots);
+        if let Some(before) = self.spread.filter(|_| self.degrees_held_in_round) {
+            // A value is rounded a few times in a round: far less than this.
+            let demanded = before * (1.0 - 0.5 * beta) + 1e-13 * magnitude;
+            if spread > demanded {
+                self.broke(Law::Agreement, Violation { tick, robots: [0, 0], seen: spread, demanded });
+            }
+        }
+        if spread < 1.0 && self.extremes.rounds_to_agree.is_none() {
+            self.extremes.rounds_to_agree = Some(tick / self.ticks_per_round);
+        }
+        self.spread = Some(spread);
+        self.extremes.spread = spread;
+    }
+}
+
+/// The first component outside its bounds, and the bound.
+fn worst_component<const D: usize>(velocity: &[f64; D], input: &InputBox<D>) -> (f64, f64) {
+    let cut = input.clip(velocity);
+    (0..D).map(|d| (velocity[d], cut[d])).find(|(seen, allowed)| seen != allowed).unwrap_or((0.0, 0.0))
+}

@@ -1,0 +1,158 @@
+//! One row of the table: what a run came to.
+
+use closeranks_core::math::{Vector, sqrt};
+
+use crate::attack::mean_distance_to_liars;
+use crate::frame::Frame;
+use crate::monitor::{Extremes, Law, Monitors, Verdict};
+use crate::scenario::Scenario;
+use crate::start::squared_distance;
+
+/// Where the start lies.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct StartSummary {
+    /// Least φ_i at the start; the start is in the safe set if this is not negative.
+    pub phi_min: f64,
+    /// Least degree of all robots.
+    pub degree_min: u16,
+    /// Least distance of two robots, m.
+    pub distance_min_m: f64,
+}
+
+/// What a run came to.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Summary {
+    /// The start.
+    pub start: StartSummary,
+    /// Least and greatest over the run.
+    pub extremes: Extremes,
+    /// What became of each law.
+    pub verdicts: [Verdict; 8],
+    /// Radius of gyration at the end, m: `√(Σ‖x_i − x̄‖²/n)` over all robots.
+    pub gyration_m: f64,
+    /// Links at the end.
+    pub links: u32,
+    /// Mean distance from normal to malicious robots at the end, m.
+    pub liar_distance_m: Option<f64>,
+    /// Greatest speed of any robot in the last tick, m/s.
+    pub speed_end_m_s: f64,
+    /// Rate of growth of the radius of gyration at the start and at the end, m/s.
+    pub spreading_m_s: [f64; 2],
+    /// How many malicious robots had fewer than F′ neighbours at some time.
+    pub malicious_below: u16,
+    /// Rounds in the run.
+    pub rounds: u32,
+    /// Ticks in the run.
+    pub ticks: u32,
+}
+
+impl StartSummary {
+    /// Every φ_i ≥ 0: the hypothesis of thm:cbf-qp.
+    #[must_use]
+    pub fn inside(&self) -> bool {
+        self.phi_min >= 0.0
+    }
+}
+
+impl Summary {
+    /// How often `law` was broken.
+    #[must_use]
+    pub fn broken(&self, law: Law) -> u64 {
+        self.verdicts[law as usize].count
+    }
+
+    /// Expected laws that were broken.
+    pub fn failures<'a>(&'a self, scenario: &'a Scenario) -> impl Iterator<Item = &'a Verdict> {
+        self.verdicts.iter().filter(|verdict| verdict.count > 0 && scenario.expect.contains(&verdict.law))
+    }
+}
+
+/// Collects what only single frames tell.
+#[derive(Clone, Debug, Default)]
+pub struct Collector {
+    start: Option<StartSummary>,
+    spreading_start_m_s: f64,
+    malicious_below: Vec<bool>,
+}
+
+impl Collector {
+    /// Looks at one tick after the monitors did.
+    pub fn watch<const D: usize>(
+        &mut self,
+        frame: &Frame<D>,
+        monitors: &Monitors<D>,
+        malicious: &[bool],
+        required: u16,
+    ) {
+        if self.start.is_none() {
+            let extremes = monitors.extremes();
+            let degree_min = frame.degrees.iter().copied().min().unwrap_or(0);
+            let (phi_min, distance_min_m) = (extremes.phi_min, extremes.distance_min_m);
+            self.start = Some(StartSummary { phi_min, degree_min, distance_min_m });
+            self.spreading_start_m_s = spreading(frame);
+            self.malicious_below = vec![false; malicious.len()];
+        }
+        for index in 0..malicious.len() {
+            self.malicious_below[index] |= malicious[index] && frame.degrees[index] < required;
+        }
+    }
+
+    /// The summary, from the last frame.
+    #[must_use]
+    pub fn finish<const D: usize>(
+        self,
+        scenario: &Scenario,
+        frame: &Frame<D>,
+        monitors: &Monitors<D>,
+    ) -> Summary {
+        let speeds = frame.velocities_m_s.iter().map(|velocity| squared_distance(velocity, &[0.0; D]));
+        let below = self.malicious_below.iter().filter(|below| **below).count();
+        Summary {
+            start: self.start.unwrap_or(StartSummary {
+                phi_min: f64::NAN,
+                degree_min: 0,
+                distance_min_m: f64::NAN,
+            }),
+            extremes: *monitors.extremes(),
+            verdicts: *monitors.verdicts(),
+            gyration_m: gyration(&frame.positions_m),
+            links: frame.links,
+            liar_distance_m: mean_distance_to_liars(&frame.positions_m, &scenario.malicious_mask()),
+            speed_end_m_s: sqrt(speeds.fold(0.0, f64::max)),
+            spreading_m_s: [self.spreading_start_m_s, spreading(frame)],
+            malicious_below: u16::try_from(below).unwrap_or(u16::MAX),
+            rounds: scenario.ticks() / scenario.ticks_per_round(),
+            ticks: scenario.ticks(),
+        }
+    }
+}
+
+fn mean<const D: usize>(vectors: &[Vector<D>]) -> Vector<D> {
+    core::array::from_fn(|d| vectors.iter().map(|vector| vector[d]).sum::<f64>() / count(vectors.len()))
+}
+
+fn count(length: usize) -> f64 {
+    #[expect(clippy::cast_precision_loss, reason = "teams are far below 2^53")]
+    let count = length.max(1) as f64;
+    count
+}
+
+/// Radius of gyration, m.
+#[must_use]
+pub fn gyration<const D: usize>(positions: &[Vector<D>]) -> f64 {
+    let centre = mean(positions);
+    sqrt(
+        positions.iter().map(|position| squared_distance(position, &centre)).sum::<f64>()
+            / count(positions.len()),
+    )
+}
+
+/// Rate of growth of the radius of gyration under the inputs of a frame, m/s: `Σ (x_i − x̄)·u_i / (n r_g)`.
+fn spreading<const D: usize>(frame: &Frame<D>) -> f64 {
+    let centre = mean(&frame.positions_m);
+    let radius = gyration(&frame.positions_m);
+    let pairs = frame.positions_m.iter().zip(&frame.velocities_m_s);
+    let outward: f64 =
+        pairs.map(|(x, u)| closeranks_core::math::dot(&closeranks_core::math::subtract(x, &centre), u)).sum();
+    if radius > 0.0 { outward / (count(frame.positions_m.len()) * radius) } else { 0.0 }
+}

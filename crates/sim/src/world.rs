@@ -1,0 +1,161 @@
+//! The run: scenario in, record and summary out.
+
+use closeranks_core::params::{Params, ParamsError};
+use closeranks_core::refusal::RobotError;
+
+use crate::attack::Liars;
+use crate::frame::Frame;
+use crate::monitor::Monitors;
+use crate::random::{Random, Stream};
+use crate::record::Record;
+use crate::robots::{Fleet, Memory};
+use crate::scenario::{Scenario, Values};
+use crate::start::StartError;
+use crate::summary::{Collector, Summary};
+use crate::team::Team;
+
+/// How robots are computed; both give the same bits.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Engine {
+    /// All at once ([`crate::team`]).
+    #[default]
+    Team,
+    /// One by one, with every message as bytes ([`crate::robots`]). Controller `none` is not a robot's: it runs as a team.
+    Robots,
+}
+
+/// What a run is to produce besides its summary.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Options {
+    /// Keep every tick.
+    pub record: bool,
+    /// How robots are computed.
+    pub engine: Engine,
+}
+
+/// A finished run.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Run {
+    /// Every tick, if it was asked for.
+    pub record: Option<Record>,
+    /// The table's row.
+    pub summary: Summary,
+}
+
+/// Why a scenario could not be run.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+pub enum RunError {
+    /// A parameter is outside its range.
+    #[error(transparent)]
+    Params(#[from] ParamsError),
+    /// There is no start.
+    #[error(transparent)]
+    Start(#[from] StartError),
+    /// A robot could not be made.
+    #[error(transparent)]
+    Robot(#[from] RobotError),
+    /// Neither 2 nor 3.
+    #[error("dimension is {0}, allowed is 2 or 3")]
+    Dimension(usize),
+    /// Initial values and robots differ in number.
+    #[error("{found} initial values for {robots} robots")]
+    Values {
+        /// How many.
+        found: usize,
+        /// n.
+        robots: u16,
+    },
+}
+
+/// Runs `scenario` from the first tick to the last. `progress` is called before each tick with its number.
+pub fn run(scenario: &Scenario, options: Options, progress: &mut dyn FnMut(u32)) -> Result<Run, RunError> {
+    match scenario.dimension {
+        2 => run_in::<2>(scenario, options, progress),
+        3 => run_in::<3>(scenario, options, progress),
+        other => Err(RunError::Dimension(other)),
+    }
+}
+
+fn run_in<const D: usize>(
+    scenario: &Scenario,
+    options: Options,
+    progress: &mut dyn FnMut(u32),
+) -> Result<Run, RunError> {
+    let params = scenario.params::<D>()?;
+    let values = initial_values(scenario)?;
+    let frame = Frame::new(scenario.start.positions(scenario)?, values.clone());
+    let world = World::new(scenario, params, frame, options);
+    if options.engine == Engine::Robots && scenario.controller == crate::scenario::Controller::Composed {
+        let mut memory = Memory::new(usize::from(scenario.robots));
+        let mut fleet = Fleet::new(params, &values, &mut memory)?;
+        return Ok(world.run(|frame, liars| fleet.step(frame, liars), progress));
+    }
+    let mut team = Team::new(scenario, params, &values);
+    Ok(world.run(|frame, liars| team.step(frame, liars), progress))
+}
+
+/// y_i(t₀).
+pub fn initial_values(scenario: &Scenario) -> Result<Vec<f64>, RunError> {
+    match &scenario.values {
+        Values::Listed(values) if values.len() == usize::from(scenario.robots) => Ok(values.clone()),
+        Values::Listed(values) => Err(RunError::Values { found: values.len(), robots: scenario.robots }),
+        Values::Random { min, max } => {
+            let mut random = Random::new(scenario.seed, Stream::Values);
+            Ok((0..scenario.robots).map(|_| random.uniform(*min, *max)).collect())
+        }
+    }
+}
+
+struct World<'a, const D: usize> {
+    scenario: &'a Scenario,
+    required: u16,
+    malicious: Vec<bool>,
+    frame: Frame<D>,
+    liars: Liars,
+    monitors: Monitors<D>,
+    collector: Collector,
+    record: Option<Record>,
+}
+
+impl<'a, const D: usize> World<'a, D> {
+    fn new(scenario: &'a Scenario, params: Params<D>, frame: Frame<D>, options: Options) -> Self {
+        let required = params.required_degree();
+        Self {
+            scenario,
+            required,
+            malicious: scenario.malicious_mask(),
+            frame,
+            liars: Liars::new(scenario),
+            monitors: Monitors::new(scenario, params),
+            collector: Collector::default(),
+            record: options.record.then(|| Record::new(scenario, required)),
+        }
+    }
+
+    fn run(mut self, mut step: impl FnMut(&mut Frame<D>, &mut Liars), progress: &mut dyn FnMut(u32)) -> Run {
+        let last = self.scenario.ticks();
+        for tick in 0..=last {
+            progress(tick);
+            want(self.scenario, &mut self.frame);
+            step(&mut self.frame, &mut self.liars);
+            self.monitors.watch(tick, &self.frame);
+            self.collector.watch(&self.frame, &self.monitors, &self.malicious, self.required);
+            if let Some(record) = &mut self.record {
+                record.push(&self.frame);
+            }
+            if tick < last {
+                self.frame.integrate(self.scenario.tick_s());
+            }
+        }
+        let summary = self.collector.finish(self.scenario, &self.frame, &self.monitors);
+        Run { record: self.record, summary }
+    }
+}
+
+/// Fills the desired velocities.
+pub fn want<const D: usize>(scenario: &Scenario, frame: &mut Frame<D>) {
+    for (index, (desired, position)) in frame.desired_m_s.iter_mut().zip(&frame.positions_m).enumerate() {
+        let number = u16::try_from(index + 1).unwrap_or(u16::MAX);
+        *desired = scenario.motion.desired(number, scenario.robots, position);
+    }
+}
