@@ -115,7 +115,9 @@ impl<const D: usize> Default for Settings<D> {
 }
 
 impl Allowed {
-    fn holds(self, value: f64) -> bool {
+    /// True when `value` is in the range.
+    #[must_use]
+    pub fn holds(self, value: f64) -> bool {
         match self {
             Self::Closed(low, high) => low <= value && value <= high,
             Self::Open(low, high) => low < value && value < high,

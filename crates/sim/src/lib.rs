@@ -8,7 +8,7 @@
 //!
 //! | what | where |
 //! | --- | --- |
-//! | what to run, and the TOML it is written in | [`scenario`] |
+//! | what to run, and the TOML it is written in | [`scenario`], [`parse`] |
 //! | where robots start and want to go | [`start`], [`motion`] |
 //! | what malicious robots tell | [`attack`] |
 //! | all robots of a tick, one by one or as a team | [`robots`], [`team`] |
@@ -19,7 +19,7 @@ pub mod attack;
 pub mod frame;
 pub mod monitor;
 pub mod motion;
-// pub mod parse;
+pub mod parse;
 pub mod random;
 pub mod record;
 pub mod robots;

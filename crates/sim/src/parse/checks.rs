@@ -1,0 +1,133 @@
+//! What no single field can tell: ranges that depend on others, and whether the start exists.
+
+use closeranks_core::params::{Field, ParamsError};
+
+use super::ROWS_MAX;
+use super::reader::Reader;
+use crate::scenario::{Scenario, Values};
+use crate::start::{Start, StartError, squared_distance};
+
+/// Notes in `reader` what cannot be run; `scenario` holds fields that were each read without fault.
+pub(super) fn check(reader: &mut Reader, scenario: &Scenario) {
+    team(reader, scenario);
+    boxes(reader, scenario);
+    clocks(reader, scenario);
+    values(reader, scenario);
+    if !reader.is_clean() {
+        return;
+    }
+    let checked = match scenario.dimension {
+        3 => scenario.params::<3>().err(),
+        _ => scenario.params::<2>().err(),
+    };
+    if let Some(error) = checked {
+        refuse_parameter(reader, scenario, &error);
+    }
+    match scenario.dimension {
+        3 => start::<3>(reader, scenario),
+        _ => start::<2>(reader, scenario),
+    }
+}
+
+fn team(reader: &mut Reader, scenario: &Scenario) {
+    if let Some(pair) = scenario.malicious.windows(2).find(|pair| pair[0] == pair[1]) {
+        reader.refuse("team.malicious", format!("robot {} twice", pair[0]), "each robot once");
+    }
+}
+
+fn boxes(reader: &mut Reader, scenario: &Scenario) {
+    let corners = [
+        ("controller.input_min_m_s", &scenario.input_min_m_s),
+        ("controller.input_max_m_s", &scenario.input_max_m_s),
+    ];
+    for (field, corner) in corners {
+        if corner.len() != scenario.dimension {
+            reader.refuse(
+                field,
+                format!("a list of {}", corner.len()),
+                format!("{} numbers", scenario.dimension),
+            );
+        }
+    }
+}
+
+fn clocks(reader: &mut Reader, scenario: &Scenario) {
+    let (tau_1, tau_2) = (scenario.tau_1.as_nanos(), scenario.tau_2.as_nanos());
+    if tau_2 < tau_1 || !tau_2.is_multiple_of(tau_1) {
+        let allowed = format!("a whole multiple of clock.tau_1_s = {}", scenario.tau_1.as_secs_f64());
+        reader.refuse("clock.tau_2_s", scenario.tau_2.as_secs_f64().to_string(), allowed);
+    }
+    let rows = (scenario.duration_s / scenario.tick_s() + 1.0) * f64::from(scenario.robots);
+    #[expect(clippy::cast_precision_loss, reason = "far below 2^53")]
+    let limit = ROWS_MAX as f64;
+    if rows > limit {
+        let most = (limit / f64::from(scenario.robots) - 1.0) * scenario.tick_s();
+        let allowed = format!("at most {most:.1} with {} robots and this tick", scenario.robots);
+        reader.refuse("duration_s", scenario.duration_s.to_string(), allowed);
+    }
+}
+
+fn values(reader: &mut Reader, scenario: &Scenario) {
+    if let Values::Listed(values) = &scenario.values {
+        if values.len() != usize::from(scenario.robots) {
+            let allowed = format!("{} numbers, one a robot", scenario.robots);
+            reader.refuse("values.values", format!("a list of {}", values.len()), allowed);
+        }
+    }
+}
+
+fn refuse_parameter(reader: &mut Reader, scenario: &Scenario, error: &ParamsError) {
+    let why = match error.field {
+        Field::Faults => format!(" (2F + 1 <= n = {})", scenario.robots),
+        Field::Epsilon => format!(" (below 1/(n-1), n = {})", scenario.robots),
+        Field::DistanceMinM => " (below link.radius_m)".to_owned(),
+        Field::InputMinMS | Field::InputMaxMS => " (the box must contain 0)".to_owned(),
+        _ => String::new(),
+    };
+    reader.refuse(field_name(error.field), error.value.to_string(), format!("{}{why}", error.allowed));
+}
+
+fn field_name(field: Field) -> &'static str {
+    match field {
+        Field::Robots => "team.robots",
+        Field::Faults => "team.faults",
+        Field::RadiusM => "link.radius_m",
+        Field::DistanceMinM => "controller.distance_min_m",
+        Field::Epsilon => "link.epsilon",
+        Field::Q2 => "link.q2",
+        Field::WR => "controller.w_r",
+        Field::WC => "controller.w_c",
+        Field::Alpha => "controller.alpha",
+        Field::InputMinMS => "controller.input_min_m_s",
+        Field::InputMaxMS => "controller.input_max_m_s",
+        Field::LevelPeriod => "clock.tau_1_s",
+        Field::ValuePeriod => "clock.tau_2_s",
+    }
+}
+
+fn start<const D: usize>(reader: &mut Reader, scenario: &Scenario) {
+    let positions = match scenario.start.positions::<D>(scenario) {
+        Ok(positions) => positions,
+        Err(error) => return refuse_start(reader, scenario, &error),
+    };
+    for (second, x) in positions.iter().enumerate() {
+        if let Some(first) = positions[..second].iter().position(|y| squared_distance(x, y) == 0.0) {
+            let found = format!("robots {} and {} at one point {x:?}", first + 1, second + 1);
+            reader.refuse("start.positions_m", found, "a different point for each robot");
+        }
+    }
+}
+
+fn refuse_start(reader: &mut Reader, scenario: &Scenario, error: &StartError) {
+    match (error, &scenario.start) {
+        (StartError::Count { found, .. }, _) => {
+            let allowed = format!("{} positions, one a robot", scenario.robots);
+            reader.refuse("start.positions_m", format!("a list of {found}"), allowed);
+        }
+        (StartError::Full { placed, robots, .. }, Start::Random { half_side_m, .. }) => {
+            let found = format!("{half_side_m}, where only {placed} of {robots} robots found a place");
+            reader.refuse("start.half_side_m", found, "a larger box or a smaller start.distance_min_m");
+        }
+        _ => reader.refuse("start.kind", error.to_string(), "a start for this team and dimension"),
+    }
+}

@@ -1,0 +1,189 @@
+//! Every field of a scenario text, with its default and range.
+
+use core::time::Duration;
+
+use closeranks_core::composed::Share;
+use closeranks_core::params::{Allowed, MAGNITUDE_MAX, ROBOTS_MAX};
+use toml::de::{DeTable, DeValue};
+
+use super::reader::{Reader, Section, number, whole};
+use crate::attack::{LevelAttack, ValueAttack};
+use crate::monitor::Law;
+use crate::motion::Motion;
+use crate::scenario::{Controller, Scenario, Values};
+use crate::start::Start;
+
+const ANY: Allowed = Allowed::Closed(-MAGNITUDE_MAX, MAGNITUDE_MAX);
+const POSITIVE: Allowed = Allowed::LeftOpen(0.0, MAGNITUDE_MAX);
+const SECONDS: Allowed = Allowed::Closed(1e-6, 3_600.0);
+
+/// Reads all tables; wrong fields are noted in `reader` and stay at their defaults.
+pub(super) fn read(reader: &mut Reader, table: &DeTable<'_>) -> Scenario {
+    let mut root = Section::root(table);
+    let mut scenario = Scenario::default();
+    head(reader, &mut root, &mut scenario);
+    let tables: [(&'static str, fn(&mut Reader, &mut Section<'_>, &mut Scenario)); 8] = [
+        ("team", team),
+        ("link", link),
+        ("controller", controller),
+        ("clock", clock),
+        ("start", start),
+        ("values", values),
+        ("motion", motion),
+        ("attack", attack),
+    ];
+    for (key, fill) in tables {
+        let mut section = reader.section(&mut root, key);
+        fill(reader, &mut section, &mut scenario);
+        reader.close(&section);
+    }
+    reader.close(&root);
+    scenario
+}
+
+fn set<T>(field: &mut T, read: Option<T>) {
+    if let Some(value) = read {
+        *field = value;
+    }
+}
+
+fn head(reader: &mut Reader, root: &mut Section<'_>, scenario: &mut Scenario) {
+    set(&mut scenario.name, reader.text(root, "name", 60));
+    set(&mut scenario.duration_s, reader.number(root, "duration_s", Allowed::Closed(0.0, MAGNITUDE_MAX)));
+    set(&mut scenario.seed, reader.whole(root, "seed", 0..1 << 63));
+    set(&mut scenario.dimension, reader.whole(root, "dimension", 2..4).and_then(|d| usize::try_from(d).ok()));
+    if scenario.dimension == 3 {
+        scenario.input_min_m_s = vec![-1.5; 3];
+        scenario.input_max_m_s = vec![1.5; 3];
+    }
+    let law = |value: &DeValue<'_>| Law::ALL.into_iter().find(|law| Some(law.name()) == value.as_str());
+    let names = Law::ALL.map(|law| format!("`{}`", law.name())).join(", ");
+    set(&mut scenario.expect, reader.list(root, "expect", &names, law));
+}
+
+fn small(whole: u64) -> u16 {
+    u16::try_from(whole).unwrap_or(u16::MAX)
+}
+
+fn team(reader: &mut Reader, section: &mut Section<'_>, scenario: &mut Scenario) {
+    set(&mut scenario.robots, reader.whole(section, "robots", 2..u64::from(ROBOTS_MAX) + 1).map(small));
+    let faults = reader.whole(section, "faults", 0..u64::from(ROBOTS_MAX)).map(small);
+    scenario.faults = faults.unwrap_or(((scenario.robots - 1) / 2).min(2));
+    let robots = scenario.robots;
+    let robot =
+        move |value: &DeValue<'_>| whole(value).map(small).filter(|robot| (1..=robots).contains(robot));
+    let malicious =
+        reader.list(section, "malicious", &format!("the number of a robot, 1 to {robots}"), robot);
+    scenario.malicious = malicious.unwrap_or_else(|| (1..=scenario.faults.min(robots)).collect());
+    scenario.malicious.sort_unstable();
+}
+
+fn link(reader: &mut Reader, section: &mut Section<'_>, scenario: &mut Scenario) {
+    set(&mut scenario.radius_m, reader.number(section, "radius_m", POSITIVE));
+    scenario.epsilon = reader.number(section, "epsilon", ANY);
+    set(&mut scenario.q2, reader.number(section, "q2", POSITIVE));
+}
+
+fn controller(reader: &mut Reader, section: &mut Section<'_>, scenario: &mut Scenario) {
+    let kinds = [("composed", Controller::Composed), ("none", Controller::None)];
+    set(&mut scenario.controller, reader.word(section, "kind", &kinds));
+    let shares = [("neighbours", Share::Neighbours), ("own", Share::Own)];
+    set(&mut scenario.share, reader.word(section, "share", &shares));
+    set(&mut scenario.w_r, reader.number(section, "w_r", POSITIVE));
+    set(&mut scenario.w_c, reader.number(section, "w_c", POSITIVE));
+    set(&mut scenario.alpha, reader.number(section, "alpha", POSITIVE));
+    set(&mut scenario.distance_min_m, reader.number(section, "distance_min_m", POSITIVE));
+    set(&mut scenario.input_min_m_s, reader.list(section, "input_min_m_s", "a speed in m/s", number));
+    set(&mut scenario.input_max_m_s, reader.list(section, "input_max_m_s", "a speed in m/s", number));
+}
+
+fn clock(reader: &mut Reader, section: &mut Section<'_>, scenario: &mut Scenario) {
+    let nanos = |seconds: f64| {
+        #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "between 1e3 and 3.6e12")]
+        let nanos = (seconds * 1e9).round() as u64;
+        Duration::from_nanos(nanos)
+    };
+    set(&mut scenario.tau_1, reader.number(section, "tau_1_s", SECONDS).map(nanos));
+    set(&mut scenario.tau_2, reader.number(section, "tau_2_s", SECONDS).map(nanos));
+}
+
+fn start(reader: &mut Reader, section: &mut Section<'_>, scenario: &mut Scenario) {
+    let presets = [
+        ("inside", Start::Inside),
+        ("published", Start::Published),
+        ("hexagon", Start::Hexagon { spacing_m: 0.6 }),
+        ("random", Start::Random { half_side_m: 1.5, distance_min_m: 0.45 }),
+        ("listed", Start::Listed(Vec::new())),
+    ];
+    let names: Vec<(&str, usize)> =
+        presets.iter().enumerate().map(|(index, (name, _))| (*name, index)).collect();
+    let usual = match (scenario.robots, scenario.dimension) {
+        (11, 2) => 0,
+        (_, 2) => 2,
+        _ => 3,
+    };
+    scenario.start = presets[reader.word(section, "kind", &names).unwrap_or(usual)].1.clone();
+    match &mut scenario.start {
+        Start::Hexagon { spacing_m } => set(spacing_m, reader.number(section, "spacing_m", POSITIVE)),
+        Start::Random { half_side_m, distance_min_m } => {
+            set(half_side_m, reader.number(section, "half_side_m", POSITIVE));
+            set(distance_min_m, reader.number(section, "distance_min_m", POSITIVE));
+        }
+        Start::Listed(positions) => {
+            let dimension = scenario.dimension;
+            let allowed = format!("a list of {dimension} numbers (m)");
+            set(positions, reader.list(section, "positions_m", &allowed, |value| position(value, dimension)));
+        }
+        Start::Inside | Start::Published => {}
+    }
+}
+
+/// A position of `dimension` numbers.
+fn position(value: &DeValue<'_>, dimension: usize) -> Option<Vec<f64>> {
+    let inside = |number: &f64| number.abs() <= MAGNITUDE_MAX;
+    let numbers = value.as_array()?.iter().map(|item| number(item.get_ref()).filter(inside));
+    numbers.collect::<Option<Vec<f64>>>().filter(|numbers| numbers.len() == dimension)
+}
+
+fn values(reader: &mut Reader, section: &mut Section<'_>, scenario: &mut Scenario) {
+    let listed = reader.word(section, "kind", &[("random", false), ("listed", true)]) == Some(true);
+    if listed {
+        let value = |value: &DeValue<'_>| number(value).filter(|value| value.abs() <= MAGNITUDE_MAX);
+        scenario.values =
+            Values::Listed(reader.list(section, "values", "a number", value).unwrap_or_default());
+        return;
+    }
+    let [min, max] = interval(reader, section);
+    scenario.values = Values::Random { min, max };
+}
+
+/// Fields `min` and `max`, by default the paper's [−500, 500].
+fn interval(reader: &mut Reader, section: &mut Section<'_>) -> [f64; 2] {
+    let min = reader.number(section, "min", ANY).unwrap_or(-500.0);
+    let max = reader.number(section, "max", Allowed::Closed(min, MAGNITUDE_MAX)).unwrap_or(min.max(500.0));
+    [min, max]
+}
+
+fn motion(reader: &mut Reader, section: &mut Section<'_>, scenario: &mut Scenario) {
+    set(
+        &mut scenario.motion,
+        reader.word(section, "kind", &[("paper", Motion::Paper), ("hold", Motion::Hold)]),
+    );
+}
+
+fn attack(reader: &mut Reader, section: &mut Section<'_>, scenario: &mut Scenario) {
+    let mut level = reader.section(section, "level");
+    if reader.word(&mut level, "kind", &[("none", false), ("bias", true)]) == Some(true) {
+        scenario.level_attack = LevelAttack::Bias(reader.number(&mut level, "bias", ANY).unwrap_or(0.0));
+    }
+    reader.close(&level);
+    let mut value = reader.section(section, "value");
+    let random = reader.word(&mut value, "kind", &[("random", true), ("none", false)]);
+    if random == Some(false) {
+        scenario.value_attack = ValueAttack::None;
+    } else {
+        let [min, max] = interval(reader, &mut value);
+        scenario.value_attack = ValueAttack::Random { min, max };
+    }
+    reader.close(&value);
+}

@@ -1,0 +1,45 @@
+//! Scenarios written in TOML. Every field has a default; anything not understood is refused with its place.
+
+mod checks;
+mod fields;
+mod problem;
+mod reader;
+
+pub use problem::Problem;
+
+use toml::de::DeTable;
+
+use crate::scenario::Scenario;
+
+/// Longest scenario text, bytes.
+pub const TEXT_MAX: usize = 1 << 20;
+
+/// Most rows (ticks × robots) that a run may have.
+pub const ROWS_MAX: u64 = 20_000_000;
+
+/// The scenario of a TOML text, or everything that is wrong with it.
+///
+/// A scenario that comes back can be run: parameters are in their ranges, the start exists and no two robots stand at
+/// one point.
+pub fn scenario(text: &str) -> Result<Scenario, Vec<Problem>> {
+    if text.len() > TEXT_MAX {
+        let found = format!("a scenario of {} bytes, allowed is at most {TEXT_MAX}", text.len());
+        return Err(vec![Problem { span: 0..0, field: String::new(), found, allowed: String::new() }]);
+    }
+    let table = DeTable::parse(text).map_err(|error| {
+        let span = error.span().unwrap_or(0..0);
+        vec![Problem {
+            span,
+            field: String::new(),
+            found: error.message().to_owned(),
+            allowed: String::new(),
+        }]
+    })?;
+    let mut reader = reader::Reader::default();
+    let scenario = fields::read(&mut reader, table.get_ref());
+    if reader.is_clean() {
+        checks::check(&mut reader, &scenario);
+    }
+    let problems = reader.finish();
+    if problems.is_empty() { Ok(scenario) } else { Err(problems) }
+}

@@ -1,0 +1,197 @@
+//! Scenario texts: what is refused, and how it is said.
+
+use closeranks_sim::parse::{Problem, scenario};
+use closeranks_sim::scenario::Scenario;
+use closeranks_sim::start::Start;
+
+fn problems(text: &str) -> Vec<Problem> {
+    scenario(text).expect_err("must be refused")
+}
+
+/// The text has one mistake, said as `expected`, and the underlined part is `marked`.
+#[track_caller]
+fn refused(text: &str, marked: &str, expected: &str) {
+    let problems = problems(text);
+    assert_eq!(problems.len(), 1, "{problems:?}");
+    assert_eq!(problems[0].to_string(), expected);
+    assert_eq!(&text[problems[0].span.clone()], marked, "{expected}");
+}
+
+#[test]
+fn an_empty_text_is_the_default_scenario() {
+    assert_eq!(scenario(""), Ok(Scenario::default()));
+}
+
+#[test]
+fn the_file_with_every_field_says_what_an_empty_one_does() {
+    let text = include_str!("../../../scenarios/everything.toml");
+    let named = Scenario { name: "everything".into(), epsilon: Some(0.099), ..Scenario::default() };
+    assert_eq!(scenario(text), Ok(named));
+}
+
+#[test]
+fn unknown_fields_and_tables_are_refused_with_what_is_known() {
+    refused(
+        "sed = 4",
+        "sed",
+        "`sed` is not a field here, allowed is `name`, `duration_s`, `seed`, `dimension`, `expect`, `team`, `link`, `controller`, `clock`, `start`, `values`, `motion`, `attack`",
+    );
+    refused(
+        "[link]\nradius = 3",
+        "radius",
+        "`link.radius` is not a field here, allowed is `radius_m`, `epsilon`, `q2`",
+    );
+    refused(
+        "[start]\nkind = \"inside\"\nspacing_m = 1",
+        "spacing_m",
+        "`start.spacing_m` is not a field here, allowed is `kind`",
+    );
+}
+
+#[test]
+fn wrong_types_are_refused_with_the_type_that_is_allowed() {
+    refused("team = 3", "3", "`team` is 3, allowed is a table");
+    refused("seed = 1.5", "1.5", "`seed` is 1.5, allowed is a whole number, 0 to 9223372036854775807");
+    refused("seed = -1", "-1", "`seed` is -1, allowed is a whole number, 0 to 9223372036854775807");
+    refused("name = \"\"", "\"\"", "`name` is \"\", allowed is a text of 1 to 60 characters");
+    refused(
+        "[controller]\nw_r = \"15\"",
+        "\"15\"",
+        "`controller.w_r` is \"15\", allowed is a number, more than 0 and at most 1000000",
+    );
+    refused(
+        "[controller]\nshare = \"both\"",
+        "\"both\"",
+        "`controller.share` is \"both\", allowed is `neighbours`, `own`",
+    );
+    refused(
+        "expect = [\"degrees\"]",
+        "\"degrees\"",
+        "`expect[0]` is \"degrees\", allowed is `degree`, `distance`, `interval`, `agreement`, `input`, `composition`, `shares`, `feasible`",
+    );
+}
+
+#[test]
+fn impossible_numbers_are_refused() {
+    refused("duration_s = nan", "nan", "`duration_s` is nan, allowed is a number, 0 to 1000000");
+    refused("[link]\nq2 = 0", "0", "`link.q2` is 0, allowed is a number, more than 0 and at most 1000000");
+    refused(
+        "[link]\nradius_m = inf",
+        "inf",
+        "`link.radius_m` is inf, allowed is a number, more than 0 and at most 1000000",
+    );
+    refused(
+        "[link]\nepsilon = 0.1",
+        "0.1",
+        "`link.epsilon` is 0.1, allowed is more than 0 and less than 0.1 (below 1/(n-1), n = 11)",
+    );
+    refused("[team]\nfaults = 6", "6", "`team.faults` is 6, allowed is 0 to 5 (2F + 1 <= n = 11)");
+    refused(
+        "[controller]\ndistance_min_m = 3.5",
+        "3.5",
+        "`controller.distance_min_m` is 3.5, allowed is more than 0 and less than 3 (below link.radius_m)",
+    );
+    refused(
+        "[controller]\ninput_min_m_s = [0.5, -1]",
+        "[0.5, -1]",
+        "`controller.input_min_m_s` is 0.5, allowed is -1000000 to 0 (the box must contain 0)",
+    );
+    refused(
+        "[controller]\ninput_max_m_s = [1, 1, 1]",
+        "[1, 1, 1]",
+        "`controller.input_max_m_s` is a list of 3, allowed is 2 numbers",
+    );
+    refused(
+        "[clock]\ntau_2_s = 0.012",
+        "0.012",
+        "`clock.tau_2_s` is 0.012, allowed is a whole multiple of clock.tau_1_s = 0.005",
+    );
+    refused(
+        "duration_s = 100000",
+        "100000",
+        "`duration_s` is 100000, allowed is at most 9090.9 with 11 robots and this tick",
+    );
+}
+
+#[test]
+fn impossible_teams_and_starts_are_refused() {
+    refused(
+        "[team]\nmalicious = [12]",
+        "12",
+        "`team.malicious[0]` is 12, allowed is the number of a robot, 1 to 11",
+    );
+    refused(
+        "[team]\nmalicious = [3, 3]",
+        "[3, 3]",
+        "`team.malicious` is robot 3 twice, allowed is each robot once",
+    );
+    let two = |positions: &str| {
+        format!("[team]\nrobots = 2\n[start]\nkind = \"listed\"\npositions_m = {positions}")
+    };
+    let same = "[[1.0, 2.0], [1, 2]]";
+    refused(
+        &two(same),
+        same,
+        "`start.positions_m` is robots 1 and 2 at one point [1.0, 2.0], allowed is a different point for each robot",
+    );
+    refused(
+        &two("[[1.0, 2.0]]"),
+        "[[1.0, 2.0]]",
+        "`start.positions_m` is a list of 1, allowed is 2 positions, one a robot",
+    );
+    refused(
+        &two("[[1, 2], [nan, 0]]"),
+        "[nan, 0]",
+        "`start.positions_m[1]` is a list of 2, allowed is a list of 2 numbers (m)",
+    );
+    refused(
+        "[team]\nrobots = 5\n[start]\nkind = \"inside\"",
+        "\"inside\"",
+        "`start.kind` is start `inside` has 11 robots in 2 dimensions, not 5 in 2, allowed is a start for this team and dimension",
+    );
+    let full = problems("[start]\nkind = \"random\"\nhalf_side_m = 0.4");
+    assert!(full[0].to_string().contains("robots found a place"), "{}", full[0]);
+}
+
+#[test]
+fn a_default_that_clashes_is_said_to_be_a_default() {
+    refused(
+        "[clock]\ntau_1_s = 0.03",
+        "[clock]",
+        "`clock.tau_2_s` is 0.1 by default, allowed is a whole multiple of clock.tau_1_s = 0.03",
+    );
+}
+
+#[test]
+fn other_teams_start_in_a_patch_or_a_cube() {
+    assert_eq!(scenario("[team]\nrobots = 20").unwrap().start, Start::Hexagon { spacing_m: 0.6 });
+    assert!(matches!(scenario("dimension = 3").unwrap().start, Start::Random { .. }));
+}
+
+#[test]
+fn text_that_is_not_toml_is_refused_with_its_line() {
+    let text = "seed = 1\nname = \"open";
+    let problems = problems(text);
+    assert_eq!(problems[0].line(text), 2, "{}", problems[0]);
+    assert!(!scenario("[a").unwrap_err().is_empty());
+}
+
+#[test]
+fn several_mistakes_are_told_at_once_in_order() {
+    let found = problems("seed = -1\n[link]\nq2 = -3\nfoo = 1");
+    assert_eq!(
+        found.iter().map(|problem| problem.field.as_str()).collect::<Vec<_>>(),
+        ["seed", "link.q2", "link.foo"]
+    );
+}
+
+#[test]
+fn hostile_texts_are_refused_without_panic() {
+    let deep = "[".repeat(100_000);
+    let long = format!("name = \"{}\"", "x".repeat(2_000_000));
+    let huge = "duration_s = 1e400\nseed = 99999999999999999999999999";
+    for text in [deep.as_str(), long.as_str(), huge, "\u{0}", "expect = [[[[]]]]", "[team]\nmalicious = [0]"]
+    {
+        assert!(!problems(text).is_empty());
+    }
+}
