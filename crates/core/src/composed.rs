@@ -66,11 +66,12 @@ impl Composed {
         N::exp(-self.w_r * degree_barrier(level, self.required))
     }
 
-    /// `E^c_ij = exp(−w_c h^col_ij)` of two robots at `offset` = x_i − x_j, m.
+    /// `E^c_ij = exp(−w_c h^col_ij)` of two robots at squared distance `Δ²`, m².
     //= paper eq:composition
+    #[inline]
     #[must_use]
-    pub fn collision_term<const D: usize, N: Number>(&self, offset: &Vector<D>) -> N {
-        N::exp(-self.w_c * collision_barrier(offset, self.distance_min_m))
+    pub fn collision_term<N: Number>(&self, distance_m2: f64) -> N {
+        N::exp(-self.w_c * collision_barrier(distance_m2, self.distance_min_m))
     }
 
     /// φ_i and the row `H_i·u ≥ −α φ_i` of one robot, from its own `Ê_i` and its neighbours in order of their number.
@@ -101,7 +102,8 @@ impl Composed {
             let told = N::from_scaled(term.told);
             let collision = N::from_scaled(term.collision);
             let pull = self.coefficient(own, told, N::from_scaled(term.link.slope), collision);
-            sum.add(&term.offset_m, pull, self.shared(told), collision);
+            sum.add_told(self.shared(told));
+            sum.add_link(&term.offset_m, pull, collision);
         }
         sum
     }
@@ -148,12 +150,17 @@ impl<const D: usize, N: Number> Sum<D, N> {
         Self { normal: [N::ZERO; D], degrees: own, collisions: N::ZERO }
     }
 
-    /// Adds a neighbour at `offset` = x_i − x_j with the numbers of [`Composed::coefficient`] and [`Composed::shared`].
-    pub fn add(&mut self, offset: &Vector<D>, coefficient: N, shared: N, collision: N) {
+    /// Adds what a neighbour told: the number of [`Composed::shared`].
+    pub fn add_told(&mut self, shared: N) {
+        self.degrees = self.degrees.plus(shared);
+    }
+
+    /// Adds a link at `offset` = x_i − x_j with the number of [`Composed::coefficient`]. Links whose numbers are both
+    /// exactly 0 may be left out.
+    pub fn add_link(&mut self, offset: &Vector<D>, coefficient: N, collision: N) {
         for d in 0..D {
             self.normal[d] = self.normal[d].plus(coefficient.times_f64(offset[d]));
         }
-        self.degrees = self.degrees.plus(shared);
         self.collisions = self.collisions.plus(collision);
     }
 

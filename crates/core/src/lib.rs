@@ -28,6 +28,7 @@
 
 pub mod barrier;
 pub mod composed;
+mod exponential;
 pub mod link;
 pub mod math;
 pub mod message;

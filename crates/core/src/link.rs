@@ -25,9 +25,15 @@ pub struct Link<N = Scaled> {
 
 impl LinkShape {
     /// Weight and slope of the link at `offset` = x_i − x_j (m); `None` if the two are farther apart than R.
+    #[must_use]
+    pub fn link<const D: usize, N: Number>(&self, offset: &Vector<D>) -> Option<Link<N>> {
+        self.link_at(dot(offset, offset))
+    }
+
+    /// Weight and slope of the link at squared distance `Δ²` (m²); `None` beyond R² and for NaN.
     ///
     /// ```text
-    /// s    = R² − ‖x_i − x_j‖²,   e = exp(−q₂ s²)
+    /// s    = R² − Δ²,   e = exp(−q₂ s²)
     /// a_ij = q₁/(1 + e) − q₁/2 = (q₁/2) (1 − e)/(1 + e)
     /// ∂a_ij/∂x_i = −4 q₁ q₂ s e/(1 + e)² (x_i − x_j)
     /// ```
@@ -35,15 +41,16 @@ impl LinkShape {
     /// Both reach zero together at the rim s = 0, so a link may form or break without a jump. With `N = Scaled` the slope
     /// keeps its own exponent: for robots close together it vanishes below what `f64` holds, but its direction matters.
     //= paper eq:adjacency
+    #[inline]
     #[must_use]
-    pub fn link<const D: usize, N: Number>(&self, offset: &Vector<D>) -> Option<Link<N>> {
-        let slack_m2 = self.radius_m * self.radius_m - dot(offset, offset);
+    pub fn link_at<N: Number>(&self, distance_m2: f64) -> Option<Link<N>> {
+        let slack_m2 = self.radius_m * self.radius_m - distance_m2;
         if slack_m2 < 0.0 || slack_m2.is_nan() {
             return None;
         }
         let e = N::exp(-self.q2 * slack_m2 * slack_m2);
         let tail = e.to_f64();
-        let inverse = 1.0 / (1.0 + tail);
+        let inverse = if tail == 0.0 { 1.0 } else { 1.0 / (1.0 + tail) };
         let steepness = -4.0 * self.q1 * self.q2 * slack_m2 * inverse * inverse;
         Some(Link { weight: 0.5 * self.q1 * (1.0 - tail) * inverse, slope: e.times_f64(steepness) })
     }

@@ -3,7 +3,7 @@
 use core::time::Duration;
 
 use crate::barrier::degree_barrier;
-use crate::math::{Vector, is_finite, subtract};
+use crate::math::{Vector, dot, is_finite, subtract};
 use crate::message::Message;
 use crate::neighbor::{RobotId, Slot, Told};
 use crate::params::Params;
@@ -110,10 +110,11 @@ impl<'memory, const D: usize> Robot<'memory, D> {
             return Err(ObserveError::NotFinite);
         }
         let offset_m = subtract(&own, &position);
-        let Some(link) = self.params.link().link(&offset_m) else {
+        let distance_m2 = dot(&offset_m, &offset_m);
+        let Some(link) = self.params.link().link_at(distance_m2) else {
             return Ok(Observed::OutOfRange);
         };
-        let collision = self.params.composed().collision_term(&offset_m);
+        let collision = self.params.composed().collision_term(distance_m2);
         let slot = self.slot(id)?;
         *slot = Slot { id, sensed: true, offset_m, link, collision, ..*slot };
         Ok(Observed::Neighbor)

@@ -44,12 +44,10 @@ pub trait Number: Copy {
 const EXP_IS_ZERO: f64 = -710.0;
 
 /// `2^exponent`; 0 below 2⁻¹⁰²¹ (so that no product with a mantissa is subnormal), infinity above 2¹⁰²³.
+#[inline]
 fn power_of_two(exponent: i32) -> f64 {
-    match exponent {
-        1024.. => f64::INFINITY,
-        -1021..1024 => f64::from_bits(u64::from((exponent + 1023).unsigned_abs()) << 52),
-        _ => 0.0,
-    }
+    let biased = exponent.saturating_add(1023).clamp(1, 2047).unsigned_abs();
+    if biased == 1 { 0.0 } else { f64::from_bits(u64::from(biased) << 52) }
 }
 
 impl Scaled {
@@ -76,6 +74,7 @@ impl Scaled {
     }
 
     /// As `f64`: 0 below 2⁻¹⁰²¹, ±infinity above the largest.
+    #[inline]
     #[must_use]
     pub fn value(self) -> f64 {
         if self.mantissa == 0.0 { 0.0 } else { self.mantissa * power_of_two(self.exponent) }
@@ -113,8 +112,13 @@ impl Scaled {
 
 impl Number for f64 {
     const ZERO: Self = 0.0;
+    #[inline]
     fn exp(x: f64) -> Self {
-        if x < EXP_IS_ZERO { 0.0 } else { exp_scaled(x).value() }
+        if x < EXP_IS_ZERO {
+            return 0.0;
+        }
+        let scaled = exp_scaled(x);
+        scaled.mantissa * power_of_two(scaled.exponent)
     }
     fn to_f64(self) -> f64 {
         self

@@ -1,7 +1,7 @@
 //! The theorems as code: each law names what must hold and remembers where it first did not.
 
 use closeranks_core::barrier::degree_barrier;
-use closeranks_core::math::{sqrt, subtract};
+use closeranks_core::math::sqrt;
 use closeranks_core::params::Params;
 use closeranks_core::program::{InputBox, Outcome};
 
@@ -233,7 +233,7 @@ impl<const D: usize> Monitors<D> {
                 let distance_m2 = squared_distance(x, y);
                 least = least.min(distance_m2);
                 if distance_m2 <= settings.radius_m * settings.radius_m {
-                    collisions += self.params.composed().collision_term::<D, f64>(&subtract(x, y));
+                    collisions += self.params.composed().collision_term::<f64>(distance_m2);
                 }
                 if distance_m2 < allowed {
                     let (seen, demanded) = (sqrt(distance_m2), settings.distance_min_m);

@@ -5,7 +5,7 @@
 
 use closeranks_core::composed::{Composition, Sum, Term};
 use closeranks_core::link::Link;
-use closeranks_core::math::{Vector, subtract};
+use closeranks_core::math::{Vector, dot, subtract};
 use closeranks_core::params::Params;
 use closeranks_core::program::closest;
 use closeranks_core::scaled::Scaled;
@@ -15,12 +15,11 @@ use crate::attack::Liars;
 use crate::frame::Frame;
 use crate::scenario::{Controller, Scenario};
 
-/// A pair within R.
+/// A pair within R whose slope and collision term are not both 0: in large teams a small part of all.
 #[derive(Clone, Copy, Debug)]
 struct Pair<const D: usize> {
-    first: u16,
-    second: u16,
-    /// x_first − x_second.
+    ends: [u16; 2],
+    /// x of the first minus x of the second end.
     offset_m: Vector<D>,
     slope: f64,
     collision: f64,
@@ -33,11 +32,51 @@ pub struct Team<const D: usize> {
     controller: Controller,
     ticks_per_round: u32,
     tick: u32,
+    /// Linked robots of higher numbers, robot after robot, and where each robot's end.
+    links: Vec<u16>,
+    last_link: Vec<usize>,
     pairs: Vec<Pair<D>>,
     terms: Vec<f64>,
     sums: Vec<Sum<D, f64>>,
     next_values: Vec<f64>,
-    heard: Vec<Vec<f64>>,
+    speakers: Vec<usize>,
+    linked: Linked,
+    heard: Vec<f64>,
+}
+
+/// Who is linked to whom, a bit a pair.
+#[derive(Clone, Debug)]
+struct Linked {
+    robots: usize,
+    bits: Vec<u64>,
+}
+
+impl Linked {
+    fn new(robots: usize) -> Self {
+        Self { robots, bits: vec![0; (robots * robots).div_ceil(64)] }
+    }
+
+    fn fill(&mut self, links: &[u16], last_link: &[usize]) {
+        self.bits.fill(0);
+        for (first, others) in links_by_robot(links, last_link) {
+            for second in others.iter().map(|other| usize::from(*other)) {
+                for bit in [first * self.robots + second, second * self.robots + first] {
+                    self.bits[bit / 64] |= 1 << (bit % 64);
+                }
+            }
+        }
+    }
+
+    fn has(&self, robot: usize, other: usize) -> bool {
+        let bit = robot * self.robots + other;
+        self.bits[bit / 64] >> (bit % 64) & 1 == 1
+    }
+}
+
+/// Every robot with its linked robots of higher numbers.
+fn links_by_robot<'a>(links: &'a [u16], last_link: &'a [usize]) -> impl Iterator<Item = (usize, &'a [u16])> {
+    let from = core::iter::once(&0).chain(last_link);
+    from.zip(last_link).map(|(from, to)| &links[*from..*to]).enumerate()
 }
 
 impl<const D: usize> Team<D> {
@@ -49,11 +88,15 @@ impl<const D: usize> Team<D> {
             controller: scenario.controller,
             ticks_per_round: scenario.ticks_per_round(),
             tick: 0,
+            links: Vec::new(),
+            last_link: Vec::new(),
             pairs: Vec::new(),
             terms: vec![0.0; values.len()],
             sums: vec![Sum::new(0.0); values.len()],
             next_values: values.to_vec(),
-            heard: vec![Vec::new(); values.len()],
+            speakers: (0..values.len()).collect(),
+            linked: Linked::new(values.len()),
+            heard: Vec::new(),
         }
     }
 
@@ -74,57 +117,90 @@ impl<const D: usize> Team<D> {
     /// Links, degrees and levels.
     //= paper eq:connectivity
     fn find_pairs(&mut self, frame: &mut Frame<D>) {
+        self.links.clear();
         self.pairs.clear();
+        self.last_link.clear();
         frame.levels.fill(0.0);
         frame.degrees.fill(0);
-        let positions = &frame.positions_m;
-        for (i, first) in (0_u16..).zip(positions) {
-            for (j, second) in (0_u16..).zip(positions).skip(usize::from(i) + 1) {
-                let offset_m = subtract(first, second);
-                let Some(link) = self.params.link().link::<D, f64>(&offset_m) else { continue };
-                for end in [i, j] {
-                    frame.levels[usize::from(end)] += link.weight;
-                    frame.degrees[usize::from(end)] += 1;
-                }
-                let collision = self.params.composed().collision_term(&offset_m);
-                self.pairs.push(Pair { first: i, second: j, offset_m, slope: link.slope, collision });
+        for first in 0..frame.positions_m.len() {
+            self.find_links(first, frame);
+            self.last_link.push(self.links.len());
+        }
+        frame.links = u32::try_from(self.links.len()).unwrap_or(u32::MAX);
+    }
+
+    /// Links of `first` to robots of higher numbers.
+    fn find_links(&mut self, first: usize, frame: &mut Frame<D>) {
+        let (shape, composed) = (*self.params.link(), *self.params.composed());
+        let after = first + 1;
+        let (position, mut level, mut degree) =
+            (frame.positions_m[first], frame.levels[first], frame.degrees[first]);
+        let others = frame.positions_m[after..].iter().zip(&mut frame.levels[after..]);
+        let others = others.zip(&mut frame.degrees[after..]).zip(small(after)..);
+        for (((other, other_level), other_degree), second) in others {
+            let offset_m = subtract(&position, other);
+            let distance_m2 = dot(&offset_m, &offset_m);
+            let Some(link) = shape.link_at::<f64>(distance_m2) else { continue };
+            level += link.weight;
+            *other_level += link.weight;
+            degree += 1;
+            *other_degree += 1;
+            self.links.push(second);
+            let collision: f64 = composed.collision_term(distance_m2);
+            if link.slope != 0.0 || collision != 0.0 {
+                self.pairs.push(Pair {
+                    ends: [small(first), second],
+                    offset_m,
+                    slope: link.slope,
+                    collision,
+                });
             }
         }
-        frame.links = u32::try_from(self.pairs.len()).unwrap_or(u32::MAX);
+        (frame.levels[first], frame.degrees[first]) = (level, degree);
     }
 
     /// A consensus round: values are told, then every robot updates its own.
+    ///
+    /// Speakers are sorted once for all, so that each robot hears values in order and has nothing left to sort.
     fn consensus(&mut self, frame: &mut Frame<D>, liars: &mut Liars) {
         liars.begin_round();
         for (index, value) in frame.values.iter_mut().enumerate() {
             *value = liars.value(index, self.next_values[index]);
         }
-        for heard in &mut self.heard {
-            heard.clear();
-        }
-        for pair in &self.pairs {
-            self.heard[usize::from(pair.first)].push(frame.values[usize::from(pair.second)]);
-            self.heard[usize::from(pair.second)].push(frame.values[usize::from(pair.first)]);
-        }
+        self.linked.fill(&self.links, &self.last_link);
+        self.speakers.sort_unstable_by(|a, b| frame.values[*a].total_cmp(&frame.values[*b]).then(a.cmp(b)));
         let faults = self.params.settings().faults;
-        for (own, heard) in self.next_values.iter_mut().zip(&mut self.heard) {
-            *own = wmsr::update(*own, heard, faults).value;
+        for (index, own) in self.next_values.iter_mut().enumerate() {
+            let speakers = self.speakers.iter().filter(|speaker| self.linked.has(index, **speaker));
+            self.heard.clear();
+            self.heard.extend(speakers.map(|speaker| frame.values[*speaker]));
+            *own = wmsr::update(*own, &mut self.heard, faults).value;
         }
     }
 
     fn sum_rows(&mut self, frame: &Frame<D>) {
-        let composed = self.params.composed();
+        let composed = *self.params.composed();
         for ((term, sum), told) in self.terms.iter_mut().zip(&mut self.sums).zip(&frame.told) {
             *term = composed.degree_term(*told);
             *sum = Sum::new(*term);
         }
-        for pair in &self.pairs {
-            let (first, second) = (usize::from(pair.first), usize::from(pair.second));
-            let (own, told) = (self.terms[first], self.terms[second]);
-            let pull = composed.coefficient(own, told, pair.slope, pair.collision);
-            self.sums[first].add(&pair.offset_m, pull, composed.shared(told), pair.collision);
-            self.sums[second].add(&pair.offset_m, -pull, composed.shared(own), pair.collision);
+        let mut sums = core::mem::take(&mut self.sums);
+        for (first, others) in links_by_robot(&self.links, &self.last_link) {
+            let (mut own, term) = (sums[first], self.terms[first]);
+            for second in others.iter().map(|other| usize::from(*other)) {
+                own.add_told(composed.shared(self.terms[second]));
+                sums[second].add_told(composed.shared(term));
+            }
+            sums[first] = own;
         }
+        for pair in &self.pairs {
+            let [first, second] = pair.ends.map(usize::from);
+            let pull =
+                composed.coefficient(self.terms[first], self.terms[second], pair.slope, pair.collision);
+            sums[first].add_link(&pair.offset_m, pull, pair.collision);
+            sums[second].add_link(&pair.offset_m, -pull, pair.collision);
+        }
+        self.sums = sums;
     }
 
     fn control(&self, frame: &mut Frame<D>) {
@@ -149,10 +225,16 @@ impl<const D: usize> Team<D> {
         let terms =
             frame.positions_m.iter().zip(&frame.told).enumerate().filter_map(|(other, (position, told))| {
                 let offset_m = subtract(own, position);
-                let link: Link<Scaled> = self.params.link().link(&offset_m).filter(|_| other != index)?;
-                let collision = composed.collision_term(&offset_m);
+                let distance_m2 = dot(&offset_m, &offset_m);
+                let link: Link<Scaled> =
+                    self.params.link().link_at(distance_m2).filter(|_| other != index)?;
+                let collision = composed.collision_term(distance_m2);
                 Some(Term { offset_m, link, collision, told: composed.degree_term(*told) })
             });
         composed.compose(composed.degree_term(frame.told[index]), terms)
     }
+}
+
+fn small(index: usize) -> u16 {
+    u16::try_from(index).unwrap_or(u16::MAX)
 }

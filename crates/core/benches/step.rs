@@ -1,0 +1,106 @@
+//! One robot: the program alone, the row with its program, a whole tick, a consensus round.
+//!
+//! `cargo bench -p closeranks-core`
+
+use closeranks_core::composed::Term;
+use closeranks_core::link::Link;
+use closeranks_core::math::dot;
+use closeranks_core::message::Message;
+use closeranks_core::neighbor::{RobotId, Slot};
+use closeranks_core::params::{Params, Settings};
+use closeranks_core::program::{InputBox, Row, closest};
+use closeranks_core::robot::Robot;
+use closeranks_core::scaled::Scaled;
+use closeranks_core::time::Instant;
+use closeranks_core::wmsr;
+use divan::{Bencher, black_box};
+
+fn main() {
+    divan::main();
+}
+
+const BOX: InputBox<2> = InputBox { min_m_s: [-1.5; 2], max_m_s: [1.5; 2] };
+
+/// Ten neighbours on two rings, as in the paper's formations.
+fn offsets() -> [[f64; 2]; 10] {
+    [
+        [0.6, 0.0],
+        [-0.6, 0.1],
+        [0.3, 0.52],
+        [-0.3, -0.52],
+        [1.2, 0.4],
+        [-1.1, 0.9],
+        [0.2, -1.4],
+        [2.1, 1.0],
+        [-1.8, -1.6],
+        [2.4, -1.3],
+    ]
+}
+
+#[divan::bench]
+fn program_free(bencher: Bencher<'_, '_>) {
+    let row = Row { normal: [1.0, 0.4], bound: -3.0 };
+    bencher.bench(|| closest(black_box(&[0.8, 0.3]), black_box(&row), black_box(&BOX)));
+}
+
+#[divan::bench]
+fn program_active(bencher: Bencher<'_, '_>) {
+    let row = Row { normal: [-1.3, 0.7], bound: 0.05 };
+    bencher.bench(|| closest(black_box(&[0.8, 0.3]), black_box(&row), black_box(&BOX)));
+}
+
+#[divan::bench]
+fn program_infeasible(bencher: Bencher<'_, '_>) {
+    let row = Row { normal: [-1.3, 0.7], bound: 4.0 };
+    bencher.bench(|| closest(black_box(&[0.8, 0.3]), black_box(&row), black_box(&BOX)));
+}
+
+#[divan::bench]
+fn row_and_program_of_ten_neighbours(bencher: Bencher<'_, '_>) {
+    let params = Params::<2>::new(Settings::default()).expect("defaults are valid");
+    let (composed, shape) = (*params.composed(), *params.link());
+    let term = move |offset_m: &[f64; 2], told: f64| -> Option<Term<2>> {
+        let link: Link<Scaled> = shape.link(offset_m)?;
+        let collision = composed.collision_term(dot(offset_m, offset_m));
+        Some(Term { offset_m: *offset_m, link, collision, told: composed.degree_term(told) })
+    };
+    bencher.with_inputs(offsets).bench_values(|offsets| {
+        let mut terms = [None; 10];
+        for (slot, offset) in terms.iter_mut().zip(&offsets) {
+            *slot = term(black_box(offset), black_box(7.2));
+        }
+        let own = composed.degree_term(black_box(7.1));
+        let composition = composed.compose(own, terms.iter().flatten().copied());
+        closest(black_box(&[1.0, 0.0]), &composition.row, &BOX)
+    });
+}
+
+#[divan::bench]
+fn tick_of_a_robot_with_ten_neighbours(bencher: Bencher<'_, '_>) {
+    let params = Params::<2>::new(Settings::default()).expect("defaults are valid");
+    let mut slots = [Slot::default(); 10];
+    let mut values = [0.0; 10];
+    let mut robot = Robot::new(params, RobotId(1), 0.0, &mut slots, &mut values).expect("memory is enough");
+    let mut nanos = 0;
+    bencher.bench_local(|| {
+        nanos += 5_000_000;
+        let sequence = u32::try_from(nanos / 5_000_000).unwrap_or(u32::MAX);
+        let _ = robot.sense(Instant::from_nanos(nanos), [0.0, 0.0]);
+        for (id, offset) in (2..).map(RobotId).zip(offsets()) {
+            let _ = robot.observe(id, black_box(offset));
+        }
+        let _ = black_box(robot.share());
+        for id in (2..12).map(RobotId) {
+            if let Ok(message) = Message::new(sequence, black_box(7.2), Some(1.0)) {
+                let _ = robot.receive(id, &message);
+            }
+        }
+        robot.tick([1.0, 0.0])
+    });
+}
+
+#[divan::bench]
+fn consensus_round_of_ten_values(bencher: Bencher<'_, '_>) {
+    let told = [3.0, -250.0, 40.0, 499.0, -13.0, 77.0, 0.5, -499.0, 120.0, 8.0];
+    bencher.with_inputs(|| told).bench_refs(|told| wmsr::update(black_box(5.0), told, 2));
+}

@@ -1,0 +1,80 @@
+//! Ticks of whole teams, all in range of each other, and the paper's run.
+//!
+//! `cargo bench -p closeranks-sim`
+
+use closeranks_core::params::Params;
+use closeranks_sim::attack::Liars;
+use closeranks_sim::frame::Frame;
+use closeranks_sim::robots::{Fleet, Memory};
+use closeranks_sim::scenario::Scenario;
+use closeranks_sim::start::Start;
+use closeranks_sim::team::Team;
+use closeranks_sim::world::{Options, initial_values, run, want};
+use divan::Bencher;
+
+fn main() {
+    divan::main();
+}
+
+/// A hexagonal patch of spacing 0.6 m; the radius covers it all.
+fn scenario(robots: u16) -> Scenario {
+    let radius_m = match robots {
+        11 => 3.0,
+        100 => 7.0,
+        _ => 22.0,
+    };
+    Scenario { robots, radius_m, start: Start::Hexagon { spacing_m: 0.6 }, ..Scenario::default() }
+}
+
+fn world(scenario: &Scenario) -> (Params<2>, Frame<2>, Vec<f64>) {
+    let params = scenario.params().expect("valid");
+    let values = initial_values(scenario).expect("drawn");
+    let positions = scenario.start.positions(scenario).expect("a hexagon");
+    (params, Frame::new(positions, values.clone()), values)
+}
+
+/// Sense, share, all robots, integrate; consensus every twentieth tick; monitors off.
+#[divan::bench(args = [11, 100, 1_000])]
+fn tick_of_a_team(bencher: Bencher<'_, '_>, robots: u16) {
+    let scenario = scenario(robots);
+    let (params, mut frame, values) = world(&scenario);
+    let mut team = Team::new(&scenario, params, &values);
+    let mut liars = Liars::new(&scenario);
+    bencher.bench_local(|| {
+        want(&scenario, &mut frame);
+        team.step(&mut frame, &mut liars);
+        frame.integrate(scenario.tick_s());
+    });
+    let links = u32::from(robots) * u32::from(robots - 1) / 2;
+    assert!(frame.links * 10 > links * 9, "nearly all in range: {} of {links}", frame.links);
+}
+
+/// The same with every robot on its own and every message as bytes.
+#[divan::bench(args = [11, 100])]
+fn tick_of_single_robots(bencher: Bencher<'_, '_>, robots: u16) {
+    let scenario = scenario(robots);
+    let (params, mut frame, values) = world(&scenario);
+    let mut memory = Memory::new(usize::from(robots));
+    let mut fleet = Fleet::new(params, &values, &mut memory).expect("memory is enough");
+    let mut liars = Liars::new(&scenario);
+    bencher.bench_local(|| {
+        want(&scenario, &mut frame);
+        fleet.step(&mut frame, &mut liars);
+        frame.integrate(scenario.tick_s());
+    });
+}
+
+/// Ten seconds of section V, monitors on, no record.
+#[divan::bench]
+fn paper_run(bencher: Bencher<'_, '_>) {
+    let scenario = Scenario::default();
+    bencher.bench(|| run(&scenario, Options::default(), &mut |_| ()).expect("runs"));
+}
+
+/// The same with every tick kept.
+#[divan::bench]
+fn paper_run_recorded(bencher: Bencher<'_, '_>) {
+    let scenario = Scenario::default();
+    bencher
+        .bench(|| run(&scenario, Options { record: true, ..Options::default() }, &mut |_| ()).expect("runs"));
+}
