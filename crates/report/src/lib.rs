@@ -2,4 +2,6 @@
 //!
 //! Everything is made in memory; only the caller writes files.
 
+pub mod claims;
 pub mod content;
+pub mod table;

@@ -1,0 +1,182 @@
+//! The sentences of the paper's section V, each held against the runs.
+
+use closeranks_sim::monitor::Law;
+use closeranks_sim::summary::Summary;
+
+use crate::content::Claim;
+use crate::table::number;
+
+/// The runs that the paper's section V speaks of, from one start.
+#[derive(Clone, Copy, Debug)]
+pub struct SectionFive<'a> {
+    /// F′.
+    pub required: u16,
+    /// Δ_d, m.
+    pub distance_min_m: f64,
+    /// Nominal, understating, overstating.
+    pub runs: [&'a Summary; 3],
+    /// The desired motion without any filter.
+    pub unfiltered: &'a Summary,
+}
+
+/// Growth below this part of the desired speed (1 m/s) counts as having stopped.
+const STOPPED_M_S: f64 = 0.01;
+
+impl SectionFive<'_> {
+    /// Every claim with its numbers.
+    #[must_use]
+    pub fn claims(&self) -> Vec<Claim> {
+        [self.before(), self.kept(), self.effects(), self.theorem()].concat()
+    }
+
+    fn each(&self, what: impl Fn(&Summary) -> String) -> String {
+        let [nominal, under, over] = self.runs.map(what);
+        format!("nominal {nominal}, understating {under}, overstating {over}")
+    }
+
+    fn all(&self, holds: impl Fn(&Summary) -> bool) -> bool {
+        self.runs.into_iter().all(holds)
+    }
+
+    fn before(&self) -> Vec<Claim> {
+        let free = &self.unfiltered.extremes;
+        vec![
+            claim(
+                "Each simulation begins with every robot having at least seven neighbors.",
+                self.all(|run| run.start.degree_min >= self.required),
+                format!("least degree at the start: {}", self.each(|run| run.start.degree_min.to_string())),
+            ),
+            claim(
+                "Robots will move in four different directions, which would break the network",
+                free.degree_min < self.required,
+                format!("without the filter the least degree of normal robots falls to {}", free.degree_min),
+            ),
+            claim(
+                "and prevent resilient consensus.",
+                free.rounds_to_agree.is_none(),
+                match free.rounds_to_agree {
+                    Some(rounds) => format!(
+                        "without the filter values still agree, in round {rounds}, before the network breaks"
+                    ),
+                    None => {
+                        format!("without the filter the spread of values stays at {}", number(free.spread, 1))
+                    }
+                },
+            ),
+        ]
+    }
+
+    fn kept(&self) -> Vec<Claim> {
+        vec![
+            claim(
+                "Robots eventually stop dispersing",
+                self.all(|run| run.spreading_m_s[1].abs() < STOPPED_M_S),
+                format!(
+                    "growth of the radius of gyration at the end, m/s (robots want 1 m/s): {}",
+                    self.each(|run| number(run.spreading_m_s[1], 4))
+                ),
+            ),
+            claim(
+                "to allow normal robots maintain at least seven neighbors",
+                self.all(|run| run.broken(Law::Degree) == 0),
+                format!(
+                    "least degree of normal robots: {}",
+                    self.each(|run| run.extremes.degree_min.to_string())
+                ),
+            ),
+            claim(
+                "while avoiding collisions.",
+                self.all(|run| run.broken(Law::Distance) == 0),
+                format!(
+                    "least distance, m (demanded {}): {}{}",
+                    self.distance_min_m,
+                    self.each(|run| number(run.extremes.distance_min_m, 3)),
+                    if self.runs[0].start.distance_min_m < self.distance_min_m {
+                        "; the start itself is too close"
+                    } else {
+                        ""
+                    }
+                ),
+            ),
+            claim(
+                "These variations in updates do not compromise resilient consensus.",
+                self.all(|run| run.broken(Law::Interval) == 0 && run.extremes.rounds_to_agree.is_some()),
+                format!(
+                    "rounds until normal values agree to 1 in 1000, inside their initial interval: {}",
+                    self.each(|run| run
+                        .extremes
+                        .rounds_to_agree
+                        .map_or("never".into(), |rounds| rounds.to_string()))
+                ),
+            ),
+        ]
+    }
+
+    fn effects(&self) -> Vec<Claim> {
+        let [nominal, under, over] = self.runs;
+        let gyration =
+            format!("radius of gyration at the end, m: {}", self.each(|run| number(run.gyration_m, 3)));
+        let near = |run: &Summary| run.liar_distance_m.unwrap_or(f64::NAN);
+        vec![
+            claim(
+                "Understating behaviors impose more connectivity constraints for normal robots to remain close to malicious agents,",
+                near(under) < near(nominal),
+                format!(
+                    "mean distance from normal to malicious robots, m: {}",
+                    self.each(|run| number(near(run), 3))
+                ),
+            ),
+            claim(
+                "leading to a more compact network.",
+                under.gyration_m < nominal.gyration_m,
+                gyration.clone(),
+            ),
+            claim(
+                "Overstating behaviors allow normal agents to move more freely and form a more dispersed network.",
+                over.gyration_m > nominal.gyration_m,
+                gyration,
+            ),
+            claim(
+                "Notably, one malicious robot fails to maintain seven neighbors.",
+                over.malicious_below == 1,
+                format!(
+                    "malicious robots that ever had fewer: {}; their least degree when overstating: {}",
+                    self.each(|run| run.malicious_below.to_string()),
+                    over.extremes.malicious_degree_min
+                ),
+            ),
+        ]
+    }
+
+    fn theorem(&self) -> Vec<Claim> {
+        vec![
+            claim(
+                "[thm:cbf-qp, hypothesis] The start lies in the safe set: every phi_i >= 0.",
+                self.all(|run| run.start.inside()),
+                format!("least phi_i at the start: {}", self.each(|run| number(run.start.phi_min, 4))),
+            ),
+            claim(
+                "[lem:equivalence] The program of every robot is feasible at all times.",
+                self.all(|run| run.broken(Law::Feasible) == 0),
+                format!("infeasible programs: {}", self.each(|run| run.broken(Law::Feasible).to_string())),
+            ),
+            claim(
+                "[thm:cbf-qp, part 1] The set of all phi_i >= 0 is never left.",
+                self.all(|run| run.broken(Law::Shares) == 0),
+                format!(
+                    "negative phi_i (per robot and tick, METHOD 2.2): {}",
+                    self.each(|run| run.broken(Law::Shares).to_string())
+                ),
+            ),
+            claim(
+                "[cor:naive] With nominal updating malicious robots keep seven neighbors too.",
+                self.runs[0].malicious_below == 0,
+                format!("their least degree: {}", self.runs[0].extremes.malicious_degree_min),
+            ),
+        ]
+    }
+}
+
+fn claim(sentence: &str, holds: bool, numbers: String) -> Claim {
+    Claim { sentence: sentence.to_owned(), holds, numbers }
+}

@@ -1,0 +1,151 @@
+//! The table of runs: one line a scenario.
+
+use core::fmt::Write as _;
+
+use closeranks_sim::monitor::Law;
+use closeranks_sim::scenario::Scenario;
+use closeranks_sim::summary::Summary;
+
+use crate::content::Table;
+
+/// One line of the table.
+#[derive(Clone, Copy, Debug)]
+pub struct Line<'a> {
+    /// What was run.
+    pub scenario: &'a Scenario,
+    /// What it came to.
+    pub summary: &'a Summary,
+    /// Wall time of the run, s, if it was measured.
+    pub time_s: Option<f64>,
+}
+
+/// Heads of the table; the second line of each is the unit or the kind of robot.
+const HEADS: [&str; 13] = [
+    "scenario",
+    "degree\nnormal",
+    "h\nnormal",
+    "degree\nmalicious",
+    "distance\nleast, m",
+    "gyration\nend, m",
+    "links\nend",
+    "to liars\nmean, m",
+    "rounds\nto agree",
+    "infea-\nsible",
+    "phi_i\n< 0",
+    "global\nphi",
+    "time\nms",
+];
+
+/// The table of several runs: least degree and least h of normal robots, least degree of malicious ones, least distance,
+/// radius of gyration and number of links at the end, mean distance from normal to malicious robots at the end, rounds
+/// until the spread of normal values is below 1, infeasible programs, negative φ_i, least global φ, time.
+#[must_use]
+pub fn table(lines: &[Line<'_>]) -> Table {
+    let heads = HEADS.map(str::to_owned).to_vec();
+    Table { heads, rows: lines.iter().map(row).collect() }
+}
+
+fn row(line: &Line<'_>) -> Vec<String> {
+    let (summary, extremes) = (line.summary, &line.summary.extremes);
+    let liars = !line.scenario.malicious.is_empty();
+    vec![
+        line.scenario.name.clone(),
+        extremes.degree_min.to_string(),
+        number(extremes.h_min, 3),
+        if liars { extremes.malicious_degree_min.to_string() } else { "-".to_owned() },
+        number(extremes.distance_min_m, 3),
+        number(summary.gyration_m, 3),
+        summary.links.to_string(),
+        summary.liar_distance_m.map_or("-".to_owned(), |distance| number(distance, 3)),
+        extremes.rounds_to_agree.map_or("never".to_owned(), |rounds| rounds.to_string()),
+        summary.broken(Law::Feasible).to_string(),
+        summary.broken(Law::Shares).to_string(),
+        number(extremes.phi_global_min, 3),
+        line.time_s.map_or("-".to_owned(), |time| number(time * 1e3, 1)),
+    ]
+}
+
+/// A number with `digits` after the point; very large ones in powers of ten, none that are not numbers.
+#[must_use]
+pub fn number(value: f64, digits: usize) -> String {
+    if !value.is_finite() {
+        return "-".to_owned();
+    }
+    let plain = format!("{value:.digits$}");
+    if value.abs() >= 1e6 {
+        return format!("{value:.1e}");
+    }
+    if plain.trim_start_matches('-').trim_start_matches(['0', '.']).is_empty() {
+        format!("{:.digits$}", 0.0)
+    } else {
+        plain
+    }
+}
+
+/// The table as text for a terminal: columns aligned, the first to the left, others to the right.
+#[must_use]
+pub fn text(table: &Table) -> String {
+    let heads: Vec<Vec<&str>> = table.heads.iter().map(|head| head.split('\n').collect()).collect();
+    let height = heads.iter().map(Vec::len).max().unwrap_or(0);
+    let head_lines =
+        (0..height).map(|line| heads.iter().map(|head| head.get(line).copied().unwrap_or("")).collect());
+    let body = table.rows.iter().map(|row| row.iter().map(String::as_str).collect());
+    let lines: Vec<Vec<&str>> = head_lines.chain(body).collect();
+    let widths: Vec<usize> = (0..heads.len())
+        .map(|column| {
+            lines
+                .iter()
+                .filter_map(|line| line.get(column))
+                .map(|cell| cell.chars().count())
+                .max()
+                .unwrap_or(0)
+        })
+        .collect();
+    let mut out = String::new();
+    for (index, line) in lines.iter().enumerate() {
+        push_line(&mut out, line, &widths);
+        if index + 1 == height {
+            out.push_str(&"-".repeat(widths.iter().sum::<usize>() + 2 * widths.len().saturating_sub(1)));
+            out.push('\n');
+        }
+    }
+    out
+}
+
+fn push_line(out: &mut String, cells: &[&str], widths: &[usize]) {
+    let mut line = String::new();
+    for (column, (cell, width)) in cells.iter().zip(widths).enumerate() {
+        let gap = if column == 0 { "" } else { "  " };
+        let written =
+            if column == 0 { write!(line, "{cell:<width$}") } else { write!(line, "{gap}{cell:>width$}") };
+        debug_assert!(written.is_ok(), "writing to a string does not fail");
+    }
+    out.push_str(line.trim_end());
+    out.push('\n');
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn numbers_read_well() {
+        assert_eq!(number(1.234_56, 3), "1.235");
+        assert_eq!(number(-0.000_01, 3), "0.000");
+        assert_eq!(number(-3.2e21, 3), "-3.2e21");
+        assert_eq!(number(f64::NAN, 3), "-");
+        assert_eq!(number(10.0, 1), "10.0");
+    }
+
+    #[test]
+    fn columns_line_up() {
+        let table = Table {
+            heads: vec!["name".into(), "degree\nleast".into()],
+            rows: vec![vec!["nominal".into(), "7".into()], vec!["x".into(), "10".into()]],
+        };
+        assert_eq!(
+            text(&table),
+            "name     degree\n          least\n---------------\nnominal       7\nx            10\n"
+        );
+    }
+}
