@@ -1,7 +1,28 @@
 //! What people look at: figures as SVG and PNG, tables, claims, Parquet files and one self-contained page.
 //!
 //! Everything is made in memory; only the caller writes files.
+//!
+//! | what | where |
+//! | --- | --- |
+//! | the paper's figures, and one for a single run | [`figure`] |
+//! | SVG to PNG | [`png`] |
+//! | the table of runs, and the paper's sentences held against them | [`table`], [`claims`] |
 
 pub mod claims;
 pub mod content;
+pub mod figure;
+pub mod png;
 pub mod table;
+
+mod axes;
+mod formation;
+mod layout;
+mod legend;
+mod links;
+mod palette;
+mod series;
+mod svg;
+mod text;
+mod ticks;
+mod title;
+mod trace;

@@ -1,0 +1,211 @@
+//! A panel with the robots of one tick and the links between them.
+
+use closeranks_sim::record::Record;
+
+use crate::axes::{Axes, Place};
+use crate::figure::Case;
+use crate::links::{Link, links, position};
+use crate::palette::{FRAME, LINK, MALICIOUS, NORMAL};
+use crate::svg::{Element, PathData, Piece, Svg};
+use crate::ticks::{Range, drawable, plain};
+use crate::title::Title;
+
+/// Up to so many robots have numbers in them.
+const NUMBERED: u16 = 40;
+/// More links than this in a panel are hairlines: their dots could not be told apart.
+const DOTTED: usize = 1_500;
+
+/// One tick of a case.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Moment<'a> {
+    /// Whose.
+    pub(crate) case: Case<'a>,
+    /// Which.
+    pub(crate) tick: usize,
+    /// It is shown as the start of all cases.
+    pub(crate) start: bool,
+}
+
+/// How robots are drawn.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Marker {
+    /// Radius of the circle; squares have the same area.
+    pub(crate) radius: f64,
+    /// With the robot's number.
+    pub(crate) numbered: bool,
+}
+
+/// Everything that panels of one figure share.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Look {
+    /// Shown from left to right, m.
+    pub(crate) x: Range,
+    /// Shown from bottom to top, m.
+    pub(crate) y: Range,
+    /// Robots.
+    pub(crate) marker: Marker,
+    /// Height of a panel over its width.
+    pub(crate) aspect: f64,
+}
+
+impl Look {
+    /// One look for all `moments` in panels of `width`: a metre is as long in x as in y, in every panel.
+    #[must_use]
+    pub(crate) fn of(moments: &[Moment<'_>], width: f64) -> Self {
+        let [x, y] = [0, 1].map(|axis| Range::of(coordinates(moments, axis)));
+        let margin = 0.09 * x.width().max(y.width()).max(1.0);
+        let (x, y) = (x.padded(margin), y.padded(margin));
+        let aspect = (y.width() / x.width()).clamp(0.6, 1.25);
+        let span = x.width().max(y.width() / aspect);
+        let (x, y) = (x.widened_to(span), y.widened_to(span * aspect));
+        Self { x, y, marker: Marker::of(moments, width / span), aspect }
+    }
+}
+
+impl Marker {
+    /// As large as robots leave room for, at `scale` page units a metre.
+    fn of(moments: &[Moment<'_>], scale: f64) -> Self {
+        let numbered = moments.iter().all(|moment| moment.case.record.robots <= NUMBERED);
+        let [least, greatest] = if numbered { [5.2, 7.0] } else { [1.2, 4.0] };
+        let distances = moments.iter().map(|moment| usual_distance(moment));
+        let room = 0.45 * scale * distances.fold(f64::INFINITY, f64::min);
+        Self { radius: room.clamp(least, greatest), numbered }
+    }
+}
+
+/// The distance in the plane that nine of ten robots keep from all others, m.
+fn usual_distance(moment: &Moment<'_>) -> f64 {
+    let points = moment.points();
+    let nearest = |point: &[f64; 2]| {
+        let squares = points.iter().map(|other| {
+            let [dx, dy] = [other[0] - point[0], other[1] - point[1]];
+            dx * dx + dy * dy
+        });
+        squares.filter(|square| *square > 0.0).fold(f64::INFINITY, f64::min).sqrt()
+    };
+    let mut distances: Vec<f64> = points.iter().map(nearest).collect();
+    distances.sort_by(f64::total_cmp);
+    distances.get(distances.len() / 10).copied().unwrap_or(f64::INFINITY)
+}
+
+fn coordinates<'a>(moments: &'a [Moment<'_>], axis: usize) -> impl Iterator<Item = f64> + 'a {
+    moments.iter().flat_map(Moment::points).map(move |point| point[axis])
+}
+
+impl<'a> Moment<'a> {
+    /// The first tick of a case.
+    #[must_use]
+    pub(crate) fn start(case: Case<'a>) -> Self {
+        Self { case, tick: 0, start: true }
+    }
+
+    /// The last tick of a case.
+    #[must_use]
+    pub(crate) fn end(case: Case<'a>) -> Self {
+        Self { case, tick: case.record.last_tick(), start: false }
+    }
+
+    fn record(&self) -> &'a Record {
+        self.case.record
+    }
+
+    /// Where robots are in the plane of the first two axes, m.
+    fn points(&self) -> Vec<[f64; 2]> {
+        let robots = 0..usize::from(self.record().robots);
+        robots.map(|index| position(self.record(), self.tick, index)).map(|[x, y, _]| [x, y]).collect()
+    }
+
+    /// What its panel is called: the start, or the case and the time.
+    #[must_use]
+    pub(crate) fn title(&self) -> Title {
+        let time = format!("t = {} s", plain(self.record().time_s(self.tick)));
+        let name = if self.start { "start" } else { self.case.title };
+        Title { name: name.into(), time, time_known: self.start }
+    }
+
+    /// Draws links, then robots, malicious ones last.
+    pub(crate) fn draw(&self, svg: &mut Svg, axes: &Axes, marker: Marker) {
+        let points: Vec<[f64; 2]> = self.points().into_iter().map(|point| axes.at(point)).collect();
+        let links = links(self.record(), self.case.scenario.radius_m, self.tick);
+        let (red, grey): (Vec<Link>, Vec<Link>) = links.iter().partition(|link| link.malicious);
+        for (links, colour) in [(grey, LINK), (red, MALICIOUS)] {
+            draw_links(svg, &points, &links, colour);
+        }
+        for malicious in [false, true] {
+            self.draw_robots(svg, &points, marker, malicious);
+        }
+        if self.record().dimension > 2 {
+            note(svg, axes.place, "3D, seen along z");
+        }
+    }
+
+    fn draw_robots(&self, svg: &mut Svg, points: &[[f64; 2]], marker: Marker, malicious: bool) {
+        svg.begin(robots_group(malicious, marker));
+        for (index, point) in points.iter().enumerate() {
+            if self.record().malicious.get(index) == Some(&malicious) && drawable(point[0]) {
+                svg.add(shape(*point, marker.radius, malicious));
+                if marker.numbered {
+                    svg.add(robot_number(*point, marker.radius, index + 1));
+                }
+            }
+        }
+        svg.end();
+    }
+}
+
+/// All links of one colour in one path.
+fn draw_links(svg: &mut Svg, points: &[[f64; 2]], links: &[Link], colour: &str) {
+    let mut path = PathData::default();
+    for link in links {
+        let ends = [points[link.first], points[link.second]];
+        if ends.iter().flatten().all(|end| end.is_finite()) {
+            path.start(ends[0]);
+            path.continue_to(ends[1]);
+        }
+    }
+    if !path.is_empty() {
+        svg.add(link_style(path.element(), colour, links.len() <= DOTTED));
+    }
+}
+
+/// Dotted, or a hairline where there are too many.
+pub(crate) fn link_style(element: Element, colour: &str, dotted: bool) -> Element {
+    let element = element.text("fill", "none").text("stroke", colour);
+    if dotted {
+        element.number("stroke-width", 0.9).text("stroke-dasharray", "1.1 2")
+    } else {
+        element.number("stroke-width", 0.15)
+    }
+}
+
+/// What all robots of a kind share.
+pub(crate) fn robots_group(malicious: bool, marker: Marker) -> Element {
+    let colour = if malicious { MALICIOUS } else { NORMAL };
+    let edge = if marker.numbered { 0.9 } else { 0.4 };
+    let group = Element::group().text("fill", colour).text("stroke", "#ffffff").number("stroke-width", edge);
+    group.text("text-anchor", "middle").text("font-weight", "bold")
+}
+
+/// A circle, or for malicious robots a square of the same area.
+pub(crate) fn shape(point: [f64; 2], radius: f64, malicious: bool) -> Element {
+    if malicious {
+        let side = 1.772 * radius;
+        let corner = point.map(|coordinate| coordinate - 0.5 * side);
+        Element::new("rect").point(["x", "y"], corner).number("width", side).number("height", side)
+    } else {
+        Element::new("circle").point(["cx", "cy"], point).number("r", radius)
+    }
+}
+
+fn robot_number([x, y]: [f64; 2], radius: f64, number: usize) -> Element {
+    let size = if number < 10 { 1.4 * radius } else { 1.2 * radius };
+    let text = Element::new("text").point(["x", "y"], [x, y + 0.36 * size]).number("font-size", size);
+    text.text("fill", "#ffffff").text("stroke", "none").label(&[Piece::Plain(&number.to_string())])
+}
+
+/// A remark in the lower right corner of a panel.
+fn note(svg: &mut Svg, place: Place, text: &str) {
+    let at = [place.left + place.width - 5.0, place.bottom() - 5.0];
+    let element = Element::new("text").point(["x", "y"], at).number("font-size", 9.0);
+    svg.add(element.text("text-anchor", "end").text("fill", FRAME).label(&[Piece::Plain(text)]));
+}

@@ -1,0 +1,121 @@
+//! One row that says what shapes and lines mean.
+
+use crate::formation::{Marker, link_style, robots_group, shape};
+use crate::palette::{INK, LABEL, LINK, MALICIOUS, NORMAL, SHADE};
+use crate::series::malicious_style;
+use crate::svg::{Element, PathData, Piece, Svg};
+use crate::text;
+
+/// Something a legend explains.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Entry {
+    /// The marker of a robot.
+    Robot {
+        /// Of which kind.
+        malicious: bool,
+    },
+    /// A link.
+    Link {
+        /// With a malicious robot.
+        malicious: bool,
+    },
+    /// The line of a robot.
+    Line {
+        /// Of which kind.
+        malicious: bool,
+    },
+    /// The region below zero.
+    Below,
+}
+
+/// Of formations.
+pub(crate) const FORMATION: [Entry; 4] = [
+    Entry::Robot { malicious: false },
+    Entry::Robot { malicious: true },
+    Entry::Link { malicious: false },
+    Entry::Link { malicious: true },
+];
+
+/// Of lines over time.
+pub(crate) const SERIES: [Entry; 3] =
+    [Entry::Line { malicious: false }, Entry::Line { malicious: true }, Entry::Below];
+
+/// Space between entries.
+const GAP: f64 = 22.0;
+/// Space between a sample and its text.
+const SAMPLE_GAP: f64 = 6.0;
+
+impl Entry {
+    fn pieces(self) -> &'static [Piece<'static>] {
+        match self {
+            Self::Robot { malicious: false } | Self::Line { malicious: false } => {
+                &[Piece::Plain("normal robot")]
+            }
+            Self::Robot { malicious: true } | Self::Line { malicious: true } => {
+                &[Piece::Plain("malicious robot")]
+            }
+            Self::Link { malicious: false } => &[Piece::Plain("link of normal robots")],
+            Self::Link { malicious: true } => &[Piece::Plain("link with a malicious robot")],
+            Self::Below => &[Piece::Italic("h"), Piece::Subscript("i"), Piece::Plain(" < 0")],
+        }
+    }
+
+    fn sample_width(self) -> f64 {
+        if matches!(self, Self::Robot { .. }) { 12.0 } else { 26.0 }
+    }
+
+    fn text_width(self) -> f64 {
+        let text = |piece: &Piece<'_>| match piece {
+            Piece::Plain(text) | Piece::Italic(text) | Piece::Subscript(text) => text::width(text, LABEL),
+        };
+        self.pieces().iter().map(text).sum()
+    }
+
+    fn width(self) -> f64 {
+        self.sample_width() + SAMPLE_GAP + self.text_width()
+    }
+
+    fn draw_sample(self, svg: &mut Svg, left: f64, y: f64) {
+        let right = left + self.sample_width();
+        match self {
+            Self::Robot { malicious } => {
+                svg.begin(robots_group(malicious, Marker { radius: 5.5, numbered: true }));
+                svg.add(shape([0.5 * (left + right), y], 5.5, malicious));
+                svg.end();
+            }
+            Self::Link { malicious } => {
+                let colour = if malicious { MALICIOUS } else { LINK };
+                svg.add(link_style(line(left, right, y), colour, true));
+            }
+            Self::Line { malicious: true } => svg.add(malicious_style(line(left, right, y), 1.3)),
+            Self::Line { malicious: false } => {
+                svg.add(line(left, right, y).text("stroke", NORMAL).number("stroke-width", 1.3));
+            }
+            Self::Below => {
+                let place = crate::axes::Place { left, top: y - 5.0, width: right - left, height: 10.0 };
+                svg.add(place.element().text("fill", SHADE));
+            }
+        }
+    }
+}
+
+fn line(left: f64, right: f64, y: f64) -> Element {
+    let mut path = PathData::default();
+    path.start([left, y]);
+    path.continue_to([right, y]);
+    path.element()
+}
+
+/// Draws `entries` in one row around `middle`.
+pub(crate) fn draw(svg: &mut Svg, entries: &[Entry], [middle, y]: [f64; 2]) {
+    #[expect(clippy::cast_precision_loss, reason = "a handful of entries")]
+    let gaps = GAP * entries.len().saturating_sub(1) as f64;
+    let mut left = middle - 0.5 * (entries.iter().map(|entry| entry.width()).sum::<f64>() + gaps);
+    for entry in entries {
+        entry.draw_sample(svg, left, y);
+        let at = [left + entry.sample_width() + SAMPLE_GAP, y + 0.36 * LABEL];
+        let text = Element::new("text").point(["x", "y"], at).number("font-size", LABEL).text("fill", INK);
+        svg.add(text.label(entry.pieces()));
+        left += entry.width() + GAP;
+    }
+}

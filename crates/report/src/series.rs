@@ -1,0 +1,178 @@
+//! A panel with a column of the record over time, a line a robot.
+
+use closeranks_sim::record::Record;
+
+use crate::axes::Axes;
+use crate::figure::Case;
+use crate::palette::{INK, MALICIOUS, NORMAL_LINES, SHADE};
+use crate::svg::{Element, PathData, Piece, Svg};
+use crate::ticks::{Range, drawable};
+use crate::trace::thin;
+
+/// Width of the columns in which lines keep their extremes.
+const COLUMN: f64 = 0.5;
+
+/// What is drawn.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Quantity {
+    /// h_i (eq:h_i), dimensionless: must stay at or above 0.
+    Barrier,
+    /// y_i: held between rounds, so drawn in steps.
+    Value,
+}
+
+impl Quantity {
+    /// Its name beside an axis.
+    #[must_use]
+    pub(crate) fn label(self) -> &'static [Piece<'static>] {
+        match self {
+            Self::Barrier => &[Piece::Plain("barrier "), Piece::Italic("h"), Piece::Subscript("i")],
+            Self::Value => &[Piece::Plain("value "), Piece::Italic("y"), Piece::Subscript("i")],
+        }
+    }
+
+    fn column(self, record: &Record) -> &[f64] {
+        match self {
+            Self::Barrier => &record.h,
+            Self::Value => &record.value,
+        }
+    }
+
+    /// What has to be shown of all `cases`.
+    ///
+    /// Values of malicious robots may be anything: they widen the range at most to thrice that of the normal ones.
+    #[must_use]
+    pub(crate) fn range(self, cases: &[Case<'_>]) -> Range {
+        let of = |malicious| Range::of(cases.iter().flat_map(|case| self.numbers(case.record, malicious)));
+        let normal = of(Some(false));
+        let all = match self {
+            Self::Barrier => of(None).with(Range { min: -0.5, max: 0.5 }),
+            Self::Value => normal.with(of(Some(true)).within(normal.padded(normal.width()))),
+        };
+        all.padded(0.05 * all.width())
+    }
+
+    /// All numbers of robots of a kind, or of all.
+    fn numbers(self, record: &Record, malicious: Option<bool>) -> impl Iterator<Item = f64> {
+        let kinds = record.malicious.iter().cycle();
+        let pairs = self.column(record).iter().zip(kinds);
+        pairs.filter(move |(_, kind)| malicious.is_none_or(|one| one == **kind)).map(|(number, _)| *number)
+    }
+
+    /// Draws the panel of one case: malicious values behind, malicious barriers in front.
+    pub(crate) fn draw(self, svg: &mut Svg, axes: &Axes, record: &Record) {
+        if self == Self::Barrier {
+            draw_shade(svg, axes);
+        }
+        let order = [self == Self::Value, self != Self::Value];
+        for malicious in order {
+            svg.begin(self.lines_group(malicious));
+            for (index, _) in record.malicious.iter().enumerate().filter(|(_, kind)| **kind == malicious) {
+                self.draw_line(svg, axes, record, index);
+            }
+            svg.end();
+        }
+        if self == Self::Barrier {
+            draw_zero(svg, axes);
+        }
+    }
+
+    /// What all lines of a kind share.
+    fn lines_group(self, malicious: bool) -> Element {
+        let group = Element::group().text("fill", "none").text("stroke-linejoin", "round");
+        match (malicious, self) {
+            (false, _) => group.number("stroke-width", 0.9),
+            (true, Self::Barrier) => malicious_style(group, 1.3),
+            (true, Self::Value) => malicious_style(group, 0.6).number("stroke-opacity", 0.4),
+        }
+    }
+
+    fn draw_line(self, svg: &mut Svg, axes: &Axes, record: &Record, index: usize) {
+        let points = self.points(axes, record, index);
+        let mut path = PathData::default();
+        for part in points.split(|point| !point[0].is_finite()) {
+            let part = if self == Self::Value { steps(part) } else { part.to_vec() };
+            for (place, point) in thin(&part, COLUMN).into_iter().enumerate() {
+                if place == 0 { path.start(point) } else { path.continue_to(point) }
+            }
+        }
+        if !path.is_empty() {
+            svg.add(coloured(path.element(), record, index));
+        }
+        if record.last_tick() == 0 {
+            draw_dot(svg, record, index, &points);
+        }
+    }
+
+    /// The line of a robot on the page; not finite where it cannot be drawn.
+    fn points(self, axes: &Axes, record: &Record, index: usize) -> Vec<[f64; 2]> {
+        let column = self.column(record);
+        let number = |tick| column.get(record.row(tick, index)).copied().unwrap_or(f64::NAN);
+        let ticks = 0..=record.last_tick();
+        ticks.map(|tick| axes.at_cut([record.time_s(tick), finite(number(tick))])).collect()
+    }
+}
+
+/// What cannot be drawn is a gap.
+fn finite(number: f64) -> f64 {
+    if drawable(number) { number } else { f64::NAN }
+}
+
+/// A line that holds each height until the next: only its corners.
+fn steps(points: &[[f64; 2]]) -> Vec<[f64; 2]> {
+    let mut corners: Vec<[f64; 2]> = Vec::new();
+    for point in points {
+        match corners.last() {
+            Some(last) if last[1].to_bits() == point[1].to_bits() => {}
+            Some(last) => corners.extend([[point[0], last[1]], *point]),
+            None => corners.push(*point),
+        }
+    }
+    corners.extend(points.last());
+    corners
+}
+
+/// A run of a single tick has no lines.
+fn draw_dot(svg: &mut Svg, record: &Record, index: usize, points: &[[f64; 2]]) {
+    for point in points.iter().filter(|point| point[0].is_finite()) {
+        let dot = Element::new("circle").point(["cx", "cy"], *point).number("r", 2.0);
+        svg.add(coloured(dot, record, index));
+    }
+}
+
+/// Blues in turn for normal robots; malicious ones have the colour of their group.
+fn coloured(element: Element, record: &Record, index: usize) -> Element {
+    let before = record.malicious.iter().take(index).filter(|malicious| !**malicious).count();
+    match record.malicious.get(index) {
+        Some(false) => element.text("stroke", NORMAL_LINES[before % NORMAL_LINES.len()]),
+        _ => element,
+    }
+}
+
+/// Lines of malicious robots.
+pub(crate) fn malicious_style(element: Element, width: f64) -> Element {
+    let element = element.text("stroke", MALICIOUS).number("stroke-width", width);
+    element.text("stroke-dasharray", "4 2")
+}
+
+/// Below zero a robot may have fewer than F′ neighbours.
+fn draw_shade(svg: &mut Svg, axes: &Axes) {
+    let [_, zero] = axes.at([axes.x.min, 0.0]);
+    let place = crate::axes::Place { top: zero, height: axes.place.bottom() - zero, ..axes.place };
+    svg.add(place.element().text("fill", SHADE));
+}
+
+fn draw_zero(svg: &mut Svg, axes: &Axes) {
+    let mut path = PathData::default();
+    path.start(axes.at([axes.x.min, 0.0]));
+    path.continue_to(axes.at([axes.x.max, 0.0]));
+    svg.add(path.element().text("stroke", INK).number("stroke-width", 1.6));
+}
+
+/// Times of all cases; a run of a single tick has room for one more.
+#[must_use]
+pub(crate) fn time_range(cases: &[Case<'_>]) -> Range {
+    let ends = cases.iter().map(|case| case.record.time_s(case.record.last_tick()));
+    let step = cases.iter().map(|case| case.record.tick_s).fold(1e-9, f64::max);
+    Range { min: 0.0, max: ends.filter(|end| drawable(*end)).fold(step, f64::max) }
+}
