@@ -1,2 +1,112 @@
 //! The `closeranks` program.
-fn main() {}
+//!
+//! Exit codes: 0 fine, 1 a law that was expected to hold was broken, 2 bad input.
+
+mod folder;
+mod json;
+mod output;
+mod paper;
+mod progress;
+mod single;
+mod source;
+mod story;
+
+use std::path::PathBuf;
+use std::process::ExitCode;
+
+use clap::{Args, Parser, Subcommand};
+
+/// Keeps a team of robots agreeing while some of them lie.
+#[derive(Debug, Parser)]
+#[command(name = "closeranks", version, long_version = concat!(env!("CARGO_PKG_VERSION"), " (", env!("CLOSERANKS_COMMIT"), ")"))]
+#[command(arg_required_else_help = true, after_help = EXIT_CODES)]
+struct Arguments {
+    #[command(subcommand)]
+    command: Command,
+}
+
+const EXIT_CODES: &str = "Exit codes: 0 fine, 1 a law that was expected to hold was broken, 2 bad input.\n\
+                          Start with: closeranks paper";
+
+const RUN_HELP: &str = "\
+A scenario is a TOML file in which every field has a default, so an empty file is the paper's own experiment:
+
+    # understating.toml
+    seed = 7
+
+    [team]
+    robots = 11
+    faults = 2            # F: how many liars W-MSR and the controller are prepared for
+    malicious = [1, 2]    # who lies
+
+    [attack]
+    level = { kind = \"bias\", bias = -2.5 }
+
+    closeranks run understating.toml            # the table and what became of each law
+    closeranks run understating.toml -o out     # and figures, every tick as Parquet, a page
+    closeranks run understating.toml --json | jq .laws.degree
+
+All fields with their ranges: scenarios/everything.toml. More to start from: scenarios/README.md.
+
+Exit codes: 0 fine, 1 a law that the scenario expects was broken, 2 bad input.";
+
+#[derive(Debug, Subcommand)]
+enum Command {
+    /// Run the paper's section V: three scenarios from two starts, table, claims, figures, data.
+    ///
+    /// Writes figure1 and figure2 (SVG, PNG) for each start, every tick as Parquet and report.html.
+    Paper(Paper),
+    /// Run one scenario from a TOML file.
+    #[command(after_long_help = RUN_HELP)]
+    Run(Run),
+}
+
+#[derive(Args, Debug)]
+struct Paper {
+    /// Folder to write to; if it exists, it may hold only what an earlier run of closeranks wrote.
+    #[arg(short, long, value_name = "DIR", default_value = "closeranks-out")]
+    output: PathBuf,
+    /// Seed of initial values and of what liars say.
+    #[arg(long, default_value_t = 1)]
+    seed: u64,
+    /// Print the numbers as JSON instead of tables.
+    #[arg(long)]
+    json: bool,
+    /// Print nothing but errors.
+    #[arg(short, long)]
+    quiet: bool,
+}
+
+#[derive(Args, Debug)]
+struct Run {
+    /// Scenario, a TOML file; `-` reads standard input.
+    #[arg(value_name = "FILE")]
+    file: PathBuf,
+    /// Folder for figures, data and page; without it only the table is printed.
+    #[arg(short, long, value_name = "DIR")]
+    output: Option<PathBuf>,
+    /// Use this seed instead of the file's.
+    #[arg(long)]
+    seed: Option<u64>,
+    /// Print the numbers as JSON instead of a table.
+    #[arg(long)]
+    json: bool,
+    /// Print nothing but errors.
+    #[arg(short, long)]
+    quiet: bool,
+}
+
+fn main() -> ExitCode {
+    let done = match Arguments::parse().command {
+        Command::Paper(arguments) => paper::paper(&arguments),
+        Command::Run(arguments) => single::run(&arguments),
+    };
+    match done {
+        Ok(true) => ExitCode::SUCCESS,
+        Ok(false) => ExitCode::from(1),
+        Err(error) => {
+            output::complain(&error);
+            ExitCode::from(2)
+        }
+    }
+}

@@ -1,0 +1,71 @@
+//! The numbers of the table for machines.
+
+use closeranks_report::content::Claim;
+use closeranks_sim::monitor::Verdict;
+use closeranks_sim::scenario::Scenario;
+use closeranks_sim::summary::Summary;
+use serde_json::{Map, Value, json};
+
+/// One run. Numbers that do not exist are null.
+pub(crate) fn run(scenario: &Scenario, summary: &Summary, time_s: f64) -> Value {
+    let extremes = &summary.extremes;
+    let liars = !scenario.malicious.is_empty();
+    let laws = summary.verdicts.iter().map(|verdict| (verdict.law.name().to_owned(), law(scenario, verdict)));
+    json!({
+        "name": scenario.name,
+        "seed": scenario.seed,
+        "version": env!("CARGO_PKG_VERSION"),
+        "commit": env!("CLOSERANKS_COMMIT"),
+        "start": {
+            "inside": summary.start.inside(),
+            "phi_min": summary.start.phi_min,
+            "degree_min": summary.start.degree_min,
+            "distance_min_m": summary.start.distance_min_m,
+            "inside_from_s": extremes.inside_from.map(|tick| f64::from(tick) * scenario.tick_s()),
+            "safe_from_s": extremes.safe_from.map(|tick| f64::from(tick) * scenario.tick_s()),
+        },
+        "degree_min_normal": extremes.degree_min,
+        "h_min_normal": extremes.h_min,
+        "degree_min_malicious": liars.then_some(extremes.malicious_degree_min),
+        "malicious_below_required": summary.malicious_below,
+        "distance_min_m": extremes.distance_min_m,
+        "gyration_m": summary.gyration_m,
+        "links": summary.links,
+        "distance_to_malicious_m": summary.liar_distance_m,
+        "rounds_to_agree": extremes.rounds_to_agree,
+        "spread": extremes.spread,
+        "infeasible": summary.broken(closeranks_sim::monitor::Law::Feasible),
+        "phi_negative": summary.broken(closeranks_sim::monitor::Law::Shares),
+        "phi_min": extremes.phi_min,
+        "phi_global_min": extremes.phi_global_min,
+        "ticks": summary.ticks,
+        "rounds": summary.rounds,
+        "time_s": time_s,
+        "laws": Map::from_iter(laws),
+        "ok": summary.failures(scenario).next().is_none(),
+    })
+}
+
+fn law(scenario: &Scenario, verdict: &Verdict) -> Value {
+    let first = verdict.first.map(|first| {
+        json!({
+            "time_s": f64::from(first.tick) * scenario.tick_s(),
+            "tick": first.tick,
+            "robots": first.robots.iter().filter(|robot| **robot > 0).collect::<Vec<_>>(),
+            "seen": first.seen,
+            "demanded": first.demanded,
+        })
+    });
+    json!({ "expected": scenario.expect.contains(&verdict.law), "broken": verdict.count, "first": first })
+}
+
+/// The claims of one start.
+pub(crate) fn claims(claims: &[Claim]) -> Value {
+    let claim = |claim: &Claim| json!({ "sentence": claim.sentence, "holds": claim.holds, "numbers": claim.numbers });
+    claims.iter().map(claim).collect()
+}
+
+/// Text with a line end.
+pub(crate) fn text(value: &Value) -> String {
+    format!("{value:#}\n")
+}

@@ -1,0 +1,94 @@
+//! `closeranks run FILE`.
+
+use anyhow::Result;
+use closeranks_report::content::{Figure, Page, Section};
+use closeranks_report::figure::{Case, overview};
+use closeranks_report::html::html;
+use closeranks_report::parquet::{Metadata, write};
+use closeranks_report::png::{SCALE_200_DPI, png};
+use closeranks_report::table::{Line, table, text};
+use closeranks_sim::scenario::Scenario;
+use closeranks_sim::world::{self, Options, Run};
+
+use crate::folder::Folder;
+use crate::{json, output, progress, source, story};
+
+/// Runs one scenario; false when a law that it expects was broken.
+pub(crate) fn run(arguments: &crate::Run) -> Result<bool> {
+    let (mut scenario, source) = source::scenario(&arguments.file)?;
+    scenario.seed = arguments.seed.unwrap_or(scenario.seed);
+    let folder = arguments.output.as_deref().map(Folder::new).transpose()?;
+    let bar = progress::bar(u64::from(scenario.ticks()), arguments.quiet);
+    bar.set_message(scenario.name.clone());
+    let options = Options { record: folder.is_some(), ..Options::default() };
+    let (run, time) = progress::timed(|| world::run(&scenario, options, &mut |tick| bar.set_position(u64::from(tick))));
+    bar.finish_and_clear();
+    let run = run?;
+    let time_s = time.as_secs_f64();
+    if arguments.json {
+        output::say(&json::text(&json::run(&scenario, &run.summary, time_s)));
+    } else if !arguments.quiet {
+        output::say(&told(&scenario, &run, time_s));
+    }
+    if let (Some(folder), Some(target)) = (folder, &arguments.output) {
+        save(folder, &scenario, &source, &run, time_s)?;
+        if !arguments.quiet && !arguments.json {
+            output::say(&format!("written to {}: report.html, overview.svg, overview.png, run.parquet\n", target.display()));
+        }
+    }
+    Ok(run.summary.failures(&scenario).next().is_none())
+}
+
+fn told(scenario: &Scenario, run: &Run, time_s: f64) -> String {
+    let line = Line { scenario, summary: &run.summary, time_s: Some(time_s) };
+    let start = story::start(scenario, &run.summary);
+    let laws = story::laws(scenario, &run.summary);
+    let warning = story::warning(scenario).map(|warning| warning + "\n").unwrap_or_default();
+    format!("{}\n{start}\n{warning}{laws}", text(&table(&[line])))
+}
+
+fn save(mut folder: Folder, scenario: &Scenario, source: &str, run: &Run, time_s: f64) -> Result<()> {
+    let Some(record) = &run.record else { return Ok(()) };
+    let svg = overview(Case { title: &scenario.name, scenario, record });
+    folder.add("overview.png", png(&svg, SCALE_200_DPI)?);
+    let metadata = Metadata {
+        scenario: source,
+        seed: scenario.seed,
+        version: env!("CARGO_PKG_VERSION"),
+        commit: env!("CLOSERANKS_COMMIT"),
+    };
+    let mut parquet = Vec::new();
+    write(record, &metadata, &mut parquet)?;
+    folder.add("run.parquet", parquet);
+    folder.add("report.html", html(&page(scenario, source, run, time_s, svg.clone())));
+    folder.add("overview.svg", svg);
+    folder.write()
+}
+
+fn page(scenario: &Scenario, source: &str, run: &Run, time_s: f64, svg: String) -> Page {
+    let line = Line { scenario, summary: &run.summary, time_s: Some(time_s) };
+    let mut paragraphs = vec![story::start(scenario, &run.summary)];
+    paragraphs.extend(story::warning(scenario));
+    paragraphs.extend(story::laws(scenario, &run.summary).lines().map(str::to_owned));
+    let outcome = Section {
+        title: "What it came to".to_owned(),
+        paragraphs,
+        tables: vec![("Least and greatest over the run; heads as in the terminal.".to_owned(), table(&[line]))],
+        figures: vec![Figure {
+            caption: "Formation at the start and at the end; degree barriers and values over time.".to_owned(),
+            svg,
+        }],
+        ..Section::default()
+    };
+    let text = Section {
+        title: "Scenario".to_owned(),
+        paragraphs: source.lines().map(str::to_owned).collect(),
+        ..Section::default()
+    };
+    Page {
+        title: scenario.name.clone(),
+        lead: format!("One run of closeranks, seed {}.", scenario.seed),
+        sections: vec![outcome, text],
+        footer: format!("closeranks {}, commit {}", env!("CARGO_PKG_VERSION"), env!("CLOSERANKS_COMMIT")),
+    }
+}

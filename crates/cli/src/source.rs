@@ -1,0 +1,89 @@
+//! Scenario files: read with a bound, and refused with the line underlined.
+
+use core::fmt;
+use std::fs::File;
+use std::io::{IsTerminal as _, Read as _};
+use std::path::Path;
+
+use annotate_snippets::{AnnotationKind, Group, Level, Renderer, Snippet};
+use anyhow::{Context, Result, bail};
+use closeranks_sim::parse::{self, Problem, TEXT_MAX};
+use closeranks_sim::scenario::Scenario;
+
+/// A scenario file that was refused, with a picture of every mistake.
+#[derive(Debug)]
+pub(crate) struct Refused(String);
+
+impl fmt::Display for Refused {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(&self.0)
+    }
+}
+
+impl core::error::Error for Refused {}
+
+/// Reads and checks a scenario; gives its text too.
+pub(crate) fn scenario(file: &Path) -> Result<(Scenario, String)> {
+    let name = if file == Path::new("-") { "standard input".to_owned() } else { file.display().to_string() };
+    let text = read(file, &name)?;
+    match parse::scenario(&text) {
+        Ok(scenario) => Ok((scenario, text)),
+        Err(problems) => bail!(Refused(picture(&name, &text, &problems))),
+    }
+}
+
+/// At most one byte more than allowed is read, from a file or from standard input.
+fn read(file: &Path, name: &str) -> Result<String> {
+    let limit = TEXT_MAX as u64 + 1;
+    let mut bytes = Vec::new();
+    let read = if file == Path::new("-") {
+        std::io::stdin().lock().take(limit).read_to_end(&mut bytes)
+    } else {
+        let opened = File::open(file).with_context(|| format!("cannot read the scenario `{name}`"))?;
+        opened.take(limit).read_to_end(&mut bytes)
+    };
+    read.with_context(|| format!("cannot read the scenario `{name}`"))?;
+    if bytes.len() > TEXT_MAX {
+        bail!("the scenario `{name}` is too long: allowed is at most {TEXT_MAX} bytes");
+    }
+    String::from_utf8(bytes).map_err(|error| {
+        let at = error.utf8_error().valid_up_to();
+        anyhow::anyhow!("the scenario `{name}` is not text: byte {at} is not UTF-8")
+    })
+}
+
+/// Mistakes shown; a file with more has other troubles.
+const SHOWN: usize = 20;
+
+fn picture(name: &str, text: &str, problems: &[Problem]) -> String {
+    let styled = std::io::stderr().is_terminal();
+    let renderer = if styled { Renderer::styled() } else { Renderer::plain() };
+    let mut out = String::new();
+    for problem in problems.iter().take(SHOWN) {
+        out.push_str(&renderer.render(&[group(name, text, problem)]));
+        out.push('\n');
+    }
+    if problems.len() > SHOWN {
+        out.push_str(&format!("and {} more\n", problems.len() - SHOWN));
+    }
+    out
+}
+
+fn group<'a>(name: &'a str, text: &'a str, problem: &'a Problem) -> Group<'a> {
+    let (title, label) = if problem.field.is_empty() {
+        (problem.found.clone(), String::new())
+    } else {
+        (format!("`{}` is {}", problem.field, problem.found), format!("allowed is {}", problem.allowed))
+    };
+    let annotation = AnnotationKind::Primary.span(visible(text, problem)).label(label);
+    let snippet = Snippet::source(text).path(name).annotation(annotation);
+    Level::ERROR.primary_title(title).element(snippet)
+}
+
+/// The first line of the place: a table that spans many is marked at its head.
+fn visible(text: &str, problem: &Problem) -> core::ops::Range<usize> {
+    let start = problem.span.start.min(text.len());
+    let end = problem.span.end.clamp(start, text.len());
+    let line_end = text.get(start..end).and_then(|part| part.find('\n')).map_or(end, |length| start + length);
+    start..line_end
+}

@@ -1,0 +1,78 @@
+//! What a run came to, in sentences: where it started and what became of each law.
+
+use core::fmt::Write as _;
+
+use closeranks_report::table::number;
+use closeranks_sim::monitor::{Law, Verdict};
+use closeranks_sim::scenario::Scenario;
+use closeranks_sim::summary::Summary;
+
+/// Where the start lies, and when a start outside came inside.
+pub(crate) fn start(scenario: &Scenario, summary: &Summary) -> String {
+    let start = &summary.start;
+    let place = format!(
+        "least phi_i {}, least degree {}, least distance {} m",
+        number(start.phi_min, 4),
+        start.degree_min,
+        number(start.distance_min_m, 3)
+    );
+    if start.inside() {
+        return format!("start: inside the safe set ({place})");
+    }
+    let came = match summary.extremes.inside_from {
+        Some(tick) => format!("inside from t = {}", time(scenario, tick)),
+        None => "never inside".to_owned(),
+    };
+    let safe = match summary.extremes.safe_from {
+        Some(tick) => format!("degrees and distances hold from t = {} to the end", time(scenario, tick)),
+        None => "degrees and distances do not hold at the end".to_owned(),
+    };
+    format!("start: OUTSIDE the safe set ({place}): no theorem covers this run; {came}; {safe}")
+}
+
+/// A warning when more robots lie than the team is prepared for.
+pub(crate) fn warning(scenario: &Scenario) -> Option<String> {
+    let liars = scenario.malicious.len();
+    (liars > usize::from(scenario.faults)).then(|| {
+        format!("note: {liars} malicious robots, but the team is prepared for F = {}: no theorem covers this run", scenario.faults)
+    })
+}
+
+/// One line for each law that was broken; those that were expected to hold are marked.
+pub(crate) fn laws(scenario: &Scenario, summary: &Summary) -> String {
+    let mut out = String::new();
+    for verdict in &summary.verdicts {
+        let expected = scenario.expect.contains(&verdict.law);
+        if verdict.count > 0 {
+            let mark = if expected { "BROKEN" } else { "broken, not expected to hold" };
+            let _ = writeln!(out, "{}: {mark}: {}", verdict.law.name(), violation(scenario, verdict));
+        }
+    }
+    let held: Vec<&str> =
+        scenario.expect.iter().filter(|law| summary.broken(**law) == 0).map(|law| law.name()).collect();
+    if !held.is_empty() {
+        let _ = writeln!(out, "held at every tick: {}", held.join(", "));
+    }
+    out
+}
+
+/// How often, where first and by how much.
+pub(crate) fn violation(scenario: &Scenario, verdict: &Verdict) -> String {
+    let Some(first) = verdict.first else { return "never".to_owned() };
+    let who = match first.robots {
+        [0, _] => String::new(),
+        [robot, 0] => format!(", robot {robot}"),
+        [robot, other] => format!(", robots {robot} and {other}"),
+    };
+    let amount = match verdict.law {
+        Law::Feasible => "no input in the box satisfies the row".to_owned(),
+        Law::Degree => format!("{}, demanded {}", number(first.seen, 0), number(first.demanded, 0)),
+        _ => format!("{}, demanded {}", number(first.seen, 4), number(first.demanded, 4)),
+    };
+    let times = if verdict.count == 1 { "once".to_owned() } else { format!("{} times", verdict.count) };
+    format!("{times}, first at t = {}{who}: {amount} ({})", time(scenario, first.tick), verdict.law.demand())
+}
+
+fn time(scenario: &Scenario, tick: u32) -> String {
+    format!("{} s", number(f64::from(tick) * scenario.tick_s(), 3))
+}
