@@ -9,26 +9,16 @@
 
 #![expect(clippy::float_cmp, reason = "a stuck network keeps its bits")]
 
-use closeranks_core::barrier::required_degree;
-use closeranks_core::wmsr::update;
 use seeded::Seeded;
+use team::{ROBOTS_MAX, Team, check_round, graph_of, join, join_all, two_cliques};
 
 mod seeded;
+mod team;
 
-const ROBOTS_MAX: usize = 30;
 /// Normal values in the exhaustive check.
 const TRUTHS: [f64; 4] = [0.0, 1.0, 2.0, 3.0];
 /// What malicious robots tell there.
 const LIES: [f64; 9] = [-1e9, -1.0, 0.0, 0.5, 1.0, 2.0, 2.5, 3.0, 1e9];
-
-type Values = [f64; ROBOTS_MAX];
-
-/// Who hears whom, as sets of bits, and who lies.
-struct Team {
-    links: Vec<u32>,
-    normal: usize,
-    faults: u16,
-}
 
 /// Every graph of 3 to 6 robots, every malicious set, every assignment of `TRUTHS` and `LIES`.
 ///
@@ -123,24 +113,6 @@ fn liars_with_two_faces_split_a_network_that_one_voice_cannot() {
     assert!(team.spread(&values) < 1e-3, "{:e} after 200 rounds of (1 - 1/22)", team.spread(&values));
 }
 
-/// Theorem A for one round; returns by how much the spread shrank.
-fn check_round(team: &Team, values: &Values) -> f64 {
-    let next = team.step(values, |sender, _| values[sender]);
-    let (low, high) = team.hull(values);
-    let (next_low, next_high) = team.hull(&next);
-    assert!(low <= next_low && next_high <= high, "{next:?} leaves the hull of {values:?}, {:?}", team.links);
-    let beta = 1.0 / f64::from(u32::try_from(team.links.len()).unwrap_or(u32::MAX));
-    // a mean of up to n values rounds n times
-    let rounding = 30.0 * f64::EPSILON * low.abs().max(high.abs());
-    let (before, after) = (high - low, next_high - next_low);
-    assert!(
-        after <= (1.0 - 0.5 * beta) * before + rounding,
-        "{before} to {after} with {values:?}, {:?}",
-        team.links
-    );
-    if before > 1e6 * rounding { after / before } else { 0.0 }
-}
-
 /// All truths for normal robots, all lies for malicious ones.
 fn check_all_assignments(team: &Team, rounds: &mut u64) -> f64 {
     let robots = team.links.len();
@@ -163,76 +135,6 @@ fn check_all_assignments(team: &Team, rounds: &mut u64) -> f64 {
     }
 }
 
-impl Team {
-    fn required(&self) -> usize {
-        required_degree(u16::try_from(self.links.len()).unwrap_or(u16::MAX), self.faults).into()
-    }
-
-    fn normal_degree(&self) -> usize {
-        let degrees = self.links[..self.normal].iter().map(|links| links.count_ones() as usize);
-        degrees.min().unwrap_or(0)
-    }
-
-    /// One round in which `told(sender, receiver)` is what arrives; malicious robots keep their value.
-    fn step(&self, values: &Values, told: impl Fn(usize, usize) -> f64) -> Values {
-        let mut next = *values;
-        for receiver in 0..self.normal {
-            let (mut heard, mut count) = ([0.0; ROBOTS_MAX], 0);
-            for sender in (0..self.links.len()).filter(|sender| self.links[receiver] >> sender & 1 == 1) {
-                heard[count] = told(sender, receiver);
-                count += 1;
-            }
-            next[receiver] = update(values[receiver], &mut heard[..count], self.faults).value;
-        }
-        next
-    }
-
-    fn hull(&self, values: &Values) -> (f64, f64) {
-        let normal = &values[..self.normal];
-        (normal.iter().copied().fold(f64::MAX, f64::min), normal.iter().copied().fold(f64::MIN, f64::max))
-    }
-
-    fn spread(&self, values: &Values) -> f64 {
-        let (low, high) = self.hull(values);
-        high - low
-    }
-
-    /// Each malicious robot in turn tells whatever makes the next spread widest: a value of somebody, or one far out.
-    fn lie_greedily(&self, values: &mut Values) {
-        let mut lies = values[..self.normal].to_vec();
-        lies.extend([-1e9, 1e9]);
-        for liar in self.normal..self.links.len() {
-            let mut widest = -1.0;
-            let mut best = 0.0;
-            for &lie in &lies {
-                values[liar] = lie;
-                let spread = self.spread(&self.step(values, |sender, _| values[sender]));
-                if spread > widest {
-                    (widest, best) = (spread, lie);
-                }
-            }
-            values[liar] = best;
-        }
-    }
-}
-
-fn join(links: &mut [u32], a: usize, b: usize) {
-    links[a] |= 1 << b;
-    links[b] |= 1 << a;
-}
-
-/// The graph whose links, in the order (0,1), (0,2), (1,2), (0,3) …, are the bits of `graph`.
-fn graph_of(robots: usize, graph: u32) -> Vec<u32> {
-    let mut links = vec![0; robots];
-    let pairs = (1..robots).flat_map(|b| (0..b).map(move |a| (a, b)));
-    for (bit, (a, b)) in pairs.enumerate() {
-        if graph >> bit & 1 == 1 {
-            join(&mut links, a, b);
-        }
-    }
-    links
-}
-
 /// Takes links from the complete graph in random order as long as normal robots keep `required` neighbours.
 fn tight_links(robots: usize, normal: usize, required: usize, random: &mut Seeded) -> Vec<u32> {
     let mut links = vec![0; robots];
@@ -252,25 +154,6 @@ fn tight_links(robots: usize, normal: usize, required: usize, random: &mut Seede
         }
     }
     links
-}
-
-fn join_all(links: &mut [u32], robots: core::ops::Range<usize>) {
-    for a in robots.clone() {
-        for b in a + 1..robots.end {
-            join(links, a, b);
-        }
-    }
-}
-
-/// Cliques of ⌊n/2⌋ and ⌈n/2⌉ robots; each of the first is linked to `across` of the second, spread cyclically.
-fn two_cliques(robots: usize, across: usize, faults: u16) -> Team {
-    let (mut links, half) = (vec![0; robots], robots / 2);
-    join_all(&mut links, 0..half);
-    join_all(&mut links, half..robots);
-    for link in 0..half * across {
-        join(&mut links, link / across, half + link % (robots - half));
-    }
-    Team { links, normal: robots, faults }
 }
 
 /// Normal cliques 0..4 and 4..9 with 8 links across, at most 2 at each robot; robots 9 and 10 are malicious, linked to all.
