@@ -1,17 +1,17 @@
 //! What a robot answers: the equations, whatever the order of calls, and something safe whatever the calls.
 
-use closeranks_core::composed::Term;
+use closeranks_core::composed::{Share, Term};
 use closeranks_core::math::{Vector, is_finite, subtract};
 use closeranks_core::message::{MESSAGE_BYTES, Message};
 use closeranks_core::neighbor::{RobotId, Slot};
-use closeranks_core::params::Params;
-use closeranks_core::program::closest;
+use closeranks_core::params::{MAGNITUDE_MAX, Params, Settings};
+use closeranks_core::program::{InputBox, closest};
 use closeranks_core::report::{Mode, Output};
 use closeranks_core::robot::Robot;
 use closeranks_core::time::Instant;
 use proptest::prelude::*;
 use proptest::test_runner::RngSeed;
-use scene::{ME, Scene, lend};
+use scene::{ME, Scene, lend, lend_with};
 use seeded::Seeded;
 
 mod scene;
@@ -48,7 +48,7 @@ enum Call<const D: usize> {
 
 proptest! {
     #![proptest_config(ProptestConfig {
-        cases: 400,
+        cases: 600,
         rng_seed: RngSeed::Fixed(2),
         failure_persistence: None,
         ..ProptestConfig::default()
@@ -65,9 +65,19 @@ proptest! {
     }
 }
 
-/// Plays the calls to a robot with room for three neighbours and looks at every answer.
+/// Plays the calls to a robot with room for three neighbours, with ordinary or the largest settings; looks at every answer.
 fn check_calls<const D: usize>(calls: &[Call<D>]) {
-    lend(|params: Params<D>, slots, values| {
+    let ordinary = Settings::<D> { share: Share::Own, ..Settings::default() };
+    let extreme = Settings {
+        radius_m: MAGNITUDE_MAX,
+        w_r: MAGNITUDE_MAX,
+        w_c: MAGNITUDE_MAX,
+        alpha: MAGNITUDE_MAX,
+        input: InputBox { min_m_s: [-MAGNITUDE_MAX; D], max_m_s: [0.0; D] },
+        ..Settings::default()
+    };
+    let settings = [ordinary, extreme, Settings::default()][calls.len() % 3];
+    lend_with(settings, |params, slots, values| {
         let mut robot = Robot::new(params, ME, 1.0, &mut slots[..3], values).expect("memory and a value");
         for call in calls {
             match call {
