@@ -109,10 +109,11 @@ impl Composed {
     }
 
     /// The factor of `x_i − x_j` in H_i, the same for both ends of the link:
-    /// `w_r (Ê_i + Ê_j) slope_ij + 2 w_c E^c_ij`.
+    /// `w_r (Ê_i + Ê_j) slope_ij + 2 w_c E^c_ij`; in `f64` not finite if a slope that counts as 0 might matter.
     #[must_use]
     pub fn coefficient<N: Number>(&self, own: N, told: N, slope: N, collision: N) -> N {
-        own.plus(told).times(slope).times_f64(self.w_r).plus(collision.times_f64(2.0 * self.w_c))
+        let degrees = own.plus(told).times_f64(HEADROOM).times(slope).times_f64(self.w_r / HEADROOM);
+        degrees.plus(collision.times_f64(2.0 * self.w_c))
     }
 
     /// What a neighbour's `Ê_j` adds to the first sum of φ_i.
@@ -172,6 +173,11 @@ impl<const D: usize, N: Number> Sum<D, N> {
 
 /// Rows below this size have lost terms to underflow and are summed again with free exponents.
 const VANISHED: f64 = 1e-200;
+/// 2⁸⁰⁰, multiplied in and out again without rounding: Ê beyond 2²²³ overflow and are summed with free exponents.
+///
+/// Below that, a slope under 2⁻¹⁰²¹, which `f64` takes for 0, costs a row at most 2⁻⁷⁹⁷ times w_r, an offset and the
+/// number of neighbours: nothing beside a row of size `VANISHED`.
+const HEADROOM: f64 = f64::from_bits((1023 + 800) << 52);
 /// Stands for an infinite bound: larger than anything a box allows, small enough to multiply.
 const BOUND_LIMIT: f64 = 1e200;
 

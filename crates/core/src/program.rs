@@ -77,7 +77,8 @@ impl<const D: usize> InputBox<D> {
 /// count, no tolerance. If no box point satisfies the row, the answer is the one that maximises `normal·u`.
 ///
 /// `desired` (m/s), `row` and `input` must be finite, with `min ≤ max`; then the answer lies in the box and the row
-/// holds up to the rounding of one inner product. Without allocation; about 2·D² comparisons at worst.
+/// holds up to the rounding of one inner product over the box, however far outside it `desired` lies. Without
+/// allocation; about 4·D² comparisons at worst.
 //= paper seq:qp
 #[must_use]
 pub fn closest<const D: usize>(desired: &Vector<D>, row: &Row<D>, input: &InputBox<D>) -> Solution<D> {
@@ -89,84 +90,85 @@ pub fn closest<const D: usize>(desired: &Vector<D>, row: &Row<D>, input: &InputB
     if dot(&row.normal, &furthest) < row.bound {
         return Solution { velocity_m_s: furthest, outcome: Outcome::Infeasible };
     }
-    Solution { velocity_m_s: walk(desired, row, input), outcome: Outcome::Active }
+    let ray = Ray::new(desired, row, input, clipped, furthest);
+    let (before, after) = ray.bracket(row);
+    Solution { velocity_m_s: input.clip(&between(&before, &after, row)), outcome: Outcome::Active }
 }
 
-/// Follows u(λ) from kink to kink to the segment on which the row begins to hold.
-fn walk<const D: usize>(desired: &Vector<D>, row: &Row<D>, input: &InputBox<D>) -> Vector<D> {
-    let mut start = 0.0;
-    for _ in 0..2 * D {
-        let end = next_kink(desired, row, input, start);
-        let at_end = along(desired, &row.normal, input, end);
-        if end.is_infinite() || dot(&row.normal, &at_end) >= row.bound {
-            return on_segment(desired, row, input, start, end);
-        }
-        start = end;
+/// u(λ): each component rests on the edge of the box nearest to the desired one until λ = `enter`, is free until
+/// λ = `leave` and rests on the opposite edge from then on.
+struct Ray<const D: usize> {
+    desired: Vector<D>,
+    normal: Vector<D>,
+    enter: Vector<D>,
+    leave: Vector<D>,
+    nearest: Vector<D>,
+    furthest: Vector<D>,
+}
+
+impl<const D: usize> Ray<D> {
+    fn new(
+        desired: &Vector<D>,
+        row: &Row<D>,
+        input: &InputBox<D>,
+        nearest: Vector<D>,
+        furthest: Vector<D>,
+    ) -> Self {
+        let reach = |d: usize, edge: f64| {
+            if row.normal[d] == 0.0 { f64::INFINITY } else { (edge - desired[d]) / row.normal[d] }
+        };
+        let kinks = |edge_up: &Vector<D>, edge_down: &Vector<D>| {
+            core::array::from_fn(|d| reach(d, if row.normal[d] > 0.0 { edge_up[d] } else { edge_down[d] }))
+        };
+        let enter = kinks(&input.min_m_s, &input.max_m_s);
+        let leave = kinks(&input.max_m_s, &input.min_m_s);
+        Self { desired: *desired, normal: row.normal, enter, leave, nearest, furthest }
     }
-    on_segment(desired, row, input, start, f64::INFINITY)
-}
 
-/// The least λ > `after` at which a component enters or leaves its bounds; infinity if there is none.
-fn next_kink<const D: usize>(desired: &Vector<D>, row: &Row<D>, input: &InputBox<D>, after: f64) -> f64 {
-    let mut next = f64::INFINITY;
-    for d in 0..D {
-        for edge in [input.min_m_s[d], input.max_m_s[d]] {
-            let kink = (edge - desired[d]) / row.normal[d];
-            if kink > after && kink < next {
-                next = kink;
+    /// The two ends of the segment on which the row begins to hold; it holds at [`InputBox::furthest`] at the latest.
+    fn bracket(&self, row: &Row<D>) -> (Vector<D>, Vector<D>) {
+        let (mut lambda, mut before) = (0.0, self.nearest);
+        for _ in 0..2 * D {
+            lambda = self.next_kink(lambda);
+            if lambda.is_infinite() {
+                break;
             }
+            let after = self.at(lambda);
+            if dot(&row.normal, &after) >= row.bound {
+                return (before, after);
+            }
+            before = after;
         }
+        (before, self.furthest)
     }
-    next
+
+    /// The least λ > `after` at which a component enters or leaves its bounds; infinity if there is none.
+    fn next_kink(&self, after: f64) -> f64 {
+        let kinks = self.enter.iter().chain(&self.leave).copied();
+        kinks.filter(|&kink| kink > after).fold(f64::INFINITY, f64::min)
+    }
+
+    fn at(&self, lambda: f64) -> Vector<D> {
+        core::array::from_fn(|d| {
+            if lambda <= self.enter[d] {
+                self.nearest[d]
+            } else if lambda >= self.leave[d] {
+                self.furthest[d]
+            } else {
+                self.desired[d] + lambda * self.normal[d]
+            }
+        })
+    }
 }
 
-/// u(λ).
-fn along<const D: usize>(
-    desired: &Vector<D>,
-    normal: &Vector<D>,
-    input: &InputBox<D>,
-    lambda: f64,
-) -> Vector<D> {
-    input.clip(&core::array::from_fn(|d| {
-        if normal[d] == 0.0 { desired[d] } else { desired[d] + lambda * normal[d] }
-    }))
-}
-
-/// The point of the segment `start < λ ≤ end` where the row holds with equality.
+/// The point from `before` to `after` where the row begins to hold.
 ///
-/// Between two kinks every component is either fixed at a bound or free, so this is one linear equation; it is solved
-/// in units of the largest free component, which keeps it exact for rows that are nearly parallel to an axis.
-fn on_segment<const D: usize>(
-    desired: &Vector<D>,
-    row: &Row<D>,
-    input: &InputBox<D>,
-    start: f64,
-    end: f64,
-) -> Vector<D> {
-    let middle = if end.is_infinite() { 2.0 * start + 1.0 } else { 0.5 * (start + end) };
-    let mut point = along(desired, &row.normal, input, middle);
-    let free = |d: usize, at: f64| row.normal[d] != 0.0 && input.min_m_s[d] < at && at < input.max_m_s[d];
-    let largest =
-        (0..D).filter(|&d| free(d, point[d])).fold(0.0, |most: f64, d| most.max(row.normal[d].abs()));
-    if largest == 0.0 {
-        return point;
-    }
-    let (mut missing, mut square) = (row.bound, 0.0);
-    for d in 0..D {
-        if free(d, point[d]) {
-            missing -= row.normal[d] * desired[d];
-            square += (row.normal[d] / largest) * (row.normal[d] / largest);
-        } else {
-            missing -= row.normal[d] * point[d];
-        }
-    }
-    let step = missing / largest / square;
-    for d in 0..D {
-        if free(d, point[d]) {
-            point[d] = desired[d] + step * (row.normal[d] / largest);
-        }
-    }
-    input.clip(&point)
+/// Between two kinks u(λ) is straight, so this is one linear equation. It is written in points of the box and not in λ
+/// and the desired velocity: however far away that is, the row holds to the rounding of an inner product over the box.
+fn between<const D: usize>(before: &Vector<D>, after: &Vector<D>, row: &Row<D>) -> Vector<D> {
+    let (low, high) = (dot(&row.normal, before), dot(&row.normal, after));
+    let share = (row.bound - low) / (high - low);
+    core::array::from_fn(|d| before[d] + share * (after[d] - before[d]))
 }
 
 #[cfg(test)]

@@ -1,0 +1,86 @@
+//! Plain `f64` and free exponents give the same bits wherever `f64` neither overflows nor underflows.
+//!
+//! That is what lets a robot sum its row in `f64` first and with free exponents only if it must, and whoever computes a
+//! whole team at once do the same. Scaling by a power of two rounds nothing, so shrinking all offsets by 2⁻⁷⁴⁰ forces
+//! the second way upon a row of which the first is known.
+
+use closeranks_core::composed::{Composed, Share, Sum};
+use closeranks_core::link::Link;
+use closeranks_core::scaled::{Number, Scaled};
+use cluster::Cluster;
+use seeded::Seeded;
+
+mod cluster;
+mod seeded;
+
+/// 2⁻⁷⁴⁰.
+const SHRINK: f64 = f64::from_bits((1023 - 740) << 52);
+
+//= paper eq:split type=test
+//= paper eq:phi_i type=test
+#[test]
+fn a_row_has_the_same_bits_both_ways() {
+    for seed in 0..300 {
+        for share in [Share::Neighbours, Share::Own] {
+            check_rows(Cluster::<2>::random(seed, share));
+            check_rows(Cluster::<3>::random(seed, share));
+        }
+    }
+}
+
+/// Neighbours added one by one in `f64`, from numbers that were never `Scaled`.
+#[test]
+fn a_team_computed_at_once_has_the_bits_of_each_robot() {
+    for seed in 0..300 {
+        let cluster = Cluster::<3>::random(seed, Share::Neighbours);
+        let composed = &cluster.composed;
+        let told = |k: usize| composed.degree_term::<f64>(cluster.claims[k]);
+        for i in 0..cluster.count() {
+            let mut sum = Sum::new(told(i));
+            for j in cluster.neighbors(i) {
+                let offset = cluster.term(i, j).offset_m;
+                let Some(link): Option<Link<f64>> = cluster.shape.link(&offset) else { continue };
+                let collision = composed.collision_term(&offset);
+                let coefficient = composed.coefficient(told(i), told(j), link.slope, collision);
+                sum.add(&offset, coefficient, composed.shared(told(j)), collision);
+            }
+            assert_eq!(sum.finish(composed), Some(cluster.composition(i)), "robot {i}, seed {seed}");
+        }
+    }
+}
+
+#[test]
+fn each_operation_has_the_same_bits_both_ways() {
+    let mut random = Seeded(7);
+    let mut number = || random.between(-1.0, 1.0) * libm::exp(random.between(-80.0, 80.0));
+    for _ in 0..20_000 {
+        let (a, b) = (number(), number());
+        let (x, y) = (Scaled::new(a), Scaled::new(b));
+        same(Number::plus(x, y), a + b);
+        same(Number::times(x, y), a * b);
+        same(x.times_f64(b), a * b);
+        same(Number::plus(Number::times(x, y), x), a * b + a);
+        let exponent = 8.0 * libm::log(a.abs());
+        same(Scaled::exp(exponent), <f64 as Number>::exp(exponent));
+    }
+}
+
+fn check_rows<const D: usize>(mut cluster: Cluster<D>) {
+    cluster.composed = Composed { alpha: 1e-40, ..cluster.composed };
+    for i in 0..cluster.count() {
+        let own: Scaled = cluster.composed.degree_term(cluster.claims[i]);
+        let shrunk = cluster.neighbors(i).map(|j| {
+            let mut term = cluster.term(i, j);
+            term.offset_m = term.offset_m.map(|component| component * SHRINK);
+            term
+        });
+        let (plain, free) = (cluster.composition(i), cluster.composed.compose(own, shrunk));
+        assert_eq!(free.row.normal.map(f64::to_bits), plain.row.normal.map(f64::to_bits), "robot {i}");
+        assert_eq!(free.phi.to_bits(), plain.phi.to_bits(), "robot {i}");
+        assert_eq!((free.row.bound * SHRINK).to_bits(), plain.row.bound.to_bits(), "robot {i}");
+    }
+}
+
+fn same(free: Scaled, plain: f64) {
+    assert_eq!(free.value().to_bits(), plain.to_bits(), "{free:?} and {plain:e}");
+}
