@@ -50,12 +50,16 @@ fn parent(target: &Path) -> &Path {
 
 /// Puts `fresh` where `target` is; what was there goes only after the new one is in place.
 fn swap(fresh: &Path, target: &Path) -> Result<()> {
-    let failed = || format!("cannot put the results at `{}`; they are in `{}`", target.display(), fresh.display());
+    let failed =
+        || format!("cannot put the results at `{}`; they are in `{}`", target.display(), fresh.display());
     readable(fresh).with_context(failed)?;
     if fs::symlink_metadata(target).is_err() {
         return fs::rename(fresh, target).with_context(failed);
     }
-    let old = tempfile::Builder::new().prefix(".closeranks-old-").tempdir_in(parent(target)).with_context(failed)?;
+    let old = tempfile::Builder::new()
+        .prefix(".closeranks-old-")
+        .tempdir_in(parent(target))
+        .with_context(failed)?;
     let aside = old.path().join("folder");
     fs::rename(target, &aside).with_context(failed)?;
     if let Err(error) = fs::rename(fresh, target) {
@@ -90,7 +94,9 @@ fn check(target: &Path) -> Result<()> {
         return Ok(());
     }
     if !target.is_dir() || target.is_symlink() {
-        bail!("`{shown}` exists and is not a folder; allowed is a new name or a folder that closeranks wrote");
+        bail!(
+            "`{shown}` exists and is not a folder; allowed is a new name or a folder that closeranks wrote"
+        );
     }
     let manifest = fs::read_to_string(target.join(MANIFEST)).unwrap_or_default();
     let ours: BTreeSet<&str> = manifest.lines().chain([MANIFEST]).collect();

@@ -61,7 +61,8 @@ fn law(scenario: &Scenario, verdict: &Verdict) -> Value {
 
 /// The claims of one start.
 pub(crate) fn claims(claims: &[Claim]) -> Value {
-    let claim = |claim: &Claim| json!({ "sentence": claim.sentence, "holds": claim.holds, "numbers": claim.numbers });
+    let claim =
+        |claim: &Claim| json!({ "sentence": claim.sentence, "holds": claim.holds, "numbers": claim.numbers });
     claims.iter().map(claim).collect()
 }
 

@@ -72,14 +72,19 @@ pub(crate) fn paper(arguments: &crate::Paper) -> Result<bool> {
         output::say(&told(&starts));
         output::say(&format!("\nwritten to {0}: open {0}/report.html\n", arguments.output.display()));
     }
-    Ok(starts.iter().flat_map(|start| &start.runs).all(|done| done.run.summary.failures(&done.scenario).next().is_none()))
+    Ok(starts
+        .iter()
+        .flat_map(|start| &start.runs)
+        .all(|done| done.run.summary.failures(&done.scenario).next().is_none()))
 }
 
 fn start(name: &'static str, texts: &[&'static str; 3], seed: u64, bar: &ProgressBar) -> Result<Start> {
     bar.set_message(format!("start {name}"));
-    let scenarios = texts.iter().map(|text| parse::scenario(text).map(|scenario| Scenario { seed, ..scenario }));
+    let scenarios =
+        texts.iter().map(|text| parse::scenario(text).map(|scenario| Scenario { seed, ..scenario }));
     let scenarios: Result<Vec<Scenario>, _> = scenarios.collect();
-    let scenarios = scenarios.map_err(|problems| anyhow::anyhow!("a scenario of our own is wrong: {problems:?}"))?;
+    let scenarios =
+        scenarios.map_err(|problems| anyhow::anyhow!("a scenario of our own is wrong: {problems:?}"))?;
     let unfiltered = Scenario { controller: Controller::None, ..scenarios[0].clone() };
     let unfiltered = world::run(&unfiltered, Options::default(), &mut |_| ())?;
     let work = scenarios.into_par_iter().zip(texts.par_iter());
@@ -143,7 +148,8 @@ fn data(starts: &[Start], seed: u64, folder: &mut Folder, bar: &ProgressBar) -> 
 
 fn lines<'a>(starts: impl Iterator<Item = &'a Start>) -> Vec<Line<'a>> {
     let runs = starts.flat_map(|start| &start.runs);
-    runs.map(|done| Line { scenario: &done.scenario, summary: &done.run.summary, time_s: Some(done.time_s) }).collect()
+    runs.map(|done| Line { scenario: &done.scenario, summary: &done.run.summary, time_s: Some(done.time_s) })
+        .collect()
 }
 
 fn told(starts: &[Start]) -> String {

@@ -21,7 +21,8 @@ pub(crate) fn run(arguments: &crate::Run) -> Result<bool> {
     let bar = progress::bar(u64::from(scenario.ticks()), arguments.quiet);
     bar.set_message(scenario.name.clone());
     let options = Options { record: folder.is_some(), ..Options::default() };
-    let (run, time) = progress::timed(|| world::run(&scenario, options, &mut |tick| bar.set_position(u64::from(tick))));
+    let (run, time) =
+        progress::timed(|| world::run(&scenario, options, &mut |tick| bar.set_position(u64::from(tick))));
     bar.finish_and_clear();
     let run = run?;
     let time_s = time.as_secs_f64();
@@ -33,7 +34,10 @@ pub(crate) fn run(arguments: &crate::Run) -> Result<bool> {
     if let (Some(folder), Some(target)) = (folder, &arguments.output) {
         save(folder, &scenario, &source, &run, time_s)?;
         if !arguments.quiet && !arguments.json {
-            output::say(&format!("written to {}: report.html, overview.svg, overview.png, run.parquet\n", target.display()));
+            output::say(&format!(
+                "written to {}: report.html, overview.svg, overview.png, run.parquet\n",
+                target.display()
+            ));
         }
     }
     Ok(run.summary.failures(&scenario).next().is_none())
@@ -73,9 +77,13 @@ fn page(scenario: &Scenario, source: &str, run: &Run, time_s: f64, svg: String) 
     let outcome = Section {
         title: "What it came to".to_owned(),
         paragraphs,
-        tables: vec![("Least and greatest over the run; heads as in the terminal.".to_owned(), table(&[line]))],
+        tables: vec![(
+            "Least and greatest over the run; heads as in the terminal.".to_owned(),
+            table(&[line]),
+        )],
         figures: vec![Figure {
-            caption: "Formation at the start and at the end; degree barriers and values over time.".to_owned(),
+            caption: "Formation at the start and at the end; degree barriers and values over time."
+                .to_owned(),
             svg,
         }],
         ..Section::default()

@@ -34,7 +34,10 @@ pub(crate) fn start(scenario: &Scenario, summary: &Summary) -> String {
 pub(crate) fn warning(scenario: &Scenario) -> Option<String> {
     let liars = scenario.malicious.len();
     (liars > usize::from(scenario.faults)).then(|| {
-        format!("note: {liars} malicious robots, but the team is prepared for F = {}: no theorem covers this run", scenario.faults)
+        format!(
+            "note: {liars} malicious robots, but the team is prepared for F = {}: no theorem covers this run",
+            scenario.faults
+        )
     })
 }
 

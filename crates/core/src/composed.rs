@@ -156,8 +156,8 @@ impl<const D: usize, N: Number> Sum<D, N> {
         self.degrees = self.degrees.plus(shared);
     }
 
-    /// Adds a link at `offset` = x_i − x_j with the number of [`Composed::coefficient`]. Links whose numbers are both
-    /// exactly 0 may be left out.
+    /// Adds a link at `offset` = x_i − x_j with the number of [`Composed::coefficient`]. Links whose slope and
+    /// collision term are both 0 may be left out as long as every Ê is below [`TERM_LARGE`].
     pub fn add_link(&mut self, offset: &Vector<D>, coefficient: N, collision: N) {
         for d in 0..D {
             self.normal[d] = self.normal[d].plus(coefficient.times_f64(offset[d]));
@@ -178,6 +178,8 @@ const VANISHED: f64 = 1e-200;
 /// Below that, a slope under 2⁻¹⁰²¹, which `f64` takes for 0, costs a row at most 2⁻⁷⁹⁷ times w_r, an offset and the
 /// number of neighbours: nothing beside a row of size `VANISHED`.
 const HEADROOM: f64 = f64::from_bits((1023 + 800) << 52);
+/// An Ê below this stays ordinary in every row; whoever leaves out links of slope 0 must look at it.
+pub const TERM_LARGE: f64 = f64::from_bits((1023 + 200) << 52);
 /// Stands for an infinite bound: larger than anything a box allows, small enough to multiply.
 const BOUND_LIMIT: f64 = 1e200;
 

@@ -12,7 +12,7 @@ pub fn exp(x: f64) -> f64 {
 }
 
 /// Beyond this |x| the exponent of `eˣ` saturates: far outside anything `f64` holds, far inside `i32`.
-const EXPONENT_LIMIT: f64 = 1e7;
+const EXPONENT_LIMIT: f64 = 1e8;
 
 /// `eˣ` as mantissa and binary exponent, so that it neither overflows nor vanishes.
 ///
@@ -21,23 +21,26 @@ const EXPONENT_LIMIT: f64 = 1e7;
 /// eˣ = 2ᵏ · 2^(m/64) (1 + r + r²/2! + r³/3! + r⁴/4! + r⁵/5!)
 /// ```
 ///
-/// The rest of the series is below 2⁻⁵⁴. Saturates at `x = ±10⁷`; NaN counts as −10⁷.
+/// The rest of the series is below 2⁻⁵⁴. Beyond |x| = 10⁵ the error grows with |x|, as that of x itself does.
+/// Saturates at `x = ±10⁸`; NaN counts as −10⁸.
 #[inline]
 #[must_use]
 pub fn exp_scaled(x: f64) -> Scaled {
-    const STEPS_PER_UNIT: f64 = 92.33248261689366; // 64/ln 2
-    const STEP_HIGH: f64 = 0.010830424609594047; // the leading 27 bits of ln 2/64
-    const STEP_LOW: f64 = 8.66550983900947e-11;
+    const STEPS_PER_UNIT: f64 = 92.332_482_616_893_66; // 64/ln 2
+    const STEP_HIGH: f64 = 0.010_830_424_609_594_047; // the leading 27 bits of ln 2/64
+    const STEP_LOW: f64 = 8.665_509_839_009_47e-11;
     const ROUND: f64 = 6_755_399_441_055_744.0; // 1.5·2⁵²: adding it rounds to an integer
     let x = x.max(-EXPONENT_LIMIT).min(EXPONENT_LIMIT);
     let steps = (x * STEPS_PER_UNIT + ROUND) - ROUND;
     let r = (x - steps * STEP_HIGH) - steps * STEP_LOW;
-    #[expect(clippy::cast_possible_truncation, reason = "below 1e9 by the limit above")]
-    let steps = steps as i32;
+    #[expect(clippy::cast_possible_truncation, reason = "below 1e10 by the limit above")]
+    let steps = steps as i64;
     let r2 = r * r;
     let tail = r + r2 * (0.5 + r * (1.0 / 6.0)) + r2 * r2 * (1.0 / 24.0 + r * (1.0 / 120.0));
-    let root = f64::from_bits(ROOTS[(steps & 63).unsigned_abs() as usize]);
-    Scaled { mantissa: root + root * tail, exponent: steps >> 6 }
+    #[expect(clippy::cast_possible_truncation, reason = "below 64, and below 2e8")]
+    let (m, exponent) = ((steps & 63).unsigned_abs() as usize, (steps >> 6) as i32);
+    let root = f64::from_bits(ROOTS[m]);
+    Scaled { mantissa: root + root * tail, exponent }
 }
 
 /// Bits of `2^(m/64)`, correctly rounded: `[struct.unpack('<Q', struct.pack('<d', float((ln2 * m / 64).exp())))[0]

@@ -12,6 +12,9 @@ const MAGIC: [u8; 2] = *b"CR";
 const VERSION: u8 = 1;
 const HAS_VALUE: u8 = 1;
 
+/// Greatest magnitude of a told value: a mean of the largest team's values cannot overflow.
+pub const VALUE_MAX: f64 = 1e300;
+
 /// A message; one that exists holds only finite numbers, so nothing later needs to ask again.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Message {
@@ -33,17 +36,17 @@ pub enum MessageError {
     Flags(u8),
     /// The level is NaN or infinite.
     Level,
-    /// The value is NaN or infinite.
+    /// The value is NaN or beyond ±[`VALUE_MAX`].
     Value,
 }
 
 impl Message {
-    /// A message with connectivity level `c_i` and, in a consensus round, value `y_i`; both must be finite.
+    /// A message with connectivity level `c_i` (finite) and, in a consensus round, value `y_i` (at most [`VALUE_MAX`]).
     pub fn new(sequence: u32, level: f64, value: Option<f64>) -> Result<Self, MessageError> {
         if !level.is_finite() {
             return Err(MessageError::Level);
         }
-        if value.is_some_and(|value| !value.is_finite()) {
+        if value.is_some_and(|value| !(-VALUE_MAX..=VALUE_MAX).contains(&value)) {
             return Err(MessageError::Value);
         }
         Ok(Self { sequence, level, value })
@@ -61,7 +64,7 @@ impl Message {
         self.level
     }
 
-    /// Told value `y_i`, finite, if a consensus round is on.
+    /// Told value `y_i`, at most [`VALUE_MAX`] in magnitude, if a consensus round is on.
     #[must_use]
     pub fn value(&self) -> Option<f64> {
         self.value
@@ -115,7 +118,7 @@ impl core::fmt::Display for MessageError {
                 write!(f, "message with flags {found}, must be 0 (no value) or 1 (with value)")
             }
             Self::Level => write!(f, "told level is not finite"),
-            Self::Value => write!(f, "told value is not finite"),
+            Self::Value => write!(f, "told value is not a number from -{VALUE_MAX:e} to {VALUE_MAX:e}"),
         }
     }
 }

@@ -16,7 +16,7 @@ pub enum Observed {
 pub enum RobotError {
     /// `values` is shorter than `slots`.
     Memory,
-    /// The initial value is not finite.
+    /// The initial value is NaN or beyond ±[`VALUE_MAX`](crate::message::VALUE_MAX).
     Value,
 }
 
@@ -38,7 +38,7 @@ pub enum ObserveError {
     NoPosition,
     /// That is the robot itself.
     OwnId,
-    /// Every slot holds a neighbour; the observation is dropped.
+    /// Every slot holds a neighbour sensed in this tick; the observation is dropped.
     Full,
 }
 
@@ -55,7 +55,7 @@ impl fmt::Display for RobotError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(match self {
             Self::Memory => "fewer values than slots were lent",
-            Self::Value => "initial value is not finite",
+            Self::Value => "initial value is not a number of at most 1e300",
         })
     }
 }

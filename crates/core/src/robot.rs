@@ -4,7 +4,7 @@ use core::time::Duration;
 
 use crate::barrier::degree_barrier;
 use crate::math::{Vector, dot, is_finite, subtract};
-use crate::message::Message;
+use crate::message::{Message, VALUE_MAX};
 use crate::neighbor::{RobotId, Slot, Told};
 use crate::params::Params;
 use crate::program::{Outcome, closest};
@@ -26,7 +26,8 @@ use crate::time::{Instant, Timer};
 /// A level shared before the others' `receive` is used in the same tick (eq:continuous_a); one that comes later is
 /// held until the next (eq:connectivity). `now` must never fall. A robot that is not observed in a tick is not a
 /// neighbour and what it told is forgotten. Any order of calls with any numbers is safe: no panic, and every velocity
-/// is finite and in its box. The answer does not depend on the order of `observe` or `receive`.
+/// is finite and in its box. The answer does not depend on the order of `observe` or `receive`, unless
+/// there are more neighbours than slots: then the first observed are kept.
 #[derive(Debug)]
 pub struct Robot<'memory, const D: usize> {
     pub(crate) params: Params<D>,
@@ -61,7 +62,7 @@ impl<'memory, const D: usize> Robot<'memory, D> {
         if values.len() < slots.len() {
             return Err(RobotError::Memory);
         }
-        if !value.is_finite() {
+        if !(-VALUE_MAX..=VALUE_MAX).contains(&value) {
             return Err(RobotError::Value);
         }
         Ok(Self {
@@ -112,6 +113,7 @@ impl<'memory, const D: usize> Robot<'memory, D> {
         let offset_m = subtract(&own, &position);
         let distance_m2 = dot(&offset_m, &offset_m);
         let Some(link) = self.params.link().link_at(distance_m2) else {
+            self.lose(id);
             return Ok(Observed::OutOfRange);
         };
         let collision = self.params.composed().collision_term(distance_m2);
@@ -224,19 +226,31 @@ impl<'memory, const D: usize> Robot<'memory, D> {
         self.neighbors().iter().filter(|slot| slot.sensed)
     }
 
-    /// The slot of `id`, made anew in its place in the order if it had none.
+    /// The slot of `id`, made anew in its place in the order if it had none. When all are taken, one of a robot that was
+    /// not yet sensed in this tick is given up.
     fn slot(&mut self, id: RobotId) -> Result<&mut Slot<D>, ObserveError> {
-        let index = match self.neighbors().binary_search_by_key(&id, |slot| slot.id) {
-            Ok(index) => index,
-            Err(index) if self.count < self.slots.len() => {
-                self.slots.copy_within(index..self.count, index + 1);
-                self.slots[index] = Slot::default();
-                self.count += 1;
-                index
-            }
-            Err(_) => return Err(ObserveError::Full),
-        };
+        let found = self.neighbors().binary_search_by_key(&id, |slot| slot.id);
+        if let Ok(index) = found {
+            return Ok(&mut self.slots[index]);
+        }
+        if self.count == self.slots.len() {
+            let unsensed =
+                self.neighbors().iter().rposition(|slot| !slot.sensed).ok_or(ObserveError::Full)?;
+            self.slots.copy_within(unsensed + 1..self.count, unsensed);
+            self.count -= 1;
+        }
+        let index = self.neighbors().partition_point(|slot| slot.id < id);
+        self.slots.copy_within(index..self.count, index + 1);
+        self.slots[index] = Slot::default();
+        self.count += 1;
         Ok(&mut self.slots[index])
+    }
+
+    /// A robot seen out of range is not a neighbour, whatever was observed before.
+    fn lose(&mut self, id: RobotId) {
+        if let Ok(index) = self.neighbors().binary_search_by_key(&id, |slot| slot.id) {
+            self.slots[index].sensed = false;
+        }
     }
 
     fn forget_unsensed(&mut self) {

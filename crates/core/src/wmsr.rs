@@ -27,7 +27,8 @@ pub struct Round {
 /// Values equal to `own` are never discarded, so with `faults = 0` this is the plain mean (eq:linear) and β = 1/n.
 /// Sorts `told` in place and adds in sorted order: the answer does not depend on the order in which messages came.
 /// Values that are not finite count as not told. The answer lies between the least and the greatest value kept,
-/// rounding included. `own` must be finite. O(k log k) for k values, no allocation.
+/// rounding included. `own` must be finite; beyond 1e300 the sum may
+/// overflow, and then only the hull is kept. O(k log k) for k values, no allocation.
 //= paper eq:linear
 //= paper sec:prelim
 #[must_use]

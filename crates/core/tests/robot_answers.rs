@@ -1,7 +1,7 @@
 //! What a robot answers: the equations, whatever the order of calls, and something safe whatever the calls.
 
 use closeranks_core::composed::{Share, Term};
-use closeranks_core::math::{Vector, is_finite, subtract};
+use closeranks_core::math::{Vector, dot, is_finite, subtract};
 use closeranks_core::message::{MESSAGE_BYTES, Message};
 use closeranks_core::neighbor::{RobotId, Slot};
 use closeranks_core::params::{MAGNITUDE_MAX, Params, Settings};
@@ -162,7 +162,7 @@ fn check_equations<const D: usize>(scene: &Scene<D>) {
             .filter_map(|(_, position, message)| {
                 let offset_m = subtract(&scene.own, position);
                 let link = params.link().link(&offset_m)?;
-                let collision = composed.collision_term(&offset_m);
+                let collision = composed.collision_term(dot(&offset_m, &offset_m));
                 Some(Term { offset_m, link, collision, told: composed.degree_term(message.level()) })
             })
             .collect();

@@ -6,6 +6,7 @@
 
 use closeranks_core::composed::{Composed, Share, Sum};
 use closeranks_core::link::Link;
+use closeranks_core::math::dot;
 use closeranks_core::scaled::{Number, Scaled};
 use cluster::Cluster;
 use seeded::Seeded;
@@ -40,9 +41,10 @@ fn a_team_computed_at_once_has_the_bits_of_each_robot() {
             for j in cluster.neighbors(i) {
                 let offset = cluster.term(i, j).offset_m;
                 let Some(link): Option<Link<f64>> = cluster.shape.link(&offset) else { continue };
-                let collision = composed.collision_term(&offset);
+                let collision = composed.collision_term(dot(&offset, &offset));
                 let coefficient = composed.coefficient(told(i), told(j), link.slope, collision);
-                sum.add(&offset, coefficient, composed.shared(told(j)), collision);
+                sum.add_told(composed.shared(told(j)));
+                sum.add_link(&offset, coefficient, collision);
             }
             assert_eq!(sum.finish(composed), Some(cluster.composition(i)), "robot {i}, seed {seed}");
         }

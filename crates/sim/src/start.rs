@@ -134,7 +134,7 @@ fn hexagon<const D: usize>(robots: u16, spacing_m: f64) -> Result<Vec<Vector<D>>
         return Err(StartError::Flat(D));
     }
     // A disc of k rings holds more than 3k² places; squared distances in the lattice are the integers q² + q r + r².
-    let rings = (1_i32..).find(|k| 3 * k * k >= i32::from(robots)).unwrap_or(1);
+    let rings = (1_i32..200).find(|k| 3 * k * k >= i32::from(robots)).unwrap_or(200);
     let mut places = Vec::new();
     for r in -rings..=rings {
         for q in -rings..=rings {

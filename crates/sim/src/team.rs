@@ -3,7 +3,7 @@
 //! In a perfect network every neighbour hears the same level, so weight, slope and both exponentials belong to a pair
 //! and are computed once for both ends. Sums are taken in order of robot numbers, as a robot takes them.
 
-use closeranks_core::composed::{Composition, Sum, Term};
+use closeranks_core::composed::{Composition, Sum, TERM_LARGE, Term};
 use closeranks_core::link::Link;
 use closeranks_core::math::{Vector, dot, subtract};
 use closeranks_core::params::Params;
@@ -205,9 +205,11 @@ impl<const D: usize> Team<D> {
 
     fn control(&self, frame: &mut Frame<D>) {
         let input = self.params.settings().input;
+        // Beside a huge term no slope counts as 0, so pairs that were left out might matter.
+        let ordinary = self.terms.iter().all(|term| *term < TERM_LARGE);
         for index in 0..frame.positions_m.len() {
-            let composition =
-                self.sums[index].finish(self.params.composed()).unwrap_or_else(|| self.careful(index, frame));
+            let plain = self.sums[index].finish(self.params.composed()).filter(|_| ordinary);
+            let composition = plain.unwrap_or_else(|| self.careful(index, frame));
             let mut solution = closest(&frame.desired_m_s[index], &composition.row, &input);
             if self.controller == Controller::None {
                 solution.velocity_m_s = input.clip(&frame.desired_m_s[index]);

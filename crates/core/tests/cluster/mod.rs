@@ -100,7 +100,7 @@ impl<const D: usize> Cluster<D> {
     pub(crate) fn term(&self, i: usize, j: usize) -> Term<D> {
         let offset_m = subtract(&self.positions[i], &self.positions[j]);
         let link = self.shape.link(&offset_m).unwrap_or(Link { weight: 0.0, slope: Scaled::ZERO });
-        let collision = self.composed.collision_term(&offset_m);
+        let collision = self.composed.collision_term(dot(&offset_m, &offset_m));
         Term { offset_m, link, collision, told: self.composed.degree_term(self.claims[j]) }
     }
 

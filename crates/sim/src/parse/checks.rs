@@ -30,8 +30,9 @@ pub(super) fn check(reader: &mut Reader, scenario: &Scenario) {
 }
 
 fn team(reader: &mut Reader, scenario: &Scenario) {
-    if let Some(pair) = scenario.malicious.windows(2).find(|pair| pair[0] == pair[1]) {
-        reader.refuse("team.malicious", format!("robot {} twice", pair[0]), "each robot once");
+    let mut pairs = scenario.malicious.iter().zip(scenario.malicious.iter().skip(1));
+    if let Some((robot, _)) = pairs.find(|(first, second)| first == second) {
+        reader.refuse("team.malicious", format!("robot {robot} twice"), "each robot once");
     }
 }
 
@@ -68,11 +69,11 @@ fn clocks(reader: &mut Reader, scenario: &Scenario) {
 }
 
 fn values(reader: &mut Reader, scenario: &Scenario) {
-    if let Values::Listed(values) = &scenario.values {
-        if values.len() != usize::from(scenario.robots) {
-            let allowed = format!("{} numbers, one a robot", scenario.robots);
-            reader.refuse("values.values", format!("a list of {}", values.len()), allowed);
-        }
+    if let Values::Listed(values) = &scenario.values
+        && values.len() != usize::from(scenario.robots)
+    {
+        let allowed = format!("{} numbers, one a robot", scenario.robots);
+        reader.refuse("values.values", format!("a list of {}", values.len()), allowed);
     }
 }
 

@@ -17,12 +17,15 @@ const ANY: Allowed = Allowed::Closed(-MAGNITUDE_MAX, MAGNITUDE_MAX);
 const POSITIVE: Allowed = Allowed::LeftOpen(0.0, MAGNITUDE_MAX);
 const SECONDS: Allowed = Allowed::Closed(1e-6, 3_600.0);
 
+/// Reads the fields of one table.
+type Fill = fn(&mut Reader, &mut Section<'_>, &mut Scenario);
+
 /// Reads all tables; wrong fields are noted in `reader` and stay at their defaults.
 pub(super) fn read(reader: &mut Reader, table: &DeTable<'_>) -> Scenario {
     let mut root = Section::root(table);
     let mut scenario = Scenario::default();
     head(reader, &mut root, &mut scenario);
-    let tables: [(&'static str, fn(&mut Reader, &mut Section<'_>, &mut Scenario)); 8] = [
+    let tables: [(&'static str, Fill); 8] = [
         ("team", team),
         ("link", link),
         ("controller", controller),

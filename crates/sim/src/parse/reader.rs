@@ -56,11 +56,9 @@ impl Reader {
     /// Notes something wrong with a field that was read before, or with its table where it was left to its default.
     pub(crate) fn refuse(&mut self, field: &str, found: impl Into<String>, allowed: impl Into<String>) {
         let table = field.split_once('.').map_or("", |(table, _)| table);
-        let place = self.places.get(field).or_else(|| self.places.get(table)).cloned();
-        let (span, found) = match self.places.contains_key(field) {
-            true => (place.unwrap_or(0..0), found.into()),
-            false => (place.unwrap_or(0..0), format!("{} by default", found.into())),
-        };
+        let (given, nearest) = (self.places.get(field), self.places.get(table));
+        let found = if given.is_some() { found.into() } else { format!("{} by default", found.into()) };
+        let span = given.or(nearest).cloned().unwrap_or(0..0);
         self.problems.push(Problem { span, field: field.to_owned(), found, allowed: allowed.into() });
     }
 
