@@ -4,6 +4,7 @@ use std::fs;
 use std::path::Path;
 
 use closeranks_report::figure::{Case, figure1, figure2, overview};
+use closeranks_report::parquet::{Metadata, write};
 use closeranks_report::png::{SCALE_200_DPI, png};
 use closeranks_sim::attack::LevelAttack;
 use closeranks_sim::record::Record;
@@ -54,6 +55,10 @@ fn paper(folder: &Path, name: &str, start: &Start) -> Result<(), Failure> {
         .collect();
     for (figure, svg) in [("figure1", figure1(&cases)), ("figure2", figure2(&cases))] {
         picture(folder, &format!("{name}-{figure}"), &svg)?;
+    }
+    for (case, file) in cases.iter().zip(["nominal", "understating", "overstating"]) {
+        let metadata = Metadata { scenario: "# none", seed: 1, version: "0.1.0", commit: "none" };
+        write(case.record, &metadata, fs::File::create(folder.join(format!("{name}-{file}.parquet")))?)?;
     }
     picture(folder, &format!("{name}-overview"), &overview(cases[0]))
 }

@@ -49,13 +49,13 @@ pub(crate) struct Look {
 }
 
 impl Look {
-    /// One look for all `moments` in panels of `width`: a metre is as long in x as in y, in every panel.
+    /// One look for all `moments` in panels of `width`, at most `tallest` times as high: a metre is as long in x as in y, in every panel.
     #[must_use]
-    pub(crate) fn of(moments: &[Moment<'_>], width: f64) -> Self {
+    pub(crate) fn of(moments: &[Moment<'_>], width: f64, tallest: f64) -> Self {
         let [x, y] = [0, 1].map(|axis| Range::of(coordinates(moments, axis)));
         let margin = 0.09 * x.width().max(y.width()).max(1.0);
         let (x, y) = (x.padded(margin), y.padded(margin));
-        let aspect = (y.width() / x.width()).clamp(0.6, 1.25);
+        let aspect = (y.width() / x.width()).clamp(0.6, tallest);
         let span = x.width().max(y.width() / aspect);
         let (x, y) = (x.widened_to(span), y.widened_to(span * aspect));
         Self { x, y, marker: Marker::of(moments, width / span), aspect }
@@ -66,7 +66,7 @@ impl Marker {
     /// As large as robots leave room for, at `scale` page units a metre.
     fn of(moments: &[Moment<'_>], scale: f64) -> Self {
         let numbered = moments.iter().all(|moment| moment.case.record.robots <= NUMBERED);
-        let [least, greatest] = if numbered { [5.2, 7.0] } else { [1.2, 4.0] };
+        let [least, greatest] = if numbered { [5.2, 7.0] } else { [2.2, 4.0] };
         let distances = moments.iter().map(|moment| usual_distance(moment));
         let room = 0.45 * scale * distances.fold(f64::INFINITY, f64::min);
         Self { radius: room.clamp(least, greatest), numbered }
@@ -128,8 +128,8 @@ impl<'a> Moment<'a> {
         let points: Vec<[f64; 2]> = self.points().into_iter().map(|point| axes.at(point)).collect();
         let links = links(self.record(), self.case.scenario.radius_m, self.tick);
         let (red, grey): (Vec<Link>, Vec<Link>) = links.iter().partition(|link| link.malicious);
-        for (links, colour) in [(grey, LINK), (red, MALICIOUS)] {
-            draw_links(svg, &points, &links, colour);
+        for (some, colour) in [(grey, LINK), (red, MALICIOUS)] {
+            draw_links(svg, &points, &some, colour, links.len() <= DOTTED);
         }
         for malicious in [false, true] {
             self.draw_robots(svg, &points, marker, malicious);
@@ -154,7 +154,7 @@ impl<'a> Moment<'a> {
 }
 
 /// All links of one colour in one path.
-fn draw_links(svg: &mut Svg, points: &[[f64; 2]], links: &[Link], colour: &str) {
+fn draw_links(svg: &mut Svg, points: &[[f64; 2]], links: &[Link], colour: &str, dotted: bool) {
     let mut path = PathData::default();
     for link in links {
         let ends = [points[link.first], points[link.second]];
@@ -164,7 +164,7 @@ fn draw_links(svg: &mut Svg, points: &[[f64; 2]], links: &[Link], colour: &str) 
         }
     }
     if !path.is_empty() {
-        svg.add(link_style(path.element(), colour, links.len() <= DOTTED));
+        svg.add(link_style(path.element(), colour, dotted));
     }
 }
 
@@ -172,9 +172,9 @@ fn draw_links(svg: &mut Svg, points: &[[f64; 2]], links: &[Link], colour: &str) 
 pub(crate) fn link_style(element: Element, colour: &str, dotted: bool) -> Element {
     let element = element.text("fill", "none").text("stroke", colour);
     if dotted {
-        element.number("stroke-width", 0.9).text("stroke-dasharray", "1.1 2")
+        element.number("stroke-width", 0.9).text("stroke-dasharray", "1.2 1.9")
     } else {
-        element.number("stroke-width", 0.15)
+        element.number("stroke-width", 0.25).number("stroke-opacity", 0.5)
     }
 }
 

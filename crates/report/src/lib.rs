@@ -6,12 +6,15 @@
 //! | --- | --- |
 //! | the paper's figures, and one for a single run | [`figure`] |
 //! | SVG to PNG | [`png`] |
+//! | a record as a file | [`parquet`] |
 
 pub mod content;
 pub mod figure;
+pub mod parquet;
 pub mod png;
 
 mod axes;
+mod columns;
 mod formation;
 mod layout;
 mod legend;
