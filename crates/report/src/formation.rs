@@ -7,7 +7,7 @@ use crate::figure::Case;
 use crate::links::{Link, links, position};
 use crate::palette::{FRAME, LINK, MALICIOUS, NORMAL};
 use crate::svg::{Element, PathData, Piece, Svg};
-use crate::ticks::{Range, drawable, plain};
+use crate::ticks::{Range, plain};
 use crate::title::Title;
 
 /// Up to so many robots have numbers in them.
@@ -123,7 +123,8 @@ impl<'a> Moment<'a> {
         Title { name: name.into(), time, time_known: self.start }
     }
 
-    /// Draws links, then robots, malicious ones last.
+    /// Draws links, then robots: in the order of their numbers, which stay readable where robots overlap (a wide number is
+    /// above a narrow one); without numbers malicious ones last.
     pub(crate) fn draw(&self, svg: &mut Svg, axes: &Axes, marker: Marker) {
         let points: Vec<[f64; 2]> = self.points().into_iter().map(|point| axes.at(point)).collect();
         let links = links(self.record(), self.case.scenario.radius_m, self.tick);
@@ -131,25 +132,33 @@ impl<'a> Moment<'a> {
         for (some, colour) in [(grey, LINK), (red, MALICIOUS)] {
             draw_links(svg, &points, &some, colour, links.len() <= DOTTED);
         }
-        for malicious in [false, true] {
-            self.draw_robots(svg, &points, marker, malicious);
-        }
+        self.draw_robots(svg, &points, marker);
         if self.record().dimension > 2 {
             note(svg, axes.place, "3D, seen along z");
         }
     }
 
-    fn draw_robots(&self, svg: &mut Svg, points: &[[f64; 2]], marker: Marker, malicious: bool) {
-        svg.begin(robots_group(malicious, marker));
-        for (index, point) in points.iter().enumerate() {
-            if self.record().malicious.get(index) == Some(&malicious) && drawable(point[0]) {
-                svg.add(shape(*point, marker.radius, malicious));
-                if marker.numbered {
-                    svg.add(robot_number(*point, marker.radius, index + 1));
-                }
-            }
+    fn draw_robots(&self, svg: &mut Svg, points: &[[f64; 2]], marker: Marker) {
+        let kind = |index: &usize| self.record().malicious.get(*index).copied().unwrap_or(false);
+        let mut order: Vec<usize> = (0..points.len()).filter(|index| points[*index][0].is_finite()).collect();
+        if !marker.numbered {
+            order.sort_by_key(kind);
         }
-        svg.end();
+        for alike in order.chunk_by(|a, b| kind(a) == kind(b)) {
+            let malicious = kind(&alike[0]);
+            svg.begin(robots_group(malicious, marker));
+            for index in alike {
+                draw_robot(svg, points[*index], marker, malicious, index + 1);
+            }
+            svg.end();
+        }
+    }
+}
+
+fn draw_robot(svg: &mut Svg, point: [f64; 2], marker: Marker, malicious: bool, number: usize) {
+    svg.add(shape(point, marker.radius, malicious));
+    if marker.numbered {
+        svg.add(robot_number(point, marker.radius, number));
     }
 }
 

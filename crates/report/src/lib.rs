@@ -5,11 +5,13 @@
 //! | what | where |
 //! | --- | --- |
 //! | the paper's figures, and one for a single run | [`figure`] |
+//! | one self-contained page, and what is on it | [`html`], [`content`] |
 //! | SVG to PNG | [`png`] |
 //! | a record as a file | [`parquet`] |
 
 pub mod content;
 pub mod figure;
+pub mod html;
 pub mod parquet;
 pub mod png;
 
