@@ -3,7 +3,10 @@
 use std::fs;
 use std::path::Path;
 
+use closeranks_report::content::{Claim, Figure, Page, Section, Table};
 use closeranks_report::figure::{Case, figure1, figure2, overview};
+use closeranks_report::html::html;
+use closeranks_report::parquet::{Metadata, write};
 use closeranks_report::png::{SCALE_200_DPI, png};
 use closeranks_sim::attack::LevelAttack;
 use closeranks_sim::record::Record;
@@ -52,8 +55,14 @@ fn paper(folder: &Path, name: &str, start: &Start) -> Result<(), Failure> {
     let cases: Vec<Case<'_>> = (0..3)
         .map(|index| Case { title: TITLES[index], scenario: &scenarios[index], record: &records[index] })
         .collect();
-    for (figure, svg) in [("figure1", figure1(&cases)), ("figure2", figure2(&cases))] {
-        picture(folder, &format!("{name}-{figure}"), &svg)?;
+    let figures = [("figure1", figure1(&cases)), ("figure2", figure2(&cases))];
+    for (figure, svg) in &figures {
+        picture(folder, &format!("{name}-{figure}"), svg)?;
+    }
+    fs::write(folder.join(format!("{name}.html")), html(&page(name, &cases, figures.map(|(_, svg)| svg))))?;
+    for (case, file) in cases.iter().zip(["nominal", "understating", "overstating"]) {
+        let metadata = Metadata { scenario: "# none", seed: 1, version: "0.1.0", commit: "none" };
+        write(case.record, &metadata, fs::File::create(folder.join(format!("{name}-{file}.parquet")))?)?;
     }
     picture(folder, &format!("{name}-overview"), &overview(cases[0]))
 }
@@ -67,4 +76,47 @@ fn picture(folder: &Path, name: &str, svg: &str) -> Result<(), Failure> {
     fs::write(folder.join(format!("{name}.svg")), svg)?;
     fs::write(folder.join(format!("{name}.png")), png(svg, SCALE_200_DPI)?)?;
     Ok(())
+}
+
+/// Enough of everything to see how it looks; the real page is made by the command line.
+fn page(name: &str, cases: &[Case<'_>], figures: [String; 2]) -> Page {
+    let heads = "scenario,least degree,least h,least distance (m),links,gyration (m),rounds,infeasible,negative phi,time";
+    let least = |numbers: &[f64]| format!("{:.3}", numbers.iter().copied().fold(f64::INFINITY, f64::min));
+    let row = |case: &Case<'_>| {
+        let degree = case.record.degree.iter().min().map(u16::to_string).unwrap_or_default();
+        let cells =
+            [case.title, &degree, &least(&case.record.h), "0.31", "46", "1.48", "4", "0", "120", "18 ms"];
+        cells.map(String::from).to_vec()
+    };
+    let table =
+        Table { heads: heads.split(',').map(String::from).collect(), rows: cases.iter().map(row).collect() };
+    let claim = |sentence: &str, holds| Claim {
+        sentence: sentence.into(),
+        holds,
+        numbers: format!("least h of normal robots {}", least(&cases[0].record.h)),
+    };
+    let captions =
+        ["Formations at the start and after 10 s.", "Degree barriers (a-c) and consensus values (d-f)."];
+    let section = |title: &str| Section {
+        title: title.into(),
+        paragraphs: vec![format!(
+            "Three scenarios from the start <{name}>, by robots that know only what they see."
+        )],
+        tables: vec![("One row a scenario & what it came to.".into(), table.clone())],
+        claims: vec![
+            claim("Each simulation begins with every robot having at least seven neighbors.", true),
+            claim("Notably, one malicious robot fails to maintain seven neighbors.", false),
+        ],
+        figures: captions
+            .into_iter()
+            .zip(figures.clone())
+            .map(|(caption, svg)| Figure { caption: caption.into(), svg })
+            .collect(),
+    };
+    Page {
+        title: "Distributed resilience-aware control, section V".into(),
+        lead: "Eleven robots, two of them malicious, pull in four directions and stay connected enough to agree.".into(),
+        sections: vec![section("As published"), section("From inside the safe set")],
+        footer: "closeranks 0.1.0, commit none, `closeranks paper`".into(),
+    }
 }

@@ -97,8 +97,8 @@ impl Axes {
 
     /// Draws frame, ticks, numbers, labels and title: after the data, so that lines end under the frame.
     pub(crate) fn draw(&self, svg: &mut Svg, decoration: &Decoration<'_>) {
-        let x_ticks = ticks(self.x, most_ticks(self.place.width, 48.0));
-        let y_ticks = ticks(self.y, most_ticks(self.place.height, 32.0));
+        let x_ticks = x_ticks(self.x, self.place.width);
+        let y_ticks = ticks(self.y, self.place.height / 32.0);
         self.draw_frame(svg, &x_ticks, &y_ticks);
         svg.begin(Element::group().number("font-size", NUMBER).text("fill", INK));
         for tick in x_ticks.iter().filter(|_| decoration.x_numbers) {
@@ -172,9 +172,14 @@ fn middle(at: [f64; 2], size: f64) -> Element {
     text.text("text-anchor", "middle").text("fill", INK)
 }
 
-/// How many steps fit into `length`.
-fn most_ticks(length: f64, room: f64) -> u32 {
-    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "between 2 and 8")]
-    let most = (length / room).clamp(2.0, 8.0) as u32;
-    most
+/// Ticks with room for their labels side by side below an axis of `length`.
+fn x_ticks(range: Range, length: f64) -> Vec<Tick> {
+    let tried = [34.0, 48.0, 64.0, 90.0].map(|room| ticks(range, length / room));
+    let fits = |ticks: &Vec<Tick>| {
+        let widest = ticks.iter().map(|tick| text::width(&tick.label, NUMBER)).fold(0.0, f64::max);
+        let step = ticks.windows(2).map(|pair| pair[1].value - pair[0].value).fold(range.width(), f64::min);
+        step / range.width() * length > widest + 14.0
+    };
+    let last = tried[tried.len() - 1].clone();
+    tried.into_iter().find(fits).unwrap_or(last)
 }

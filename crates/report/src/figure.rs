@@ -28,7 +28,7 @@ const Y_LABEL: &[Piece<'_>] = &[Piece::Italic("y"), Piece::Plain(" (m)")];
 const TIME_LABEL: &[Piece<'_>] = &[Piece::Plain("time (s)")];
 
 /// Space between columns that share the axis to their left.
-const SHARED_GAP: f64 = 14.0;
+const SHARED_GAP: f64 = 20.0;
 /// Space between columns with an axis each.
 const OWN_GAP: f64 = 64.0;
 
@@ -43,7 +43,7 @@ pub fn figure1(cases: &[Case<'_>]) -> String {
     let moments = moments(cases);
     let titles: Vec<Title> = moments.iter().map(Moment::title).collect();
     let width = panel_width(moments.len(), SHARED_GAP, 300.0);
-    let look = Look::of(&moments, width);
+    let look = Look::of(&moments, width, 1.25);
     let titles = fold(&titles, 0, width);
     let row = Row { title_lines: lines(&titles), height: look.aspect * width, axis: true, legend: true };
     let grid = Grid { columns: moments.len(), width, gap: SHARED_GAP, rows: vec![row] };
@@ -83,7 +83,7 @@ pub fn figure2(cases: &[Case<'_>]) -> String {
 pub fn overview(case: Case<'_>) -> String {
     let moments = moments(&[case]);
     let width = panel_width(2, OWN_GAP, 330.0);
-    let look = Look::of(&moments, width);
+    let look = Look::of(&moments, width, 0.9);
     let titles: Vec<Title> = moments.iter().map(Moment::title).collect();
     let above = fold(&titles, 0, width);
     let below = fold(&[Title::of("degree barriers"), Title::of("consensus values")], 2, width);

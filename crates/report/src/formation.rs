@@ -7,7 +7,7 @@ use crate::figure::Case;
 use crate::links::{Link, links, position};
 use crate::palette::{FRAME, LINK, MALICIOUS, NORMAL};
 use crate::svg::{Element, PathData, Piece, Svg};
-use crate::ticks::{Range, drawable, plain};
+use crate::ticks::{Range, plain};
 use crate::title::Title;
 
 /// Up to so many robots have numbers in them.
@@ -49,13 +49,13 @@ pub(crate) struct Look {
 }
 
 impl Look {
-    /// One look for all `moments` in panels of `width`: a metre is as long in x as in y, in every panel.
+    /// One look for all `moments` in panels of `width`, at most `tallest` times as high: a metre is as long in x as in y, in every panel.
     #[must_use]
-    pub(crate) fn of(moments: &[Moment<'_>], width: f64) -> Self {
+    pub(crate) fn of(moments: &[Moment<'_>], width: f64, tallest: f64) -> Self {
         let [x, y] = [0, 1].map(|axis| Range::of(coordinates(moments, axis)));
         let margin = 0.09 * x.width().max(y.width()).max(1.0);
         let (x, y) = (x.padded(margin), y.padded(margin));
-        let aspect = (y.width() / x.width()).clamp(0.6, 1.25);
+        let aspect = (y.width() / x.width()).clamp(0.6, tallest);
         let span = x.width().max(y.width() / aspect);
         let (x, y) = (x.widened_to(span), y.widened_to(span * aspect));
         Self { x, y, marker: Marker::of(moments, width / span), aspect }
@@ -66,7 +66,7 @@ impl Marker {
     /// As large as robots leave room for, at `scale` page units a metre.
     fn of(moments: &[Moment<'_>], scale: f64) -> Self {
         let numbered = moments.iter().all(|moment| moment.case.record.robots <= NUMBERED);
-        let [least, greatest] = if numbered { [5.2, 7.0] } else { [1.2, 4.0] };
+        let [least, greatest] = if numbered { [5.2, 7.0] } else { [2.2, 4.0] };
         let distances = moments.iter().map(|moment| usual_distance(moment));
         let room = 0.45 * scale * distances.fold(f64::INFINITY, f64::min);
         Self { radius: room.clamp(least, greatest), numbered }
@@ -123,38 +123,47 @@ impl<'a> Moment<'a> {
         Title { name: name.into(), time, time_known: self.start }
     }
 
-    /// Draws links, then robots, malicious ones last.
+    /// Draws links, then robots: in the order of their numbers, which stay readable where robots overlap (a wide number is
+    /// above a narrow one); without numbers malicious ones last.
     pub(crate) fn draw(&self, svg: &mut Svg, axes: &Axes, marker: Marker) {
         let points: Vec<[f64; 2]> = self.points().into_iter().map(|point| axes.at(point)).collect();
         let links = links(self.record(), self.case.scenario.radius_m, self.tick);
         let (red, grey): (Vec<Link>, Vec<Link>) = links.iter().partition(|link| link.malicious);
-        for (links, colour) in [(grey, LINK), (red, MALICIOUS)] {
-            draw_links(svg, &points, &links, colour);
+        for (some, colour) in [(grey, LINK), (red, MALICIOUS)] {
+            draw_links(svg, &points, &some, colour, links.len() <= DOTTED);
         }
-        for malicious in [false, true] {
-            self.draw_robots(svg, &points, marker, malicious);
-        }
+        self.draw_robots(svg, &points, marker);
         if self.record().dimension > 2 {
             note(svg, axes.place, "3D, seen along z");
         }
     }
 
-    fn draw_robots(&self, svg: &mut Svg, points: &[[f64; 2]], marker: Marker, malicious: bool) {
-        svg.begin(robots_group(malicious, marker));
-        for (index, point) in points.iter().enumerate() {
-            if self.record().malicious.get(index) == Some(&malicious) && drawable(point[0]) {
-                svg.add(shape(*point, marker.radius, malicious));
-                if marker.numbered {
-                    svg.add(robot_number(*point, marker.radius, index + 1));
-                }
-            }
+    fn draw_robots(&self, svg: &mut Svg, points: &[[f64; 2]], marker: Marker) {
+        let kind = |index: &usize| self.record().malicious.get(*index).copied().unwrap_or(false);
+        let mut order: Vec<usize> = (0..points.len()).filter(|index| points[*index][0].is_finite()).collect();
+        if !marker.numbered {
+            order.sort_by_key(kind);
         }
-        svg.end();
+        for alike in order.chunk_by(|a, b| kind(a) == kind(b)) {
+            let malicious = kind(&alike[0]);
+            svg.begin(robots_group(malicious, marker));
+            for index in alike {
+                draw_robot(svg, points[*index], marker, malicious, index + 1);
+            }
+            svg.end();
+        }
+    }
+}
+
+fn draw_robot(svg: &mut Svg, point: [f64; 2], marker: Marker, malicious: bool, number: usize) {
+    svg.add(shape(point, marker.radius, malicious));
+    if marker.numbered {
+        svg.add(robot_number(point, marker.radius, number));
     }
 }
 
 /// All links of one colour in one path.
-fn draw_links(svg: &mut Svg, points: &[[f64; 2]], links: &[Link], colour: &str) {
+fn draw_links(svg: &mut Svg, points: &[[f64; 2]], links: &[Link], colour: &str, dotted: bool) {
     let mut path = PathData::default();
     for link in links {
         let ends = [points[link.first], points[link.second]];
@@ -164,7 +173,7 @@ fn draw_links(svg: &mut Svg, points: &[[f64; 2]], links: &[Link], colour: &str) 
         }
     }
     if !path.is_empty() {
-        svg.add(link_style(path.element(), colour, links.len() <= DOTTED));
+        svg.add(link_style(path.element(), colour, dotted));
     }
 }
 
@@ -172,9 +181,9 @@ fn draw_links(svg: &mut Svg, points: &[[f64; 2]], links: &[Link], colour: &str) 
 pub(crate) fn link_style(element: Element, colour: &str, dotted: bool) -> Element {
     let element = element.text("fill", "none").text("stroke", colour);
     if dotted {
-        element.number("stroke-width", 0.9).text("stroke-dasharray", "1.1 2")
+        element.number("stroke-width", 0.9).text("stroke-dasharray", "1.2 1.9")
     } else {
-        element.number("stroke-width", 0.15)
+        element.number("stroke-width", 0.25).number("stroke-opacity", 0.5)
     }
 }
 

@@ -6,7 +6,7 @@ use crate::svg::Svg;
 /// Room for numbers and label to the left of a panel.
 pub(crate) const LEFT: f64 = 50.0;
 /// Room at the right edge: half a number of the axis below.
-const RIGHT: f64 = 14.0;
+const RIGHT: f64 = 18.0;
 /// Room above the titles.
 const TOP: f64 = 4.0;
 /// Room below a row with numbers and a label.

@@ -54,7 +54,7 @@ impl Entry {
             Self::Robot { malicious: true } | Self::Line { malicious: true } => {
                 &[Piece::Plain("malicious robot")]
             }
-            Self::Link { malicious: false } => &[Piece::Plain("link of normal robots")],
+            Self::Link { malicious: false } => &[Piece::Plain("link between normal robots")],
             Self::Link { malicious: true } => &[Piece::Plain("link with a malicious robot")],
             Self::Below => &[Piece::Italic("h"), Piece::Subscript("i"), Piece::Plain(" < 0")],
         }

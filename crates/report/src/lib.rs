@@ -5,16 +5,21 @@
 //! | what | where |
 //! | --- | --- |
 //! | the paper's figures, and one for a single run | [`figure`] |
+//! | one self-contained page, and what is on it | [`html`], [`content`] |
 //! | SVG to PNG | [`png`] |
 //! | the table of runs, and the paper's sentences held against them | [`table`], [`claims`] |
+//! | a record as a file | [`parquet`] |
 
 pub mod claims;
 pub mod content;
 pub mod figure;
+pub mod html;
+pub mod parquet;
 pub mod png;
 pub mod table;
 
 mod axes;
+mod columns;
 mod formation;
 mod layout;
 mod legend;

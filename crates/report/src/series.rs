@@ -12,6 +12,9 @@ use crate::trace::thin;
 /// Width of the columns in which lines keep their extremes.
 const COLUMN: f64 = 0.5;
 
+/// More robots than this have thinner lines.
+const CROWD: u16 = 40;
+
 /// What is drawn.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Quantity {
@@ -66,7 +69,7 @@ impl Quantity {
         }
         let order = [self == Self::Value, self != Self::Value];
         for malicious in order {
-            svg.begin(self.lines_group(malicious));
+            svg.begin(self.lines_group(malicious, record.robots));
             for (index, _) in record.malicious.iter().enumerate().filter(|(_, kind)| **kind == malicious) {
                 self.draw_line(svg, axes, record, index);
             }
@@ -78,10 +81,10 @@ impl Quantity {
     }
 
     /// What all lines of a kind share.
-    fn lines_group(self, malicious: bool) -> Element {
+    fn lines_group(self, malicious: bool, robots: u16) -> Element {
         let group = Element::group().text("fill", "none").text("stroke-linejoin", "round");
         match (malicious, self) {
-            (false, _) => group.number("stroke-width", 0.9),
+            (false, _) => group.number("stroke-width", if robots > CROWD { 0.4 } else { 0.9 }),
             (true, Self::Barrier) => malicious_style(group, 1.3),
             (true, Self::Value) => malicious_style(group, 0.6).number("stroke-opacity", 0.4),
         }

@@ -11,6 +11,9 @@ pub(crate) struct Range {
     pub(crate) max: f64,
 }
 
+/// No axis has more ticks than this.
+const MOST: u32 = 20;
+
 /// Data beyond this are not drawn.
 const LARGEST: f64 = 1e12;
 
@@ -78,14 +81,14 @@ pub(crate) struct Tick {
     pub(crate) label: String,
 }
 
-/// Round numbers (1, 2 or 5 times a power of ten) inside `range`, at most `most + 1` of them.
+/// Round numbers (multiples of 1, 2 or 5 times a power of ten) inside `range`, at most `most` steps.
 #[must_use]
-pub(crate) fn ticks(range: Range, most: u32) -> Vec<Tick> {
-    let (mantissa, exponent) = step(range.width() / f64::from(most.max(1)));
+pub(crate) fn ticks(range: Range, most: f64) -> Vec<Tick> {
+    let (mantissa, exponent) = step(range.width() / most);
     let unit = f64::from(mantissa) * power_of_ten(exponent);
     let slack = 1e-9 * range.width();
     let first = ((range.min - slack) / unit).ceil();
-    let counts = (0..=most).map(|index| first + f64::from(index));
+    let counts = (0..=MOST).map(|index| first + f64::from(index));
     let values = counts.map(|count| (count, place(count * f64::from(mantissa), exponent)));
     let inside = values.filter(|(_, value)| *value <= range.max + slack);
     inside.map(|(count, value)| Tick { value, label: label(count, mantissa, exponent) }).collect()
@@ -144,7 +147,7 @@ pub(crate) fn plain(value: f64) -> String {
 mod tests {
     use super::*;
 
-    fn labels(min: f64, max: f64, most: u32) -> String {
+    fn labels(min: f64, max: f64, most: f64) -> String {
         let labels: Vec<String> =
             ticks(Range { min, max }, most).into_iter().map(|tick| tick.label).collect();
         labels.join(" ")
@@ -152,12 +155,12 @@ mod tests {
 
     #[test]
     fn ticks_are_round_and_without_noise() {
-        assert_eq!(labels(0.0, 10.0, 5), "0 2 4 6 8 10");
-        assert_eq!(labels(-0.31, 0.31, 6), "−0.2 0 0.2");
-        assert_eq!(labels(-520.0, 520.0, 5), "−500 0 500");
-        assert_eq!(labels(0.0, 0.005, 5), "0 0.001 0.002 0.003 0.004 0.005");
-        assert_eq!(labels(-3.2, 2.9, 4), "−2 0 2");
-        assert_eq!(labels(0.0, 2.5e7, 5), "0 5e6 1e7 1.5e7 2e7 2.5e7");
+        assert_eq!(labels(0.0, 10.0, 5.0), "0 2 4 6 8 10");
+        assert_eq!(labels(-0.31, 0.31, 6.0), "−0.2 0 0.2");
+        assert_eq!(labels(-520.0, 520.0, 5.0), "−500 0 500");
+        assert_eq!(labels(0.0, 0.005, 5.0), "0 0.001 0.002 0.003 0.004 0.005");
+        assert_eq!(labels(-3.2, 2.9, 4.0), "−2 0 2");
+        assert_eq!(labels(0.0, 2.5e7, 5.0), "0 5e6 1e7 1.5e7 2e7 2.5e7");
     }
 
     #[test]
@@ -165,7 +168,7 @@ mod tests {
         for width in [1e-11, 3e-7, 0.02, 1.0, 7.7, 99.0, 1e4, 1.9e12] {
             for min in [0.0, -0.37 * width, 0.2 * width] {
                 let range = Range { min, max: min + width };
-                let ticks = ticks(range, 5);
+                let ticks = ticks(range, 5.0);
                 assert!((2..=6).contains(&ticks.len()), "{range:?}: {ticks:?}");
                 let slack = 1e-6 * width;
                 assert!(ticks.iter().all(|t| t.value >= min - slack && t.value <= range.max + slack));
@@ -178,7 +181,7 @@ mod tests {
         assert_eq!(Range::of([f64::NAN, 2.0, f64::INFINITY, -1.0, 1e300]), Range { min: -1.0, max: 2.0 });
         assert_eq!(Range::of([]), Range { min: 0.0, max: 1.0 });
         assert_eq!(Range::of([3.0]), Range { min: 2.5, max: 3.5 });
-        assert!(ticks(Range::of([1e12, 1e12 + 1.0]), 5).len() >= 2);
+        assert!(ticks(Range::of([1e12, 1e12 + 1.0]), 5.0).len() >= 2);
     }
 
     #[test]
