@@ -1,7 +1,8 @@
 //! A panel: a frame with two axes, and the way from data to the page.
 
 use crate::palette::{FRAME, INK, LABEL, NUMBER, TITLE};
-use crate::svg::{Element, PathData, Piece, Svg};
+use crate::path::PathData;
+use crate::svg::{Element, Piece, Svg};
 use crate::text;
 use crate::ticks::{Range, Tick, drawable, ticks};
 
@@ -100,7 +101,7 @@ impl Axes {
         let x_ticks = x_ticks(self.x, self.place.width);
         let y_ticks = ticks(self.y, self.place.height / 32.0);
         self.draw_frame(svg, &x_ticks, &y_ticks);
-        svg.begin(Element::group().number("font-size", NUMBER).text("fill", INK));
+        svg.begin(&Element::group().number("font-size", NUMBER).text("fill", INK));
         for tick in x_ticks.iter().filter(|_| decoration.x_numbers) {
             svg.add(self.x_number(tick));
         }
@@ -113,7 +114,7 @@ impl Axes {
     }
 
     fn draw_frame(&self, svg: &mut Svg, x_ticks: &[Tick], y_ticks: &[Tick]) {
-        svg.begin(Element::group().text("fill", "none").text("stroke", FRAME).number("stroke-width", 0.8));
+        svg.begin(&Element::group().text("fill", "none").text("stroke", FRAME).number("stroke-width", 0.8));
         svg.add(self.place.element());
         let mut path = PathData::default();
         for tick in x_ticks {

@@ -6,7 +6,8 @@ use crate::axes::{Axes, Place};
 use crate::figure::Case;
 use crate::links::{Link, links, position};
 use crate::palette::{FRAME, LINK, MALICIOUS, NORMAL};
-use crate::svg::{Element, PathData, Piece, Svg};
+use crate::path::PathData;
+use crate::svg::{Element, Piece, Svg};
 use crate::ticks::{Range, plain};
 use crate::title::Title;
 
@@ -66,7 +67,7 @@ impl Marker {
     /// As large as robots leave room for, at `scale` page units a metre.
     fn of(moments: &[Moment<'_>], scale: f64) -> Self {
         let numbered = moments.iter().all(|moment| moment.case.record.robots <= NUMBERED);
-        let [least, greatest] = if numbered { [5.2, 7.0] } else { [2.2, 4.0] };
+        let [least, greatest] = if numbered { [4.9, 7.0] } else { [2.2, 4.0] };
         let distances = moments.iter().map(|moment| usual_distance(moment));
         let room = 0.45 * scale * distances.fold(f64::INFINITY, f64::min);
         Self { radius: room.clamp(least, greatest), numbered }
@@ -146,7 +147,7 @@ impl<'a> Moment<'a> {
         }
         for alike in order.chunk_by(|a, b| kind(a) == kind(b)) {
             let malicious = kind(&alike[0]);
-            svg.begin(robots_group(malicious, marker));
+            svg.begin(&robots_group(malicious, marker));
             for index in alike {
                 draw_robot(svg, points[*index], marker, malicious, index + 1);
             }

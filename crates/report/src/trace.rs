@@ -11,9 +11,10 @@ const TOLERANCE: f64 = 0.03;
 /// every extreme survives. Then points are left out that are within 0.03 of a straight line between others.
 #[must_use]
 pub(crate) fn thin(points: &[[f64; 2]], column: f64) -> Vec<[f64; 2]> {
+    let column_of = |point: &[f64; 2]| (point[0] / column).floor().to_bits();
     let mut kept = BTreeSet::new();
     let mut start = 0;
-    for group in points.chunk_by(|a, b| (a[0] / column).floor() == (b[0] / column).floor()) {
+    for group in points.chunk_by(|a, b| column_of(a) == column_of(b)) {
         kept.insert(start + first_with(group, |new, old| new < old));
         kept.insert(start + first_with(group, |new, old| new > old));
         start += group.len();
