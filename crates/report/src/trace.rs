@@ -77,11 +77,11 @@ mod tests {
         let line: Vec<[f64; 2]> = (0..5_000).map(at).collect();
         let thinned = thin(&line, 0.5);
         assert!(thinned.len() < 100, "{}", thinned.len());
-        let spikes = |points: &[[f64; 2]]| points.iter().filter(|point| point[1] == 50.0).count();
+        let spikes = |points: &[[f64; 2]]| points.iter().filter(|point| point[1] > 49.0).count();
         assert_eq!(spikes(&thinned), spikes(&line));
         assert!(thinned.iter().all(|point| line.contains(point)));
         assert!(
-            line.iter().all(|point| (height(&thinned, point[0]) - point[1]).abs() < 2.0 || point[1] == 50.0)
+            line.iter().all(|point| (height(&thinned, point[0]) - point[1]).abs() < 2.0 || point[1] > 49.0)
         );
     }
 
