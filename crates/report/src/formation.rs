@@ -16,6 +16,11 @@ const NUMBERED: u16 = 40;
 /// More links than this in a panel are hairlines: their dots could not be told apart.
 const DOTTED: usize = 1_500;
 
+/// Length of a dot and of the space after it.
+const DOTS: &str = "1.2 1.9";
+/// Their sum.
+const PERIOD: f64 = 3.1;
+
 /// One tick of a case.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Moment<'a> {
@@ -169,8 +174,9 @@ fn draw_links(svg: &mut Svg, points: &[[f64; 2]], links: &[Link], colour: &str, 
     for link in links {
         let ends = [points[link.first], points[link.second]];
         if ends.iter().flatten().all(|end| end.is_finite()) {
-            path.start(ends[0]);
-            path.continue_to(ends[1]);
+            let [start, end] = in_step(ends);
+            path.start(start);
+            path.continue_to(end);
         }
     }
     if !path.is_empty() {
@@ -178,11 +184,26 @@ fn draw_links(svg: &mut Svg, points: &[[f64; 2]], links: &[Link], colour: &str, 
     }
 }
 
+/// Shortens a link by less than a period, under the marker at its end, so that links along one line have their dots in the
+/// same places: else the dots of one fill the spaces of another, and the line looks solid.
+fn in_step(mut ends: [[f64; 2]; 2]) -> [[f64; 2]; 2] {
+    ends.sort_by(|a, b| a[0].total_cmp(&b[0]).then(a[1].total_cmp(&b[1])));
+    let [start, end] = ends;
+    let offset = [end[0] - start[0], end[1] - start[1]];
+    let length = (offset[0] * offset[0] + offset[1] * offset[1]).sqrt();
+    if length < 2.0 * PERIOD {
+        return ends;
+    }
+    let along = (start[0] * offset[0] + start[1] * offset[1]) / length;
+    let share = (PERIOD - along.rem_euclid(PERIOD)) / length;
+    [[start[0] + share * offset[0], start[1] + share * offset[1]], end]
+}
+
 /// Dotted, or a hairline where there are too many.
 pub(crate) fn link_style(element: Element, colour: &str, dotted: bool) -> Element {
     let element = element.text("fill", "none").text("stroke", colour);
     if dotted {
-        element.number("stroke-width", 0.9).text("stroke-dasharray", "1.2 1.9")
+        element.number("stroke-width", 0.9).text("stroke-dasharray", DOTS)
     } else {
         element.number("stroke-width", 0.25).number("stroke-opacity", 0.5)
     }

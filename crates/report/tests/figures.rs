@@ -78,7 +78,7 @@ fn links_drawn_are_links_recorded() {
     };
     let ends: usize = runs.iter().map(|(_, record)| degrees(record, record.last_tick())).sum();
     let twice = degrees(&runs[0].1, 0) + ends;
-    assert_eq!(2 * (links(&svg, "#969696") + links(&svg, "#D55E00")), twice);
+    assert_eq!(2 * (links(&svg, "#A0A0A0") + links(&svg, "#D55E00")), twice);
     assert!(links(&svg, "#D55E00") > 20);
 }
 
