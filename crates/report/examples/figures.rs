@@ -61,8 +61,7 @@ fn paper(folder: &Path, name: &str, start: &Start) -> Result<(), Failure> {
     }
     fs::write(folder.join(format!("{name}.html")), html(&page(name, &cases, figures.map(|(_, svg)| svg))))?;
     for (case, file) in cases.iter().zip(["nominal", "understating", "overstating"]) {
-        let metadata = Metadata { scenario: "# none", seed: 1, version: "0.1.0", commit: "none" };
-        write(case.record, &metadata, fs::File::create(folder.join(format!("{name}-{file}.parquet")))?)?;
+        table_file(folder, &format!("{name}-{file}"), case.record)?;
     }
     let long = Case { title: "a title that is too long for its panel", ..cases[2] };
     for some in [vec![long], [&cases[..], &[long]].concat()] {
@@ -75,7 +74,13 @@ fn paper(folder: &Path, name: &str, start: &Start) -> Result<(), Failure> {
 
 fn single(folder: &Path, name: &str, scenario: &Scenario) -> Result<(), Failure> {
     let record = record(scenario)?;
+    table_file(folder, name, &record)?;
     picture(folder, name, &overview(Case { title: name, scenario, record: &record }))
+}
+
+fn table_file(folder: &Path, name: &str, record: &Record) -> Result<(), Failure> {
+    let metadata = Metadata { scenario: "# none", seed: 1, version: "0.1.0", commit: "none" };
+    Ok(write(record, &metadata, fs::File::create(folder.join(format!("{name}.parquet")))?)?)
 }
 
 fn picture(folder: &Path, name: &str, svg: &str) -> Result<(), Failure> {
