@@ -14,7 +14,7 @@ use closeranks_sim::scenario::Scenario;
 use closeranks_sim::start::Start;
 use closeranks_sim::world::{Options, run};
 
-type Failure = Box<dyn std::error::Error>;
+type Failure = Box<dyn core::error::Error>;
 
 const TITLES: [&str; 3] = ["nominal updating", "understating", "overstating"];
 
@@ -61,15 +61,26 @@ fn paper(folder: &Path, name: &str, start: &Start) -> Result<(), Failure> {
     }
     fs::write(folder.join(format!("{name}.html")), html(&page(name, &cases, figures.map(|(_, svg)| svg))))?;
     for (case, file) in cases.iter().zip(["nominal", "understating", "overstating"]) {
-        let metadata = Metadata { scenario: "# none", seed: 1, version: "0.1.0", commit: "none" };
-        write(case.record, &metadata, fs::File::create(folder.join(format!("{name}-{file}.parquet")))?)?;
+        table_file(folder, &format!("{name}-{file}"), case.record)?;
+    }
+    let long = Case { title: "a title that is too long for its panel", ..cases[2] };
+    for some in [vec![long], [&cases[..], &[long]].concat()] {
+        let count = some.len();
+        picture(folder, &format!("{name}-{count}-figure1"), &figure1(&some))?;
+        picture(folder, &format!("{name}-{count}-figure2"), &figure2(&some))?;
     }
     picture(folder, &format!("{name}-overview"), &overview(cases[0]))
 }
 
 fn single(folder: &Path, name: &str, scenario: &Scenario) -> Result<(), Failure> {
     let record = record(scenario)?;
+    table_file(folder, name, &record)?;
     picture(folder, name, &overview(Case { title: name, scenario, record: &record }))
+}
+
+fn table_file(folder: &Path, name: &str, record: &Record) -> Result<(), Failure> {
+    let metadata = Metadata { scenario: "# none", seed: 1, version: "0.1.0", commit: "none" };
+    Ok(write(record, &metadata, fs::File::create(folder.join(format!("{name}.parquet")))?)?)
 }
 
 fn picture(folder: &Path, name: &str, svg: &str) -> Result<(), Failure> {
@@ -80,43 +91,45 @@ fn picture(folder: &Path, name: &str, svg: &str) -> Result<(), Failure> {
 
 /// Enough of everything to see how it looks; the real page is made by the command line.
 fn page(name: &str, cases: &[Case<'_>], figures: [String; 2]) -> Page {
-    let heads = "scenario,least degree,least h,least distance (m),links,gyration (m),rounds,infeasible,negative phi,time";
-    let least = |numbers: &[f64]| format!("{:.3}", numbers.iter().copied().fold(f64::INFINITY, f64::min));
-    let row = |case: &Case<'_>| {
-        let degree = case.record.degree.iter().min().map(u16::to_string).unwrap_or_default();
-        let cells =
-            [case.title, &degree, &least(&case.record.h), "0.31", "46", "1.48", "4", "0", "120", "18 ms"];
-        cells.map(String::from).to_vec()
-    };
-    let table =
-        Table { heads: heads.split(',').map(String::from).collect(), rows: cases.iter().map(row).collect() };
-    let claim = |sentence: &str, holds| Claim {
+    let captions = ["Formations at the start and after 10 s.", "Barriers (a-c) and values (d-f)."];
+    let figures = figures.into_iter().zip(captions);
+    let figures = figures.map(|(svg, caption)| Figure { caption: caption.into(), svg }).collect();
+    let sentences = [
+        ("Each simulation begins with every robot having at least seven neighbors.", true),
+        ("Notably, one malicious robot fails to maintain seven neighbors.", false),
+    ];
+    let numbers = format!("least h of all robots {}", least(&cases[0].record.h));
+    let claim = |(sentence, holds): (&str, bool)| Claim {
         sentence: sentence.into(),
         holds,
-        numbers: format!("least h of normal robots {}", least(&cases[0].record.h)),
+        numbers: numbers.clone(),
     };
-    let captions =
-        ["Formations at the start and after 10 s.", "Degree barriers (a-c) and consensus values (d-f)."];
-    let section = |title: &str| Section {
-        title: title.into(),
-        paragraphs: vec![format!(
-            "Three scenarios from the start <{name}>, by robots that know only what they see."
-        )],
-        tables: vec![("One row a scenario & what it came to.".into(), table.clone())],
-        claims: vec![
-            claim("Each simulation begins with every robot having at least seven neighbors.", true),
-            claim("Notably, one malicious robot fails to maintain seven neighbors.", false),
-        ],
-        figures: captions
-            .into_iter()
-            .zip(figures.clone())
-            .map(|(caption, svg)| Figure { caption: caption.into(), svg })
-            .collect(),
+    let section = Section {
+        title: name.into(),
+        paragraphs: vec![format!("Three scenarios from the start <{name}>.")],
+        tables: vec![("One row a scenario & what it came to.".into(), table(cases))],
+        claims: sentences.map(claim).into(),
+        figures,
     };
     Page {
         title: "Distributed resilience-aware control, section V".into(),
         lead: "Eleven robots, two of them malicious, pull in four directions and stay connected enough to agree.".into(),
-        sections: vec![section("As published"), section("From inside the safe set")],
+        sections: vec![section, Section { title: "Another part".into(), ..Section::default() }],
         footer: "closeranks 0.1.0, commit none, `closeranks paper`".into(),
     }
+}
+
+fn table(cases: &[Case<'_>]) -> Table {
+    let heads =
+        "scenario,least degree,least h,least phi_i,links,gyration (m),rounds,infeasible,negative phi,time";
+    let row = |case: &Case<'_>| {
+        let degree = case.record.degree.iter().min().map(u16::to_string).unwrap_or_default();
+        let (h, phi) = (least(&case.record.h), least(&case.record.phi));
+        [case.title, &degree, &h, &phi, "46", "1.48", "4", "0", "120", "18 ms"].map(String::from).to_vec()
+    };
+    Table { heads: heads.split(',').map(String::from).collect(), rows: cases.iter().map(row).collect() }
+}
+
+fn least(numbers: &[f64]) -> String {
+    format!("{:.3}", numbers.iter().copied().fold(f64::INFINITY, f64::min))
 }

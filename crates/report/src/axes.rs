@@ -1,7 +1,8 @@
 //! A panel: a frame with two axes, and the way from data to the page.
 
 use crate::palette::{FRAME, INK, LABEL, NUMBER, TITLE};
-use crate::svg::{Element, PathData, Piece, Svg};
+use crate::path::PathData;
+use crate::svg::{Element, Piece, Svg};
 use crate::text;
 use crate::ticks::{Range, Tick, drawable, ticks};
 
@@ -52,6 +53,8 @@ pub(crate) const TITLE_LINE: f64 = 14.0;
 pub(crate) const Y_LABEL_GAP: f64 = 36.0;
 /// Distance from a panel to the base line of the label below it.
 const X_LABEL_GAP: f64 = 31.0;
+/// More numbers than this at an axis are clutter.
+const MOST_STEPS: f64 = 6.0;
 /// Length of a tick.
 const TICK: f64 = 3.5;
 
@@ -98,9 +101,9 @@ impl Axes {
     /// Draws frame, ticks, numbers, labels and title: after the data, so that lines end under the frame.
     pub(crate) fn draw(&self, svg: &mut Svg, decoration: &Decoration<'_>) {
         let x_ticks = x_ticks(self.x, self.place.width);
-        let y_ticks = ticks(self.y, self.place.height / 32.0);
+        let y_ticks = ticks(self.y, (self.place.height / 32.0).min(MOST_STEPS));
         self.draw_frame(svg, &x_ticks, &y_ticks);
-        svg.begin(Element::group().number("font-size", NUMBER).text("fill", INK));
+        svg.begin(&Element::group().number("font-size", NUMBER).text("fill", INK));
         for tick in x_ticks.iter().filter(|_| decoration.x_numbers) {
             svg.add(self.x_number(tick));
         }
@@ -113,7 +116,7 @@ impl Axes {
     }
 
     fn draw_frame(&self, svg: &mut Svg, x_ticks: &[Tick], y_ticks: &[Tick]) {
-        svg.begin(Element::group().text("fill", "none").text("stroke", FRAME).number("stroke-width", 0.8));
+        svg.begin(&Element::group().text("fill", "none").text("stroke", FRAME).number("stroke-width", 0.8));
         svg.add(self.place.element());
         let mut path = PathData::default();
         for tick in x_ticks {
@@ -174,7 +177,7 @@ fn middle(at: [f64; 2], size: f64) -> Element {
 
 /// Ticks with room for their labels side by side below an axis of `length`.
 fn x_ticks(range: Range, length: f64) -> Vec<Tick> {
-    let tried = [34.0, 48.0, 64.0, 90.0].map(|room| ticks(range, length / room));
+    let tried = [34.0, 48.0, 64.0, 90.0].map(|room| ticks(range, (length / room).min(MOST_STEPS)));
     let fits = |ticks: &Vec<Tick>| {
         let widest = ticks.iter().map(|tick| text::width(&tick.label, NUMBER)).fold(0.0, f64::max);
         let step = ticks.windows(2).map(|pair| pair[1].value - pair[0].value).fold(range.width(), f64::min);

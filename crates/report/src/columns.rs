@@ -96,7 +96,7 @@ impl Data<'_> {
             Self::Numbers(numbers) => put::<DoubleType>(target, numbers[rows].iter().copied())?,
             Self::Inputs(numbers) => put_inputs(target, numbers, rows, record.row(record.last_tick(), 0))?,
             Self::Degree => {
-                put::<Int32Type>(target, record.degree[rows].iter().map(|degree| (*degree).into()))?
+                put::<Int32Type>(target, record.degree[rows].iter().map(|degree| i32::from(*degree)))?;
             }
             Self::Outcome => {
                 let names = record.outcome[rows].iter().map(|outcome| outcome_name(*outcome));

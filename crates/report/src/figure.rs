@@ -56,7 +56,7 @@ pub fn figure1(cases: &[Case<'_>]) -> String {
 /// Barriers and values over time, the paper's fig:sim_result: h_i of each case in the upper row, y_i in the lower.
 ///
 /// Time in s, h_i and y_i dimensionless; a row shares its limits. Normal robots are solid blue, malicious ones dashed red,
-/// their values thin and behind. Lines have fewer points than the record but every extreme of every half unit of the page.
+/// their values thin and behind. Lines have fewer points than the record but every extreme of every column 0.75 units wide.
 /// Returns a complete SVG document; the same cases give the same bytes.
 //= paper fig:sim_result
 #[must_use]

@@ -6,7 +6,8 @@ use crate::axes::{Axes, Place};
 use crate::figure::Case;
 use crate::links::{Link, links, position};
 use crate::palette::{FRAME, LINK, MALICIOUS, NORMAL};
-use crate::svg::{Element, PathData, Piece, Svg};
+use crate::path::PathData;
+use crate::svg::{Element, Piece, Svg};
 use crate::ticks::{Range, plain};
 use crate::title::Title;
 
@@ -14,6 +15,11 @@ use crate::title::Title;
 const NUMBERED: u16 = 40;
 /// More links than this in a panel are hairlines: their dots could not be told apart.
 const DOTTED: usize = 1_500;
+
+/// Length of a dot and of the space after it.
+const DOTS: &str = "1.2 1.9";
+/// Their sum.
+const PERIOD: f64 = 3.1;
 
 /// One tick of a case.
 #[derive(Clone, Copy, Debug)]
@@ -66,7 +72,7 @@ impl Marker {
     /// As large as robots leave room for, at `scale` page units a metre.
     fn of(moments: &[Moment<'_>], scale: f64) -> Self {
         let numbered = moments.iter().all(|moment| moment.case.record.robots <= NUMBERED);
-        let [least, greatest] = if numbered { [5.2, 7.0] } else { [2.2, 4.0] };
+        let [least, greatest] = if numbered { [4.9, 7.0] } else { [2.2, 4.0] };
         let distances = moments.iter().map(|moment| usual_distance(moment));
         let room = 0.45 * scale * distances.fold(f64::INFINITY, f64::min);
         Self { radius: room.clamp(least, greatest), numbered }
@@ -146,7 +152,7 @@ impl<'a> Moment<'a> {
         }
         for alike in order.chunk_by(|a, b| kind(a) == kind(b)) {
             let malicious = kind(&alike[0]);
-            svg.begin(robots_group(malicious, marker));
+            svg.begin(&robots_group(malicious, marker));
             for index in alike {
                 draw_robot(svg, points[*index], marker, malicious, index + 1);
             }
@@ -168,8 +174,9 @@ fn draw_links(svg: &mut Svg, points: &[[f64; 2]], links: &[Link], colour: &str, 
     for link in links {
         let ends = [points[link.first], points[link.second]];
         if ends.iter().flatten().all(|end| end.is_finite()) {
-            path.start(ends[0]);
-            path.continue_to(ends[1]);
+            let [start, end] = in_step(ends);
+            path.start(start);
+            path.continue_to(end);
         }
     }
     if !path.is_empty() {
@@ -177,11 +184,26 @@ fn draw_links(svg: &mut Svg, points: &[[f64; 2]], links: &[Link], colour: &str, 
     }
 }
 
+/// Shortens a link by less than a period, under the marker at its end, so that links along one line have their dots in the
+/// same places: else the dots of one fill the spaces of another, and the line looks solid.
+fn in_step(mut ends: [[f64; 2]; 2]) -> [[f64; 2]; 2] {
+    ends.sort_by(|a, b| a[0].total_cmp(&b[0]).then(a[1].total_cmp(&b[1])));
+    let [start, end] = ends;
+    let offset = [end[0] - start[0], end[1] - start[1]];
+    let length = (offset[0] * offset[0] + offset[1] * offset[1]).sqrt();
+    if length < 2.0 * PERIOD {
+        return ends;
+    }
+    let along = (start[0] * offset[0] + start[1] * offset[1]) / length;
+    let share = (PERIOD - along.rem_euclid(PERIOD)) / length;
+    [[start[0] + share * offset[0], start[1] + share * offset[1]], end]
+}
+
 /// Dotted, or a hairline where there are too many.
 pub(crate) fn link_style(element: Element, colour: &str, dotted: bool) -> Element {
     let element = element.text("fill", "none").text("stroke", colour);
     if dotted {
-        element.number("stroke-width", 0.9).text("stroke-dasharray", "1.2 1.9")
+        element.number("stroke-width", 0.9).text("stroke-dasharray", DOTS)
     } else {
         element.number("stroke-width", 0.25).number("stroke-opacity", 0.5)
     }

@@ -6,6 +6,10 @@ use crate::svg::escape;
 /// Look of the page, in light, dark and print.
 const STYLE: &str = include_str!("page.css");
 
+/// Everything before the title.
+const START: &str = "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n\
+    <meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n";
+
 /// The page as an HTML5 document.
 ///
 /// Every text is escaped; only [`Figure::svg`] is taken as it is, from its root element on, so it must come from
@@ -14,16 +18,22 @@ const STYLE: &str = include_str!("page.css");
 pub fn html(page: &Page) -> String {
     let sections: String =
         page.sections.iter().enumerate().map(|(index, part)| section(index, part)).collect();
-    let mut text = String::from("<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n");
-    text += "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n";
-    text += &element("title", &page.title);
-    text += &format!("<style>\n{STYLE}</style>\n</head>\n<body>\n<main>\n<header>\n");
-    text += &element("h1", &page.title);
-    text += &paragraph("lead", &page.lead);
-    text += &contents(&page.sections);
-    text += &format!("</header>\n{sections}</main>\n<footer>\n");
-    text += &paragraph("", &page.footer);
-    text + "</footer>\n</body>\n</html>\n"
+    [
+        START,
+        &element("title", &page.title),
+        "<style>\n",
+        STYLE,
+        "</style>\n</head>\n<body>\n<main>\n<header>\n",
+        &element("h1", &page.title),
+        &paragraph("lead", &page.lead),
+        &contents(&page.sections),
+        "</header>\n",
+        &sections,
+        "</main>\n<footer>\n",
+        &paragraph("", &page.footer),
+        "</footer>\n</body>\n</html>\n",
+    ]
+    .concat()
 }
 
 fn element(name: &str, text: &str) -> String {
@@ -63,14 +73,20 @@ fn section(index: usize, section: &Section) -> String {
 
 /// A table that scrolls sideways where it is too wide, also by keyboard. The first column names the rows.
 fn table(caption: &str, table: &Table) -> String {
-    let heads: String =
-        table.heads.iter().map(|head| format!("<th scope=\"col\">{}</th>", escape(head))).collect();
+    let heads: String = (0..table.heads.len()).map(|column| head(column, table)).collect();
     let rows: String = table.rows.iter().map(|cells| row(cells, table.heads.len())).collect();
     let label = escape(caption);
     format!(
         "<div class=\"scroll\" role=\"region\" aria-label=\"{label}\" tabindex=\"0\">\n<table>\n\
          <caption>{label}</caption>\n<thead>\n<tr>{heads}</tr>\n</thead>\n<tbody>\n{rows}</tbody>\n</table>\n</div>\n"
     )
+}
+
+/// The head of a column, aligned as what is below it.
+fn head(column: usize, table: &Table) -> String {
+    let mut cells = table.rows.iter().filter_map(|row| row.get(column)).filter(|text| !text.is_empty());
+    let class = if column > 0 && cells.all(|text| is_number(text)) { " class=\"number\"" } else { "" };
+    format!("<th scope=\"col\"{class}>{}</th>", escape(&table.heads[column]))
 }
 
 /// A row; short ones are filled up.

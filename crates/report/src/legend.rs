@@ -2,8 +2,9 @@
 
 use crate::formation::{Marker, link_style, robots_group, shape};
 use crate::palette::{INK, LABEL, LINK, MALICIOUS, NORMAL, SHADE};
+use crate::path::PathData;
 use crate::series::malicious_style;
-use crate::svg::{Element, PathData, Piece, Svg};
+use crate::svg::{Element, Piece, Svg};
 use crate::text;
 
 /// Something a legend explains.
@@ -79,7 +80,7 @@ impl Entry {
         let right = left + self.sample_width();
         match self {
             Self::Robot { malicious } => {
-                svg.begin(robots_group(malicious, Marker { radius: 5.5, numbered: true }));
+                svg.begin(&robots_group(malicious, Marker { radius: 5.5, numbered: true }));
                 svg.add(shape([0.5 * (left + right), y], 5.5, malicious));
                 svg.end();
             }

@@ -25,6 +25,7 @@ mod layout;
 mod legend;
 mod links;
 mod palette;
+mod path;
 mod series;
 mod svg;
 mod text;

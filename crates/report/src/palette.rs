@@ -10,7 +10,7 @@ pub(crate) const NORMAL_LINES: [&str; 3] = ["#0072B2", "#4FA3D8", "#004C78"];
 /// Malicious robots.
 pub(crate) const MALICIOUS: &str = "#D55E00";
 /// Links between normal robots.
-pub(crate) const LINK: &str = "#969696";
+pub(crate) const LINK: &str = "#A0A0A0";
 /// Frames and ticks.
 pub(crate) const FRAME: &str = "#4D4D4D";
 /// Texts.

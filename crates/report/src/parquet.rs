@@ -117,6 +117,7 @@ fn properties(metadata: &Metadata<'_>) -> WriterPropertiesPtr {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use ::parquet::file::metadata::RowGroupMetaData;
     use ::parquet::file::reader::{FileReader, SerializedFileReader};
     use closeranks_sim::scenario::Scenario;
     use closeranks_sim::world::{Options, run};
@@ -131,7 +132,7 @@ mod tests {
         let (record, mut file) = (short_run(), Vec::new());
         write_groups(&record, &Metadata::default(), &mut file, 10).unwrap();
         let reader = SerializedFileReader::new(bytes::Bytes::from(file)).unwrap();
-        let groups = reader.metadata().row_groups().iter().map(|group| group.num_rows());
+        let groups = reader.metadata().row_groups().iter().map(RowGroupMetaData::num_rows);
         assert_eq!(groups.collect::<Vec<_>>(), [10, 10, 10, 3]);
         let inputs =
             |row: ::parquet::record::Row| row.get_column_iter().nth(6).map(|(_, field)| field.to_string());
@@ -145,7 +146,7 @@ mod tests {
     fn ragged_records_are_refused() {
         let mut record = short_run();
         record.phi.pop();
-        let error = write(&record, &Metadata::default(), &mut Vec::new()).unwrap_err();
+        let error = write(&record, &Metadata::default(), Vec::new()).unwrap_err();
         assert!(matches!(error, WriteError::Ragged));
     }
 

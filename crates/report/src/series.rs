@@ -5,12 +5,13 @@ use closeranks_sim::record::Record;
 use crate::axes::Axes;
 use crate::figure::Case;
 use crate::palette::{INK, MALICIOUS, NORMAL_LINES, SHADE};
-use crate::svg::{Element, PathData, Piece, Svg};
+use crate::path::PathData;
+use crate::svg::{Element, Piece, Svg};
 use crate::ticks::{Range, drawable};
 use crate::trace::thin;
 
 /// Width of the columns in which lines keep their extremes.
-const COLUMN: f64 = 0.5;
+const COLUMN: f64 = 0.75;
 
 /// More robots than this have thinner lines.
 const CROWD: u16 = 40;
@@ -69,7 +70,7 @@ impl Quantity {
         }
         let order = [self == Self::Value, self != Self::Value];
         for malicious in order {
-            svg.begin(self.lines_group(malicious, record.robots));
+            svg.begin(&self.lines_group(malicious, record.robots));
             for (index, _) in record.malicious.iter().enumerate().filter(|(_, kind)| **kind == malicious) {
                 self.draw_line(svg, axes, record, index);
             }

@@ -26,7 +26,7 @@ impl Svg {
         let root = Element::new("svg").text("xmlns", "http://www.w3.org/2000/svg");
         let root = root.number("width", width).number("height", height).text("viewBox", &view);
         let root = root.text("font-family", FONTS).text("role", "img").text("aria-label", label);
-        svg.begin(root);
+        svg.begin(&root);
         svg.add(Element::new("rect").number("width", width).number("height", height).text("fill", "#ffffff"));
         svg
     }
@@ -38,7 +38,7 @@ impl Svg {
     }
 
     /// Opens a group; everything up to [`Svg::end`] is in it.
-    pub(crate) fn begin(&mut self, group: Element) {
+    pub(crate) fn begin(&mut self, group: &Element) {
         assert!(group.content.is_empty(), "a group has children, not text");
         self.body.push_str(&group.head);
         self.body.push_str(">\n");
@@ -139,44 +139,6 @@ impl Element {
     }
 }
 
-/// Data of a path: lines in absolute coordinates. Points that are not finite are left out and break the line.
-#[derive(Clone, Debug, Default)]
-pub(crate) struct PathData {
-    data: String,
-    broken: bool,
-}
-
-impl PathData {
-    /// Starts a new line at a point.
-    pub(crate) fn start(&mut self, point: [f64; 2]) {
-        self.broken = true;
-        self.continue_to(point);
-    }
-
-    /// Goes on to a point, or starts there if there is no line to go on with.
-    pub(crate) fn continue_to(&mut self, [x, y]: [f64; 2]) {
-        if !(x.is_finite() && y.is_finite()) {
-            self.broken = true;
-            return;
-        }
-        let command = if self.broken || self.data.is_empty() { 'M' } else { 'L' };
-        let _ = write!(self.data, "{command}{} {}", number(x), number(y));
-        self.broken = false;
-    }
-
-    /// Nothing was drawn.
-    #[must_use]
-    pub(crate) fn is_empty(&self) -> bool {
-        self.data.is_empty()
-    }
-
-    /// The path element.
-    #[must_use]
-    pub(crate) fn element(&self) -> Element {
-        Element::new("path").text("d", &self.data)
-    }
-}
-
 /// A number with at most two decimals, without `-0` and without zeros at its end.
 ///
 /// What is not finite becomes 0, what is beyond a million is cut: a document stays valid whatever the data are.
@@ -235,7 +197,7 @@ mod tests {
     #[test]
     fn a_small_document_is_what_it_should_be() {
         let mut svg = Svg::new(20.0, 10.0, "one & two");
-        svg.begin(Element::group().text("fill", "none"));
+        svg.begin(&Element::group().text("fill", "none"));
         let label = [Piece::Italic("h"), Piece::Subscript("i"), Piece::Plain(" <")];
         svg.add(Element::new("text").point(["x", "y"], [1.0, 2.5]).label(&label));
         svg.end();
@@ -246,16 +208,5 @@ mod tests {
              <tspan font-style=\"italic\" font-size=\"8\" dy=\"2.5\">i</tspan><tspan dy=\"-2.5\"> &lt;</tspan></text>\n\
              </g>\n</svg>\n";
         assert_eq!(svg.finish(), expected);
-    }
-
-    #[test]
-    fn paths_break_where_data_are_missing() {
-        let mut path = PathData::default();
-        for y in [1.0, 2.0, f64::NAN, 4.0, f64::INFINITY, 5.0] {
-            path.continue_to([y, y]);
-        }
-        path.start([7.0, 7.0]);
-        assert_eq!(path.element().finish(), "<path d=\"M1 1L2 2M4 4M5 5M7 7\"/>");
-        assert!(PathData::default().is_empty());
     }
 }

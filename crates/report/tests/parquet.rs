@@ -1,4 +1,5 @@
 //! The file of a run, read back with the reader of the crate that wrote it.
+#![expect(clippy::unwrap_used, reason = "helpers of tests")]
 
 use bytes::Bytes;
 use closeranks_report::parquet::{Metadata, write};
