@@ -9,7 +9,7 @@ const REPORT_EVERY: u64 = 1 << 12;
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Budget {
     /// Nodes of the search tree that may be visited (of order one microsecond each).
-    /// The table of subsets counts as one node per 64 subsets.
+    /// The table of subsets counts as one node per 256 subsets, which takes about as long.
     pub nodes: u64,
     /// Memory that the table of subsets may take, bytes; it needs 2ⁿ. Zero means branch and bound only.
     pub table_bytes: u64,
@@ -39,6 +39,7 @@ pub struct Stopped;
 pub struct Meter<'a> {
     limit: u64,
     next_report: u64,
+    told_to_stop: bool,
     progress: Progress,
     report: &'a mut dyn FnMut(&Progress) -> ControlFlow<()>,
 }
@@ -47,7 +48,7 @@ impl<'a> Meter<'a> {
     /// A meter that allows `nodes` nodes and stops when `report` answers `Break`.
     pub fn new(nodes: u64, report: &'a mut dyn FnMut(&Progress) -> ControlFlow<()>) -> Self {
         let progress = Progress { r: 0, s: 0, nodes: 0 };
-        Self { limit: nodes, next_report: REPORT_EVERY, progress, report }
+        Self { limit: nodes, next_report: REPORT_EVERY, told_to_stop: false, progress, report }
     }
 
     /// Nodes counted so far.
@@ -61,26 +62,28 @@ impl<'a> Meter<'a> {
         (self.progress.r, self.progress.s) = (r, s);
     }
 
-    /// Nodes that may still be counted.
-    pub(crate) fn left(&self) -> u64 {
-        self.limit.saturating_sub(self.progress.nodes)
-    }
-
-    /// Sets a nearer limit and returns the one that it replaces.
-    pub(crate) fn shorten(&mut self, nodes: u64) -> u64 {
-        let nearer = self.progress.nodes.saturating_add(nodes).min(self.limit);
-        core::mem::replace(&mut self.limit, nearer)
-    }
-
-    /// Puts a limit back.
-    pub(crate) fn restore(&mut self, limit: u64) {
+    /// Does `work` with at most `nodes` more nodes. `Ok(None)`: they were not enough, but the budget may be.
+    pub(crate) fn within<T>(
+        &mut self,
+        nodes: u64,
+        work: impl FnOnce(&mut Self) -> Result<T, Stopped>,
+    ) -> Result<Option<T>, Stopped> {
+        let limit = self.limit;
+        self.limit = self.progress.nodes.saturating_add(nodes).min(limit);
+        let outcome = work(self);
+        let mine = !self.told_to_stop && self.progress.nodes < limit;
         self.limit = limit;
+        match outcome {
+            Ok(found) => Ok(Some(found)),
+            Err(Stopped) if mine => Ok(None),
+            Err(Stopped) => Err(Stopped),
+        }
     }
 
     /// Counts `nodes` nodes.
     pub(crate) fn spend(&mut self, nodes: u64) -> Result<(), Stopped> {
         self.progress.nodes = self.progress.nodes.saturating_add(nodes);
-        if self.progress.nodes > self.limit {
+        if self.told_to_stop || self.progress.nodes > self.limit {
             return Err(Stopped);
         }
         if self.progress.nodes < self.next_report {
@@ -90,7 +93,7 @@ impl<'a> Meter<'a> {
         match (self.report)(&self.progress) {
             ControlFlow::Continue(()) => Ok(()),
             ControlFlow::Break(()) => {
-                self.limit = 0;
+                self.told_to_stop = true;
                 Err(Stopped)
             }
         }

@@ -3,12 +3,20 @@
 
 extern crate alloc;
 
+pub mod analysis;
+pub mod bounds;
 pub mod budget;
+pub mod connectivity;
 pub mod decide;
 pub mod definition;
 pub mod graph;
+pub mod leaders;
+mod ledger;
+pub mod local;
+pub mod makers;
 mod rows;
-mod search;
+pub mod search;
 pub mod set;
 pub mod table;
+pub mod verdict;
 mod word;

@@ -26,8 +26,8 @@ pub const TABLE_NODE_LIMIT: usize = 30;
 /// Stands for ∞: no such subset.
 const NONE: u8 = u8::MAX;
 
-/// A slice of the table no longer than this is finished before the next one is begun.
-const SUBSETS_PER_STEP: u64 = 64;
+/// So many subsets take about as long as one node of the search tree.
+const SUBSETS_PER_NODE: u64 = 256;
 
 /// Why the table gives no answer.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -71,7 +71,7 @@ pub fn bytes(node_count: usize) -> u64 {
 
 /// Cost of one table in nodes of the search tree, for [`Meter`].
 pub(crate) fn cost(node_count: usize) -> u64 {
-    bytes(node_count) / SUBSETS_PER_STEP
+    bytes(node_count) / SUBSETS_PER_NODE
 }
 
 /// Largest s, `0 ..= n`, such that `graph` is (r,s)-robust, and a witness against s + 1 if s < n.
@@ -85,6 +85,7 @@ pub fn s_max(
     allowed: u64,
     meter: &mut Meter<'_>,
 ) -> Result<(usize, Option<Witness>), TableError> {
+    meter.ask(r, graph.node_count());
     let fill = |rows: &Rows<'_>, high: usize, block: &mut [u8]| rows.exempt_counts(r, high, block);
     let table = build(graph, allowed, meter, &fill)?;
     let Some((least, side)) = best_bipartition(&table, u8::saturating_add) else {
@@ -143,7 +144,7 @@ fn fill_minima(
     fill: Fill<'_>,
 ) -> Result<(), Stopped> {
     if table.len() == rows.block_len() {
-        meter.spend((table.len() as u64).div_ceil(SUBSETS_PER_STEP))?;
+        meter.spend((table.len() as u64).div_ceil(SUBSETS_PER_NODE))?;
         fill(rows, start, table);
         minima_in_block(table);
         return Ok(());

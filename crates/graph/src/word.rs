@@ -25,10 +25,6 @@ pub(crate) trait Word: Copy + Eq + BitAnd<Output = Self> + BitOr<Output = Self> 
         self.without(other).is_none()
     }
 
-    fn has(self, node: usize) -> bool {
-        !(self & Self::one(node)).is_none()
-    }
-
     fn nodes(self) -> Nodes<Self> {
         Nodes(self)
     }
@@ -82,5 +78,5 @@ macro_rules! word {
     };
 }
 
-word!(u64, |bits: u128| (bits & u128::from(u64::MAX)) as u64);
+word!(u64, |bits: u128| u64::try_from(bits & u128::from(u64::MAX)).unwrap_or(u64::MAX));
 word!(u128, |bits: u128| bits);

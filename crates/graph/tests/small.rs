@@ -1,48 +1,38 @@
-//! Both algorithms against the literal definition on every small graph.
-use core::ops::ControlFlow;
-use closeranks_graph::budget::Meter;
+//! Both algorithms, the bounds and the analysis against the literal definition, on every small graph.
+
+mod common;
+
 use closeranks_graph::graph::Graph;
-use closeranks_graph::{decide, definition, table};
+use common::check;
 
-fn pairs(n: usize, directed: bool) -> Vec<(usize, usize)> {
-    let all = (0..n).flat_map(|u| (0..n).map(move |v| (u, v)));
-    all.filter(|&(u, v)| if directed { u != v } else { u < v }).collect()
-}
-
-fn check(graph: &Graph) {
-    let n = graph.node_count();
-    let mut go_on = |_: &_| ControlFlow::Continue(());
-    let mut meter = Meter::new(u64::MAX, &mut go_on);
-    let mut r_max = 0;
-    for r in 1..=n.div_ceil(2) + 1 {
-        let literal = (1..=n).take_while(|&s| definition::is_robust(graph, r, s)).last().unwrap_or(0);
-        let (found, _) = table::s_max(graph, r, 1 << 12, &mut meter).unwrap();
-        assert_eq!(found, literal, "table, r = {r}, {graph:?}");
-        for s in 1..=n + 1 {
-            let witness = decide::witness(graph, r, s, &mut meter).unwrap();
-            assert_eq!(witness.is_none(), s <= literal || literal == n, "search, ({r},{s}), {graph:?}");
-        }
-        if literal > 0 && r <= n.div_ceil(2) {
-            r_max = r;
-        }
-    }
-    assert_eq!(table::r_max(graph, 1 << 12, &mut meter).unwrap().0, r_max);
-}
-
-fn check_all(n: usize, directed: bool) {
-    let pairs = pairs(n, directed);
-    for code in 0..1_u64 << pairs.len() {
-        let edges: Vec<_> = pairs.iter().enumerate().filter(|(k, _)| code >> k & 1 == 1).map(|(_, &e)| e).collect();
-        let graph = if directed { Graph::directed(n, &edges) } else { Graph::undirected(n, &edges) };
-        check(&graph.unwrap());
-    }
+#[test]
+fn every_graph_of_up_to_5_nodes() {
+    (1..=5).for_each(|count| every(count, false, 1));
 }
 
 #[test]
-fn graphs() {
-    (1..=5).for_each(|n| check_all(n, false));
+fn every_graph_of_6_nodes() {
+    every(6, false, 1);
 }
+
 #[test]
-fn digraphs() {
-    (1..=4).for_each(|n| check_all(n, true));
+fn every_digraph_of_up_to_4_nodes() {
+    (1..=4).for_each(|count| every(count, true, 1));
+}
+
+#[test]
+fn every_499th_digraph_of_5_nodes() {
+    every(5, true, 499);
+}
+
+fn every(node_count: usize, directed: bool, stride: usize) {
+    let all = (0..node_count).flat_map(|from| (0..node_count).map(move |to| (from, to)));
+    let pairs: Vec<_> = all.filter(|&(from, to)| if directed { from != to } else { from < to }).collect();
+    for code in (0..1_u64 << pairs.len()).step_by(stride) {
+        let mut graph = Graph::empty(node_count, directed).unwrap();
+        for (_, &(from, to)) in pairs.iter().enumerate().filter(|(bit, _)| code >> bit & 1 == 1) {
+            graph.add_edge(from, to).unwrap();
+        }
+        check(&graph);
+    }
 }

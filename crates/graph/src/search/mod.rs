@@ -7,7 +7,7 @@
 //! sections 1 and 3; the bound by the size of S₁ and the budget shared by both sets are described in [`grow`].
 
 mod grow;
-mod peel;
+pub(crate) mod peel;
 mod side;
 
 use crate::budget::{Meter, Stopped};
@@ -17,9 +17,11 @@ use crate::set::NodeSet;
 use crate::word::Word;
 use grow::Search;
 
-/// A witness that `graph` is not (r,s)-robust, or `None` if it is, by exhaustive search.
+/// A witness that `graph` is not (r,s)-robust, or `None` if it is, by exhaustive search and by nothing else.
+///
+/// [`crate::decide::Robustness`] asks the bounds first and uses the table too. r = 0, s = 0 and single nodes: `None`.
 //= paper def:robustness
-pub(crate) fn witness(
+pub fn witness(
     graph: &Graph,
     r: usize,
     s: usize,
