@@ -70,8 +70,9 @@ impl<'a> Meter<'a> {
     ) -> Result<Option<T>, Stopped> {
         let limit = self.limit;
         self.limit = self.progress.nodes.saturating_add(nodes).min(limit);
+        let mine = self.limit < limit;
         let outcome = work(self);
-        let mine = !self.told_to_stop && self.progress.nodes < limit;
+        let mine = mine && !self.told_to_stop;
         self.limit = limit;
         match outcome {
             Ok(found) => Ok(Some(found)),
@@ -82,10 +83,11 @@ impl<'a> Meter<'a> {
 
     /// Counts `nodes` nodes.
     pub(crate) fn spend(&mut self, nodes: u64) -> Result<(), Stopped> {
-        self.progress.nodes = self.progress.nodes.saturating_add(nodes);
-        if self.told_to_stop || self.progress.nodes > self.limit {
+        let spent = self.progress.nodes.saturating_add(nodes);
+        if self.told_to_stop || spent > self.limit {
             return Err(Stopped);
         }
+        self.progress.nodes = spent;
         if self.progress.nodes < self.next_report {
             return Ok(());
         }

@@ -192,9 +192,8 @@ impl Graph {
     #[must_use]
     pub fn induced(&self, nodes: NodeSet) -> Option<Self> {
         let kept: Vec<usize> = nodes.intersection(self.nodes()).iter().collect();
-        let row = |&node: &usize| {
-            (0..kept.len()).filter(|&index| self.heard[node].contains(kept[index])).collect()
-        };
+        let row =
+            |&node: &usize| (0..kept.len()).filter(|&index| self.heard[node].contains(kept[index])).collect();
         let heard: Vec<NodeSet> = kept.iter().map(row).collect();
         (!heard.is_empty()).then_some(Self { heard, directed: self.directed })
     }

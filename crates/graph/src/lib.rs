@@ -3,12 +3,14 @@
 
 extern crate alloc;
 
+pub mod additions;
 pub mod analysis;
 pub mod bounds;
 pub mod budget;
 pub mod connectivity;
 pub mod decide;
 pub mod definition;
+pub mod formats;
 pub mod graph;
 pub mod leaders;
 mod ledger;

@@ -3,7 +3,9 @@
 use core::ops::{BitAnd, BitOr, Not};
 
 /// A row of bits.
-pub(crate) trait Word: Copy + Eq + BitAnd<Output = Self> + BitOr<Output = Self> + Not<Output = Self> {
+pub(crate) trait Word:
+    Copy + Eq + BitAnd<Output = Self> + BitOr<Output = Self> + Not<Output = Self>
+{
     const NONE: Self;
 
     fn from_bits(bits: u128) -> Self;

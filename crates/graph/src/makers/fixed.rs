@@ -26,7 +26,11 @@ pub fn ring(node_count: usize) -> Result<Graph, MakerError> {
 pub fn circulant(node_count: usize, steps: &[usize], directed: bool) -> Result<Graph, MakerError> {
     let mut graph = Graph::empty(node_count, directed)?;
     let most = if directed { node_count - 1 } else { node_count / 2 };
-    require(steps.iter().all(|&step| (1..=most).contains(&step)), "steps", "from 1 to n - 1, undirected n/2")?;
+    require(
+        steps.iter().all(|&step| (1..=most).contains(&step)),
+        "steps",
+        "from 1 to n - 1, undirected n/2",
+    )?;
     for node in 0..node_count {
         for step in steps {
             let other = (node + step) % node_count;

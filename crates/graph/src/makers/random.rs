@@ -33,7 +33,11 @@ pub fn erdos_renyi(
 /// A switch replaces edges a — b, c — d by a — d, c — b where that makes no loop and no double edge.
 pub fn regular(node_count: usize, degree: usize, seed: u64) -> Result<Graph, MakerError> {
     require(degree < node_count.max(1), "degree", "below the number of nodes")?;
-    require(node_count.is_multiple_of(2) || degree.is_multiple_of(2), "degree", "even if the number of nodes is odd")?;
+    require(
+        node_count.is_multiple_of(2) || degree.is_multiple_of(2),
+        "degree",
+        "even if the number of nodes is odd",
+    )?;
     let mut steps: Vec<usize> = (1..=degree / 2).collect();
     if !degree.is_multiple_of(2) {
         steps.push(node_count / 2);

@@ -76,7 +76,8 @@ impl<'m, 'a, W: Word> Search<'m, 'a, W> {
 
     /// The node without which the fewest others can be content.
     fn best_root(&self, allowed: W, able: W, budget: i32) -> Option<usize> {
-        let rest = |node: usize| self.needs.peel(allowed, able.without(W::one(node)), W::NONE, budget).count();
+        let rest =
+            |node: usize| self.needs.peel(allowed, able.without(W::one(node)), W::NONE, budget).count();
         able.nodes().min_by_key(|&node| (rest(node), -self.needs.heard_in(node, able)))
     }
 

@@ -21,12 +21,7 @@ use grow::Search;
 ///
 /// [`crate::decide::Robustness`] asks the bounds first and uses the table too. r = 0, s = 0 and single nodes: `None`.
 //= paper def:robustness
-pub fn witness(
-    graph: &Graph,
-    r: usize,
-    s: usize,
-    meter: &mut Meter<'_>,
-) -> Result<Option<Witness>, Stopped> {
+pub fn witness(graph: &Graph, r: usize, s: usize, meter: &mut Meter<'_>) -> Result<Option<Witness>, Stopped> {
     if r == 0 || s == 0 || graph.node_count() < 2 {
         return Ok(None);
     }

@@ -14,26 +14,26 @@ use closeranks_graph::table;
 use closeranks_graph::verdict::Verdict;
 
 /// Branch and bound only.
-pub const NO_TABLE: Budget = Budget { nodes: u64::MAX, table_bytes: 0 };
+pub(crate) const NO_TABLE: Budget = Budget { nodes: u64::MAX, table_bytes: 0 };
 
-pub fn with_meter<T>(work: impl FnOnce(&mut Meter<'_>) -> T) -> T {
+pub(crate) fn with_meter<T>(work: impl FnOnce(&mut Meter<'_>) -> T) -> T {
     let mut go_on = |_: &Progress| ControlFlow::Continue(());
     work(&mut Meter::new(u64::MAX, &mut go_on))
 }
 
-pub fn full_analysis(graph: &Graph, budget: &Budget) -> Analysis {
+pub(crate) fn full_analysis(graph: &Graph, budget: &Budget) -> Analysis {
     analyze(graph, budget, &mut |_| ControlFlow::Continue(()))
 }
 
 /// s_max for r = 1 ..= ceil(n/2) + 1 by the definition, word for word.
-pub fn literal_table(graph: &Graph) -> Vec<usize> {
+pub(crate) fn literal_table(graph: &Graph) -> Vec<usize> {
     let count = graph.node_count();
     let s_max = |r| (1..=count).take_while(|&s| definition::is_robust(graph, r, s)).count();
     (1..=count.div_ceil(2) + 1).map(s_max).collect()
 }
 
 /// Every algorithm and bound against the definition.
-pub fn check(graph: &Graph) {
+pub(crate) fn check(graph: &Graph) {
     let literal = literal_table(graph);
     check_table(graph, &literal);
     check_search(graph, &literal);
