@@ -1,4 +1,5 @@
 //! Smallest additions against trying every set of edges.
+#![allow(clippy::unwrap_used, reason = "a test may panic")]
 
 mod common;
 

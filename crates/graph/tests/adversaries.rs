@@ -1,4 +1,5 @@
 //! Leaders, F-local adversaries, degrees: each against its definition.
+#![allow(clippy::unwrap_used, reason = "a test may panic")]
 
 mod common;
 

@@ -1,4 +1,5 @@
 //! Every format: what is written reads back, what others write is read, what is wrong is named, nothing panics.
+#![allow(clippy::unwrap_used, reason = "a test may panic")]
 
 use closeranks_graph::formats::{Format, Named, Problem, WriteError, read, write};
 use closeranks_graph::graph::Graph;

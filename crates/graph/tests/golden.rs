@@ -1,4 +1,5 @@
 //! The golden file: 80 graphs, every number found by five other programs.
+#![allow(clippy::unwrap_used, reason = "a test may panic")]
 
 mod common;
 

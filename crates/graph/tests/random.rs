@@ -1,4 +1,5 @@
 //! Thousands of seeded random graphs: the algorithms against the definition, and where that is too slow against each other.
+#![allow(clippy::unwrap_used, reason = "a test may panic")]
 
 mod common;
 

@@ -1,4 +1,5 @@
 //! Both algorithms, the bounds and the analysis against the literal definition, on every small graph.
+#![allow(clippy::unwrap_used, reason = "a test may panic")]
 
 mod common;
 

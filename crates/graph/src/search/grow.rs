@@ -154,8 +154,9 @@ impl<'m, 'a, W: Word> Search<'m, 'a, W> {
         node: usize,
     ) -> Result<Option<Pair<W>>, Stopped> {
         let open = self.needs.heard[node] & side.allowed.without(side.members);
-        let worth =
-            |neighbor: &usize| 2 * self.needs.heard_in(*neighbor, side.members) - self.needs.need[*neighbor];
+        let worth = |neighbor: &usize| {
+            4 * self.needs.heard_in(*neighbor, side.members) - self.needs.heard_in(*neighbor, side.allowed)
+        };
         let Some(neighbor) = open.nodes().max_by_key(worth) else {
             return Ok(None);
         };

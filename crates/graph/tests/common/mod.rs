@@ -1,5 +1,6 @@
 //! One graph, every algorithm, the literal definition.
 #![allow(dead_code, reason = "each test file uses a part")]
+#![allow(clippy::unwrap_used, reason = "a test may panic")]
 
 use core::ops::ControlFlow;
 
