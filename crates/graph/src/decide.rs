@@ -8,6 +8,9 @@ use crate::search;
 use crate::table;
 use crate::verdict::{Certificate, Interval, Verdict};
 
+/// Nodes that the search may visit before the table is thought of, however small the table.
+const LEAST_PATIENCE: u64 = 1 << 10;
+
 /// The robustness of one graph: answers are remembered, and each serves the next question.
 ///
 /// A question goes to the bounds, then to branch and bound, and to the table of subsets once the search has cost
@@ -123,7 +126,7 @@ impl<'g> Robustness<'g> {
         let graph = self.ledger.graph;
         let before = meter.nodes();
         let affordable = table::bytes(graph.node_count()) <= self.table_bytes;
-        let patience = if affordable { table::cost(graph.node_count()) } else { u64::MAX };
+        let patience = if affordable { LEAST_PATIENCE + table::cost(graph.node_count()) } else { u64::MAX };
         match meter.within(patience, |meter| search::witness(graph, r, s, meter))? {
             Some(Some(witness)) => self.ledger.note_witness(r, witness.first, witness.second),
             Some(None) => {
