@@ -87,7 +87,7 @@ fn main() {
 #[divan::bench(args = SMALL, max_time = 2)]
 fn r_max_by_definition(bencher: divan::Bencher<'_, '_>, case: &Case) {
     let graph = case.graph();
-    bencher.bench(|| (1..).take_while(|&r| definition::is_robust(&graph, r, 1)).count());
+    bencher.bench(|| (1..=case.count).take_while(|&r| definition::is_robust(&graph, r, 1)).count());
 }
 
 #[divan::bench(args = SMALL, max_time = 1)]

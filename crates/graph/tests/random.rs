@@ -15,10 +15,10 @@ use common::{NO_TABLE, check, full_analysis, with_meter};
 
 #[test]
 fn graphs_of_7_and_8_nodes_by_the_definition() {
-    for seed in 0..1000 {
+    for seed in 0..3000 {
         check(&random::erdos_renyi(7, chance(seed), seed % 2 == 0, seed).unwrap());
     }
-    for seed in 0..400 {
+    for seed in 0..600 {
         check(&random::erdos_renyi(8, chance(seed), seed % 2 == 0, seed).unwrap());
     }
 }
