@@ -4,7 +4,7 @@ use crate::budget::{Budget, Meter, Stopped};
 use crate::definition::Witness;
 use crate::graph::Graph;
 use crate::ledger::{Ledger, number};
-use crate::search;
+use crate::search::{self, Orbits};
 use crate::table;
 use crate::verdict::{Certificate, Interval, Verdict};
 
@@ -18,6 +18,7 @@ const LEAST_PATIENCE: u64 = 1 << 10;
 #[derive(Debug)]
 pub struct Robustness<'g> {
     ledger: Ledger<'g>,
+    orbits: Orbits,
     table_bytes: u64,
 }
 
@@ -25,7 +26,7 @@ impl<'g> Robustness<'g> {
     /// Nothing is computed here but the bounds of [`crate::bounds`]. Of `budget` only the memory is used here.
     #[must_use]
     pub fn new(graph: &'g Graph, budget: &Budget) -> Self {
-        Self { ledger: Ledger::new(graph), table_bytes: budget.table_bytes }
+        Self { ledger: Ledger::new(graph), orbits: Orbits::new(), table_bytes: budget.table_bytes }
     }
 
     /// Is the graph (r,s)-robust? An s above n asks the same as n.
@@ -127,7 +128,7 @@ impl<'g> Robustness<'g> {
         let before = meter.nodes();
         let affordable = table::bytes(graph.node_count()) <= self.table_bytes;
         let patience = if affordable { LEAST_PATIENCE + table::cost(graph.node_count()) } else { u64::MAX };
-        match meter.within(patience, |meter| search::witness(graph, r, s, meter))? {
+        match meter.within(patience, |meter| search::witness_with(graph, r, s, &self.orbits, meter))? {
             Some(Some(witness)) => self.ledger.note_witness(r, witness.first, witness.second),
             Some(None) => {
                 let nodes = meter.nodes() - before;

@@ -20,6 +20,7 @@
 //! | what degrees and pairs of nodes say | [`bounds`] |
 //! | branch and bound (algorithm B) | [`search`] |
 //! | the table of all subsets (algorithm A) | [`table`] |
+//! | which nodes look alike | [`symmetry`] |
 //! | leaders, and adversaries few in every neighbourhood | [`leaders`], [`local`] |
 //! | which edges to add | [`additions`] |
 //! | graphs by name, graphs as text | [`makers`], [`formats`] |
@@ -59,6 +60,7 @@ pub mod makers;
 mod rows;
 pub mod search;
 pub mod set;
+pub mod symmetry;
 pub mod table;
 pub mod verdict;
 mod word;

@@ -16,9 +16,9 @@ use common::{NO_TABLE, with_meter};
 
 #[test]
 fn as_few_as_trying_all_sets_gives() {
-    for seed in 0..150 {
+    for seed in 0..150_u64 {
         let count = 4 + usize::try_from(seed % 2).unwrap();
-        let directed = count == 4 && seed % 4 == 0;
+        let directed = count == 4 && seed.is_multiple_of(4);
         let graph = random::erdos_renyi(count, 0.4, directed, seed).unwrap();
         for f in 0..=1 {
             let found =
@@ -44,8 +44,8 @@ fn the_tight_family_needs_few() {
 
 #[test]
 fn greedy_additions_do_and_none_is_idle() {
-    for seed in 0..30 {
-        let graph = random::erdos_renyi(11, 0.4, seed % 2 == 0, seed).unwrap();
+    for seed in 0..30_u64 {
+        let graph = random::erdos_renyi(11, 0.4, seed.is_multiple_of(2), seed).unwrap();
         let mut go_on = |_: &Progress| ControlFlow::Continue(());
         let budget = Budget { nodes: 20_000, ..NO_TABLE };
         let mut meter = Meter::new(budget.nodes, &mut go_on);

@@ -15,7 +15,7 @@ use common::with_meter;
 
 fn sample(seed: u64, count: usize) -> Graph {
     let chance = 0.2 + 0.07 * f64::from(u32::try_from(seed % 11).unwrap());
-    random::erdos_renyi(count, chance, seed % 2 == 0, seed).unwrap()
+    random::erdos_renyi(count, chance, seed.is_multiple_of(2), seed).unwrap()
 }
 
 fn subsets(set: NodeSet) -> impl Iterator<Item = NodeSet> {
@@ -24,7 +24,7 @@ fn subsets(set: NodeSet) -> impl Iterator<Item = NodeSet> {
 
 #[test]
 fn strong_robustness_is_what_every_set_of_followers_says() {
-    for seed in 0..600 {
+    for seed in 0..600_u64 {
         let graph = sample(seed, 7);
         let leaders = NodeSet::from_bits(u128::from(seed * 37 % 128));
         let rest = graph.nodes().difference(leaders);
@@ -40,7 +40,9 @@ fn strong_robustness_is_what_every_set_of_followers_says() {
         match strong_r_max(&graph, leaders) {
             None => assert!(rest.is_empty()),
             Some(r) => {
-                assert!(is_strongly_robust(&graph, leaders, r) && !is_strongly_robust(&graph, leaders, r + 1))
+                assert!(
+                    is_strongly_robust(&graph, leaders, r) && !is_strongly_robust(&graph, leaders, r + 1)
+                );
             }
         }
     }
@@ -48,7 +50,7 @@ fn strong_robustness_is_what_every_set_of_followers_says() {
 
 #[test]
 fn local_resilience_is_what_every_triple_of_sets_says() {
-    for seed in 0..80 {
+    for seed in 0..80_u64 {
         let graph = sample(seed, 5);
         for f in 0..=2 {
             let all = graph.nodes();
@@ -68,7 +70,7 @@ fn local_resilience_is_what_every_triple_of_sets_says() {
 
 #[test]
 fn local_resilience_lies_between_r_and_f_total() {
-    for seed in 0..120 {
+    for seed in 0..120_u64 {
         let graph = sample(seed, 8);
         let local = with_meter(|meter| local::f_max(&graph, meter)).unwrap();
         let (r_max, f_max) = largest(&graph);

@@ -7,9 +7,9 @@ use closeranks_graph::makers::{fixed, random};
 
 #[test]
 fn what_is_written_reads_back() {
-    for seed in 0..200 {
+    for seed in 0..200_u64 {
         let count = 1 + usize::try_from(seed * 7 % 128).unwrap();
-        let graph = random::erdos_renyi(count, 0.3, seed % 2 == 0, seed).unwrap();
+        let graph = random::erdos_renyi(count, 0.3, seed.is_multiple_of(2), seed).unwrap();
         let named = Named::from(graph);
         for format in Format::ALL {
             let text = write(&named, format).unwrap();
@@ -119,7 +119,7 @@ fn what_is_unexpected_is_shown() {
     for (format, text, message) in cases {
         assert_eq!(read(text, format, None).unwrap_err().to_string(), message);
     }
-    let many: String = (0..129).map(|node| format!("n{node}\n")).collect();
+    let many: String = (0..129).fold(String::new(), |text, node| text + &format!("n{node}\n"));
     let error = read(&many, Format::EdgeList, None).unwrap_err();
     assert_eq!((error.line, error.problem), (129, Problem::TooManyNodes));
     let deep = "[".repeat(100_000);

@@ -15,25 +15,25 @@ use common::{NO_TABLE, check, full_analysis, with_meter};
 
 #[test]
 fn graphs_of_7_and_8_nodes_by_the_definition() {
-    for seed in 0..3000 {
-        check(&random::erdos_renyi(7, chance(seed), seed % 2 == 0, seed).unwrap());
+    for seed in 0..3000_u64 {
+        check(&random::erdos_renyi(7, chance(seed), seed.is_multiple_of(2), seed).unwrap());
     }
-    for seed in 0..600 {
-        check(&random::erdos_renyi(8, chance(seed), seed % 2 == 0, seed).unwrap());
+    for seed in 0..600_u64 {
+        check(&random::erdos_renyi(8, chance(seed), seed.is_multiple_of(2), seed).unwrap());
     }
 }
 
 #[test]
 fn graphs_of_9_to_14_nodes_one_algorithm_against_the_other() {
-    for seed in 0..1500 {
+    for seed in 0..1500_u64 {
         let count = 9 + usize::try_from(seed % 6).unwrap();
-        agree(&random::erdos_renyi(count, chance(seed), seed % 2 == 0, seed).unwrap());
+        agree(&random::erdos_renyi(count, chance(seed), seed.is_multiple_of(2), seed).unwrap());
     }
 }
 
 #[test]
 fn geometric_and_regular_graphs_one_algorithm_against_the_other() {
-    for seed in 0..100 {
+    for seed in 0..100_u64 {
         agree(&random::random_geometric(13, 0.3 + 0.1 * chance(seed), seed).unwrap());
         agree(&random::regular(12, 3 + usize::try_from(seed % 8).unwrap(), seed).unwrap());
         agree(&random::preferential_attachment(13, 5, 3, seed).unwrap());
@@ -42,8 +42,8 @@ fn geometric_and_regular_graphs_one_algorithm_against_the_other() {
 
 #[test]
 fn larger_graphs_one_algorithm_against_the_other() {
-    for seed in 0..8 {
-        agree(&random::erdos_renyi(18, chance(seed), seed % 2 == 0, seed).unwrap());
+    for seed in 0..8_u64 {
+        agree(&random::erdos_renyi(18, chance(seed), seed.is_multiple_of(2), seed).unwrap());
     }
 }
 
@@ -58,7 +58,7 @@ fn more_than_64_nodes() {
 
 #[test]
 fn what_a_small_budget_proves_is_true() {
-    for seed in 0..40 {
+    for seed in 0..40_u64 {
         let graph = random::erdos_renyi(16, 0.7, false, seed).unwrap();
         let exact = full_analysis(&graph, &NO_TABLE);
         for nodes in [0, 3, 30, 300, 3000] {

@@ -1,5 +1,6 @@
 //! Growing the first set, then the second one in what is left.
 
+use super::Orbits;
 use super::peel::Needs;
 use super::side::Side;
 use crate::budget::{Meter, Stopped};
@@ -13,6 +14,8 @@ type Pair<W> = (W, W);
 pub(super) struct Search<'m, 'a, W> {
     needs: Needs<W>,
     meter: &'m mut Meter<'a>,
+    graph: &'m Graph,
+    orbits: &'m Orbits,
 }
 
 /// Where a side is grown and what is left beside it.
@@ -29,8 +32,8 @@ struct Room<W> {
 }
 
 impl<'m, 'a, W: Word> Search<'m, 'a, W> {
-    pub(super) fn new(graph: &Graph, r: usize, meter: &'m mut Meter<'a>) -> Self {
-        Self { needs: Needs::new(graph, r), meter }
+    pub(super) fn new(graph: &'m Graph, r: usize, orbits: &'m Orbits, meter: &'m mut Meter<'a>) -> Self {
+        Self { needs: Needs::new(graph, r), meter, graph, orbits }
     }
 
     /// Two disjoint sets, each with a content member, with at most `budget` exempt members together.
@@ -57,6 +60,7 @@ impl<'m, 'a, W: Word> Search<'m, 'a, W> {
     fn roots(&mut self, room: Room<W>) -> Result<Option<Pair<W>>, Stopped> {
         let mut able = room.field;
         let mut allowed = room.field;
+        let before = self.meter.nodes();
         loop {
             able = self.needs.peel(allowed, able, W::NONE, room.budget);
             if room.budget == 0 {
@@ -71,6 +75,11 @@ impl<'m, 'a, W: Word> Search<'m, 'a, W> {
                 return Ok(found);
             }
             able = able.without(start);
+            if room.pair {
+                // If no pair of sets has the root content in S₁, none has its image under a symmetry there.
+                let orbit = self.orbits.of(self.graph, root, self.meter.nodes() - before);
+                able = able.without(W::from_bits(orbit.bits()));
+            }
         }
     }
 
