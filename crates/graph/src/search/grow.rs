@@ -23,6 +23,8 @@ pub(super) struct Search<'m, 'a, W> {
 struct Room<W> {
     /// Exempt members that both sets may have together.
     budget: i32,
+    /// Exempt members that the set itself may have.
+    own: i32,
     /// Exempt members that the other set needs at least.
     other: i32,
     /// The nodes of the search; the other set is looked for among those that are not members.
@@ -38,9 +40,10 @@ impl<'m, 'a, W: Word> Search<'m, 'a, W> {
 
     /// Two disjoint sets, each with a content member, with at most `budget` exempt members together.
     ///
-    /// S₁ is sought with |S₁| ≤ |S₂|, so |S₁| ≤ n/2.
+    /// S₁ is sought with no more exempt members than S₂, so with budget/2 or fewer; and if none may be exempt, with no more
+    /// members, so with n/2 or fewer.
     pub(super) fn pair(&mut self, budget: i32) -> Result<Option<Pair<W>>, Stopped> {
-        self.roots(Room { budget, other: 0, field: self.needs.all, pair: true })
+        self.roots(Room { budget, own: budget / 2, other: 0, field: self.needs.all, pair: true })
     }
 
     /// A set within `field` with a content member and at most `budget` exempt ones.
@@ -52,7 +55,7 @@ impl<'m, 'a, W: Word> Search<'m, 'a, W> {
         if budget <= 0 {
             return Ok(None);
         }
-        let found = self.roots(Room { budget, other: 0, field, pair: false })?;
+        let found = self.roots(Room { budget, own: budget, other: 0, field, pair: false })?;
         Ok(found.map(|(first, _)| first))
     }
 
@@ -62,11 +65,11 @@ impl<'m, 'a, W: Word> Search<'m, 'a, W> {
         let mut allowed = room.field;
         let before = self.meter.nodes();
         loop {
-            able = self.needs.peel(allowed, able, W::NONE, room.budget);
-            if room.budget == 0 {
+            able = self.needs.peel(allowed, able, W::NONE, room.own);
+            if room.own == 0 {
                 allowed = able;
             }
-            let Some(root) = self.best_root(allowed, able, room.budget) else {
+            let Some(root) = self.best_root(allowed, able, room.own) else {
                 return Ok(None);
             };
             let start = W::one(root);
@@ -84,21 +87,20 @@ impl<'m, 'a, W: Word> Search<'m, 'a, W> {
     }
 
     /// The node without which the fewest others can be content.
-    fn best_root(&self, allowed: W, able: W, budget: i32) -> Option<usize> {
-        let rest =
-            |node: usize| self.needs.peel(allowed, able.without(W::one(node)), W::NONE, budget).count();
+    fn best_root(&self, allowed: W, able: W, own: i32) -> Option<usize> {
+        let rest = |node: usize| self.needs.peel(allowed, able.without(W::one(node)), W::NONE, own).count();
         able.nodes().min_by_key(|&node| (rest(node), -self.needs.heard_in(node, able)))
     }
 
     fn extend(&mut self, side: Side<W>, mut room: Room<W>) -> Result<Option<Pair<W>>, Stopped> {
         self.meter.spend(1)?;
         let mut size = self.size(side, &mut room);
-        let Some(mut side) = side.conclude(&self.needs, room.budget - room.other, size) else {
+        let Some(mut side) = side.conclude(&self.needs, room.own.min(room.budget - room.other), size) else {
             return Ok(None);
         };
         if room.pair {
             size = self.size(side, &mut room);
-            match side.conclude(&self.needs, room.budget - room.other, size) {
+            match side.conclude(&self.needs, room.own.min(room.budget - room.other), size) {
                 Some(better) => side = better,
                 None => return Ok(None),
             }
@@ -128,7 +130,8 @@ impl<'m, 'a, W: Word> Search<'m, 'a, W> {
         }
         let field = room.field.count();
         let other_size = self.needs.least_need(second).max(0) + 1;
-        (field / 2).min(field - other_size).min(second.count() + most)
+        let rest = field - other_size;
+        if room.budget == 0 { rest.min(field / 2).min(second.count()) } else { rest }
     }
 
     /// The first set is found: any set around it has no fewer exempt members and leaves less to the other.

@@ -2,12 +2,14 @@
 //!
 //! A member v of a set S is *content* if it hears at least need(v) = d(v) − r + 1 members; the others are exempt.
 //! A graph is not (r,s)-robust iff two disjoint sets with at least one content member each have at most s − 1 exempt
-//! members together. The search grows S₁, the set with no more nodes than the other, and keeps for it what is certainly
+//! members together. The search grows S₁, the set with no more exempt members than the other, and keeps for it what is certainly
 //! in, what may still be in, and what may still be content (`side.rs`). Every conclusion drawn is monotone: it only
 //! removes choices that no pair of sets makes, so an exhausted tree is a proof. Sources: `ROBUSTNESS.md` sections 1
 //! and 3. New here:
 //!
-//! * **Size**: S₁ has at most min(n/2, n − |S₂|, |S₂|) members, so a node that would be content only in a larger set is
+//! * **Half the budget**: S₁ has at most (s − 1)/2 exempt members, S₂ then what is left. With s = 1 it has at most n/2
+//!   members instead.
+//! * **Size**: S₁ has at most n − |S₂| members, so a node that would be content only in a larger set is
 //!   exempt, and a content node without room for a miss takes all further members from its neighbours.
 //! * **One budget**: the least number of exempt members that the other set needs in what is left to it is not there
 //!   for this one, and the other way round.
