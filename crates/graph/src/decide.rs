@@ -11,6 +11,9 @@ use crate::verdict::{Certificate, Interval, Verdict};
 /// Nodes that the search may visit before the table is thought of, however small the table.
 const LEAST_PATIENCE: u64 = 1 << 10;
 
+/// Nodes of a question that is asked for the sake of a bound.
+const SHORT: u64 = 1 << 13;
+
 /// The robustness of one graph: answers are remembered, and each serves the next question.
 ///
 /// A question goes to the bounds, then to branch and bound, and to the table of subsets once the search has cost
@@ -54,26 +57,18 @@ impl<'g> Robustness<'g> {
     /// Largest r such that the graph is r-robust, `0 ..= ceil(n/2)`; 1 for a single node.
     //= paper def:robustness
     pub fn r_max(&mut self, meter: &mut Meter<'_>) -> Interval {
-        loop {
-            let known = self.r_known();
-            // From above: a witness settles several r at once.
-            let asked = usize::try_from(known.most).unwrap_or(0);
-            if known.exactly().is_some() || self.settle(asked, 1, meter).is_err() {
-                return known;
-            }
-        }
+        self.narrow(Self::r_known, |_| 1, meter)
     }
 
     /// Largest F such that the graph is (F+1,F+1)-robust, `−1 ..= ceil(n/2) − 1`; −1 if it is not even (1,1)-robust.
     //= paper def:robustness
     pub fn f_max(&mut self, meter: &mut Meter<'_>) -> Interval {
-        loop {
-            let known = self.f_known();
-            let asked = usize::try_from(known.most + 1).unwrap_or(0);
-            if known.exactly().is_some() || self.settle(asked, asked, meter).is_err() {
-                return known;
-            }
-        }
+        let known = |robustness: &Self| {
+            let f = robustness.f_known();
+            Interval { least: f.least + 1, most: f.most + 1 }
+        };
+        let both = self.narrow(known, |r| r, meter);
+        Interval { least: both.least - 1, most: both.most - 1 }
     }
 
     /// Largest s in `0 ..= n` such that the graph is (r,s)-robust; 0 if it is not r-robust. Of r = 0 it is n.
@@ -117,6 +112,40 @@ impl<'g> Robustness<'g> {
         let least = rows().take_while(|&r| self.ledger.least(r) >= r).count();
         let most = rows().take_while(|&r| self.ledger.most(r) >= r).count();
         Interval { least: number(least) - 1, most: number(most) - 1 }
+    }
+
+    /// Asks about (r, s(r)) until `known`, the largest r for which it holds, is exact or the budget is spent.
+    ///
+    /// From above, since a witness settles several r at once. If that is long, everything short from below first, so that
+    /// whoever stops has a lower end too.
+    fn narrow(
+        &mut self,
+        known: impl Fn(&Self) -> Interval,
+        s: impl Fn(usize) -> usize,
+        meter: &mut Meter<'_>,
+    ) -> Interval {
+        let mut short = true;
+        loop {
+            let now = known(self);
+            let ends = usize::try_from(now.least).and_then(|least| Ok((least, usize::try_from(now.most)?)));
+            let (Ok((least, most)), None) = (ends, now.exactly()) else {
+                return now;
+            };
+            let limit = if short { SHORT } else { u64::MAX };
+            match meter.within(limit, |meter| self.settle(most, s(most), meter)) {
+                Err(Stopped) => return known(self),
+                Ok(Some(())) => {}
+                Ok(None) => {
+                    short = false;
+                    for r in least + 1..most {
+                        let asked = meter.within(SHORT, |meter| self.settle(r, s(r), meter));
+                        if asked != Ok(Some(())) || self.ledger.least(r) < s(r) {
+                            break;
+                        }
+                    }
+                }
+            }
+        }
     }
 
     /// Makes sure that the ledger knows whether the graph is (r,s)-robust.

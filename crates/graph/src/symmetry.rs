@@ -8,8 +8,8 @@ use alloc::vec::Vec;
 use crate::graph::Graph;
 use crate::set::NodeSet;
 
-/// Pairs of nodes that are individualised in the search of one automorphism before it is given up.
-const TRIES: usize = 200;
+/// Pairs of nodes that are told apart from all others, over all searches for automorphisms, before they are given up.
+const TRIES: usize = 400;
 
 /// The orbit of every node, as far as explicit automorphisms were found.
 ///
@@ -23,6 +23,7 @@ pub fn orbits(graph: &Graph) -> Vec<NodeSet> {
     let Some((classes, _)) = refine(graph, same.clone(), same) else {
         return orbits;
     };
+    let mut tries = TRIES;
     for node in nodes {
         // One try with the least alike node that is not joined yet with it, per orbit.
         let leads = (0..node)
@@ -31,7 +32,7 @@ pub fn orbits(graph: &Graph) -> Vec<NodeSet> {
             if orbits[lead].contains(node) {
                 break;
             }
-            if let Some(image) = automorphism(graph, &classes, lead, node) {
+            if let Some(image) = automorphism(graph, &classes, (lead, node), &mut tries) {
                 join(&mut orbits, &image);
                 break;
             }
@@ -49,10 +50,20 @@ fn join(orbits: &mut [NodeSet], image: &[usize]) {
     }
 }
 
-/// An automorphism that takes `from` to `to`: the image of every node.
-fn automorphism(graph: &Graph, classes: &[usize], from: usize, to: usize) -> Option<Vec<usize>> {
-    let mut tries = TRIES;
-    extend(graph, classes.to_vec(), classes.to_vec(), (from, to), &mut tries)
+/// An automorphism that takes one node of `pair` to the other: the image of every node.
+fn automorphism(
+    graph: &Graph,
+    classes: &[usize],
+    pair: (usize, usize),
+    tries: &mut usize,
+) -> Option<Vec<usize>> {
+    // Twins trade places, and complete or bipartite graphs need nothing else.
+    let mut image: Vec<usize> = (0..graph.node_count()).collect();
+    image.swap(pair.0, pair.1);
+    if keeps_edges(graph, &image) {
+        return Some(image);
+    }
+    extend(graph, classes.to_vec(), classes.to_vec(), pair, tries)
 }
 
 /// Extends a pair of colourings, of the graph and of its image, in which `from` and `to` are now told apart from all others.
