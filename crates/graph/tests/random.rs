@@ -6,11 +6,14 @@ mod common;
 use core::ops::ControlFlow;
 
 use closeranks_graph::analysis::{analyze, largest};
+use closeranks_graph::bounds;
 use closeranks_graph::budget::Budget;
+use closeranks_graph::decide::Robustness;
 use closeranks_graph::graph::Graph;
 use closeranks_graph::makers::{fixed, random};
+use closeranks_graph::search;
 use closeranks_graph::table;
-use closeranks_graph::verdict::Proved;
+use closeranks_graph::verdict::{Proved, Verdict};
 use common::{NO_TABLE, check, full_analysis, with_meter};
 
 #[test]
@@ -77,6 +80,33 @@ fn what_a_small_budget_proves_is_true() {
             }
         }
     }
+}
+
+#[test]
+fn a_short_search_has_a_lower_end_too() {
+    for seed in 0..4 {
+        let graph = random::erdos_renyi(44, 0.8, false, seed).unwrap();
+        let budget = Budget { nodes: 60_000, table_bytes: 0 };
+        let part = analyze(&graph, &budget, &mut |_| ControlFlow::Continue(()));
+        let by_degree = i32::try_from(bounds::r_least(&graph)).unwrap();
+        assert!(part.r_max.least > by_degree && part.r_max.least >= 10, "{:?}", part.r_max);
+        assert!(part.f_max.least >= (part.r_max.least - 1) / 2);
+    }
+}
+
+#[test]
+fn r_and_s_beyond_all_bounds_are_answered() {
+    let graph = fixed::complete(5).unwrap();
+    let mut robustness = Robustness::new(&graph, &NO_TABLE);
+    for (r, s) in [(1000, 1), (usize::MAX, usize::MAX), (4, 2)] {
+        match with_meter(|meter| robustness.decide(r, s, meter)) {
+            Verdict::NotRobust(witness) => assert!(witness.holds(&graph) && witness.r == r && witness.s == s),
+            other => panic!("{other:?}"),
+        }
+        assert!(with_meter(|meter| search::witness(&graph, r, s, meter)).unwrap().is_some());
+    }
+    let robust = with_meter(|meter| robustness.decide(3, usize::MAX, meter));
+    assert!(matches!(robust, Verdict::Robust(_)));
 }
 
 #[test]
