@@ -1,0 +1,95 @@
+//! Leaders, F-local adversaries, degrees: each against its definition.
+#![allow(clippy::unwrap_used, reason = "a test may panic")]
+
+mod common;
+
+use closeranks_graph::analysis::largest;
+use closeranks_graph::connectivity::node_connectivity;
+use closeranks_graph::definition::is_reachable;
+use closeranks_graph::graph::Graph;
+use closeranks_graph::leaders::{closed_set, followers, is_strongly_robust, strong_r_max};
+use closeranks_graph::local;
+use closeranks_graph::makers::random;
+use closeranks_graph::set::NodeSet;
+use common::with_meter;
+
+fn sample(seed: u64, count: usize) -> Graph {
+    let chance = 0.2 + 0.07 * f64::from(u32::try_from(seed % 11).unwrap());
+    random::erdos_renyi(count, chance, seed.is_multiple_of(2), seed).unwrap()
+}
+
+fn subsets(set: NodeSet) -> impl Iterator<Item = NodeSet> {
+    (0..=set.bits()).map(NodeSet::from_bits).filter(move |subset| subset.is_subset(set))
+}
+
+#[test]
+fn strong_robustness_is_what_every_set_of_followers_says() {
+    for seed in 0..600_u64 {
+        let graph = sample(seed, 7);
+        let leaders = NodeSet::from_bits(u128::from(seed * 37 % 128));
+        let rest = graph.nodes().difference(leaders);
+        for r in 0..=5 {
+            let literal =
+                subsets(rest).filter(|set| !set.is_empty()).all(|set| is_reachable(&graph, set, r, 1));
+            assert_eq!(is_strongly_robust(&graph, leaders, r), literal, "r = {r}, {leaders:?}, {graph:?}");
+            if let Some(closed) = closed_set(&graph, leaders, r) {
+                assert!(!is_reachable(&graph, closed, r, 1) && closed.is_disjoint(leaders));
+                assert_eq!(closed.union(followers(&graph, leaders, r)), graph.nodes());
+            }
+        }
+        match strong_r_max(&graph, leaders) {
+            None => assert!(rest.is_empty()),
+            Some(r) => {
+                assert!(
+                    is_strongly_robust(&graph, leaders, r) && !is_strongly_robust(&graph, leaders, r + 1)
+                );
+            }
+        }
+    }
+}
+
+#[test]
+fn local_resilience_is_what_every_triple_of_sets_says() {
+    for seed in 0..80_u64 {
+        let graph = sample(seed, 5);
+        for f in 0..=2 {
+            let all = graph.nodes();
+            let literal = subsets(all).any(|malicious| {
+                subsets(all).any(|first| {
+                    let rest = all.difference(first);
+                    subsets(rest)
+                        .any(|second| local::LocalWitness { f, malicious, first, second }.holds(&graph))
+                })
+            });
+            let found = with_meter(|meter| local::witness(&graph, f, meter)).unwrap();
+            assert_eq!(found.is_some(), literal, "F = {f}, {graph:?}");
+            assert!(found.is_none_or(|witness| witness.holds(&graph)));
+        }
+    }
+}
+
+#[test]
+fn local_resilience_lies_between_r_and_f_total() {
+    for seed in 0..120_u64 {
+        let graph = sample(seed, 8);
+        let local = with_meter(|meter| local::f_max(&graph, meter)).unwrap();
+        let (r_max, f_max) = largest(&graph);
+        let (r_max, f_max) = (r_max.exactly().unwrap(), f_max.exactly().unwrap());
+        assert!(local <= f_max && f_max < r_max.max(1), "{graph:?}");
+        assert!(r_max == 0 || local >= (r_max - 1) / 2, "{graph:?}");
+        assert!(
+            i32::try_from(node_connectivity(&graph)).unwrap() >= r_max || graph.is_directed(),
+            "{graph:?}"
+        );
+    }
+}
+
+#[test]
+fn local_sets_are_counted_by_their_hearers() {
+    let graph = Graph::directed(4, &[(0, 3), (1, 3), (2, 1)]).unwrap();
+    let malicious: NodeSet = [0, 1].into_iter().collect();
+    assert_eq!(local::local_least(&graph, malicious), 2);
+    assert!(local::is_local(&graph, malicious, 2) && !local::is_local(&graph, malicious, 1));
+    assert!(local::is_total(malicious, 2) && !local::is_total(malicious, 1));
+    assert_eq!(local::local_least(&graph, graph.nodes()), 0);
+}
