@@ -9,7 +9,6 @@ use serde_json::{Map, Value, json};
 /// One run. Numbers that do not exist are null.
 pub(crate) fn run(scenario: &Scenario, summary: &Summary, time_s: f64) -> Value {
     let extremes = &summary.extremes;
-    let liars = !scenario.malicious.is_empty();
     let laws = summary.verdicts.iter().map(|verdict| (verdict.law.name().to_owned(), law(scenario, verdict)));
     json!({
         "name": scenario.name,
@@ -26,7 +25,7 @@ pub(crate) fn run(scenario: &Scenario, summary: &Summary, time_s: f64) -> Value 
         },
         "degree_min_normal": extremes.degree_min,
         "h_min_normal": extremes.h_min,
-        "degree_min_malicious": liars.then_some(extremes.malicious_degree_min),
+        "degree_min_malicious": extremes.malicious_degree_min,
         "malicious_below_required": summary.malicious_below,
         "distance_min_m": extremes.distance_min_m,
         "gyration_m": summary.gyration_m,

@@ -189,9 +189,9 @@ fn page(starts: &[Start], figures: Vec<[String; 2]>) -> Page {
         title: "All runs".to_owned(),
         paragraphs: vec![
             "Least values are over the whole run of 10 s; gyration, links and distances are those of the last tick. \
-             Two starts: `published` as read from the paper's figure, where robots 1 and 10 stand 0.22 m apart, closer \
-             than the 0.3 m that the paper demands; and `inside`, ours, a hexagonal patch in which every hypothesis \
-             holds. Which robot has which place in `inside` was chosen so that the paper's effects show together, as \
+             Two starts: “published” as read from the paper's figure, where robots 1 and 10 stand 0.22 m apart, closer \
+             than the 0.3 m that the paper demands; and “inside”, ours, a hexagonal patch in which every hypothesis \
+             holds. Which robot has which place in “inside” was chosen so that the paper's effects show together, as \
              they do for one assignment in four."
                 .to_owned(),
         ],
@@ -222,7 +222,7 @@ fn section(start: &Start, [first, second]: [String; 2]) -> Section {
     ];
     let figures = [first, second].into_iter().zip(captions);
     Section {
-        title: format!("From the start `{}`", start.name),
+        title: format!("From the start “{}”", start.name),
         paragraphs: vec![start_story(start)],
         tables: Vec::new(),
         claims: start.claims.clone(),

@@ -60,6 +60,9 @@ fn picture(name: &str, text: &str, problems: &[Problem]) -> String {
     let renderer = if styled { Renderer::styled() } else { Renderer::plain() };
     let mut out = String::new();
     for problem in problems.iter().take(SHOWN) {
+        if !out.is_empty() {
+            out.push('\n');
+        }
         out.push_str(&renderer.render(&[group(name, text, problem)]));
         out.push('\n');
     }

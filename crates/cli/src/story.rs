@@ -2,7 +2,7 @@
 
 use core::fmt::Write as _;
 
-use closeranks_report::table::number;
+use closeranks_report::table::{number, telling};
 use closeranks_sim::monitor::{Law, Verdict};
 use closeranks_sim::scenario::Scenario;
 use closeranks_sim::summary::Summary;
@@ -70,7 +70,7 @@ pub(crate) fn violation(scenario: &Scenario, verdict: &Verdict) -> String {
     let amount = match verdict.law {
         Law::Feasible => "no input in the box satisfies the row".to_owned(),
         Law::Degree => format!("{}, demanded {}", number(first.seen, 0), number(first.demanded, 0)),
-        _ => format!("{}, demanded {}", number(first.seen, 4), number(first.demanded, 4)),
+        _ => format!("{}, demanded {}", telling(first.seen, 4), number(first.demanded, 4)),
     };
     let times = if verdict.count == 1 { "once".to_owned() } else { format!("{} times", verdict.count) };
     format!("{times}, first at t = {}{who}: {amount} ({})", time(scenario, first.tick), verdict.law.demand())

@@ -48,8 +48,11 @@ impl SectionFive<'_> {
             ),
             claim(
                 "Robots will move in four different directions, which would break the network",
-                free.degree_min < self.required,
-                format!("without the filter the least degree of normal robots falls to {}", free.degree_min),
+                free.degree_min < Some(self.required),
+                format!(
+                    "without the filter the least degree of normal robots falls to {}",
+                    degree(free.degree_min)
+                ),
             ),
             claim(
                 "and prevent resilient consensus.",
@@ -72,7 +75,7 @@ impl SectionFive<'_> {
                 "Robots eventually stop dispersing",
                 self.all(|run| run.spreading_m_s[1].abs() < STOPPED_M_S),
                 format!(
-                    "growth of the radius of gyration at the end, m/s (robots want 1 m/s): {}",
+                    "growth of the radius of gyration at the end, m/s (robots want 1, below {STOPPED_M_S} counts as stopped): {}",
                     self.each(|run| number(run.spreading_m_s[1], 4))
                 ),
             ),
@@ -81,7 +84,7 @@ impl SectionFive<'_> {
                 self.all(|run| run.broken(Law::Degree) == 0),
                 format!(
                     "least degree of normal robots: {}",
-                    self.each(|run| run.extremes.degree_min.to_string())
+                    self.each(|run| degree(run.extremes.degree_min))
                 ),
             ),
             claim(
@@ -142,7 +145,7 @@ impl SectionFive<'_> {
                 format!(
                     "malicious robots that ever had fewer: {}; their least degree when overstating: {}",
                     self.each(|run| run.malicious_below.to_string()),
-                    over.extremes.malicious_degree_min
+                    degree(over.extremes.malicious_degree_min)
                 ),
             ),
         ]
@@ -171,7 +174,7 @@ impl SectionFive<'_> {
             claim(
                 "[cor:naive] With nominal updating malicious robots keep seven neighbors too.",
                 self.runs[0].malicious_below == 0,
-                format!("their least degree: {}", self.runs[0].extremes.malicious_degree_min),
+                format!("their least degree: {}", degree(self.runs[0].extremes.malicious_degree_min)),
             ),
         ]
     }
@@ -179,4 +182,8 @@ impl SectionFive<'_> {
 
 fn claim(sentence: &str, holds: bool, numbers: String) -> Claim {
     Claim { sentence: sentence.to_owned(), holds, numbers }
+}
+
+fn degree(least: Option<u16>) -> String {
+    least.map_or("none".to_owned(), |degree| degree.to_string())
 }

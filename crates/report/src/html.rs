@@ -66,8 +66,8 @@ fn section(index: usize, section: &Section) -> String {
     text += &element("h2", &section.title);
     text.extend(section.paragraphs.iter().map(|words| paragraph("", words)));
     text.extend(section.tables.iter().map(|(caption, content)| table(caption, content)));
-    text += &claims(&section.claims);
     text.extend(section.figures.iter().map(figure));
+    text += &claims(&section.claims);
     text + "</section>\n"
 }
 

@@ -47,12 +47,12 @@ pub fn table(lines: &[Line<'_>]) -> Table {
 
 fn row(line: &Line<'_>) -> Vec<String> {
     let (summary, extremes) = (line.summary, &line.summary.extremes);
-    let liars = !line.scenario.malicious.is_empty();
+    let degree = |least: Option<u16>| least.map_or("-".to_owned(), |degree| degree.to_string());
     vec![
         line.scenario.name.clone(),
-        extremes.degree_min.to_string(),
+        degree(extremes.degree_min),
         number(extremes.h_min, 3),
-        if liars { extremes.malicious_degree_min.to_string() } else { "-".to_owned() },
+        degree(extremes.malicious_degree_min),
         number(extremes.distance_min_m, 3),
         number(summary.gyration_m, 3),
         summary.links.to_string(),
@@ -65,7 +65,15 @@ fn row(line: &Line<'_>) -> Vec<String> {
     ]
 }
 
-/// A number with `digits` after the point; very large ones in powers of ten, none that are not numbers.
+/// A number with `digits` after the point; large ones, and small ones that would read as 0, in powers of ten.
+#[must_use]
+pub fn telling(value: f64, digits: usize) -> String {
+    let plain = number(value, digits);
+    let vanished = plain.parse() == Ok(0.0) && value != 0.0 && value.is_finite();
+    if vanished { format!("{value:.1e}") } else { plain }
+}
+
+/// A number with `digits` after the point; very large ones in powers of ten, `-` for what is not a number.
 #[must_use]
 pub fn number(value: f64, digits: usize) -> String {
     if !value.is_finite() {
@@ -75,11 +83,7 @@ pub fn number(value: f64, digits: usize) -> String {
     if value.abs() >= 1e6 {
         return format!("{value:.1e}");
     }
-    if plain.trim_start_matches('-').trim_start_matches(['0', '.']).is_empty() {
-        format!("{:.digits$}", 0.0)
-    } else {
-        plain
-    }
+    if plain.parse() == Ok(0.0) { format!("{:.digits$}", 0.0) } else { plain }
 }
 
 /// The table as text for a terminal: columns aligned, the first to the left, others to the right.
@@ -134,6 +138,8 @@ mod tests {
         assert_eq!(number(-0.000_01, 3), "0.000");
         assert_eq!(number(-3.2e21, 3), "-3.2e21");
         assert_eq!(number(f64::NAN, 3), "-");
+        assert_eq!(telling(-0.000_031, 4), "-3.1e-5");
+        assert_eq!(telling(0.0, 4), "0.0000");
         assert_eq!(number(10.0, 1), "10.0");
     }
 

@@ -69,6 +69,7 @@ fn formations_have_a_panel_for_the_start_and_each_end() {
     }
 }
 
+//= paper fig:sim type=test
 #[test]
 fn links_drawn_are_links_recorded() {
     let runs = cases(3);
@@ -82,6 +83,7 @@ fn links_drawn_are_links_recorded() {
     assert!(links(&svg, "#D55E00") > 20);
 }
 
+//= paper fig:sim_result type=test
 #[test]
 fn lines_have_two_panels_a_case() {
     for number in 0..=4 {

@@ -55,3 +55,17 @@ impl<const D: usize> Frame<D> {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    //= paper eq:dynamics type=test
+    #[test]
+    fn robots_move_as_their_input_says() {
+        let mut frame = Frame::new(vec![[1.0, 2.0], [0.0, 0.0]], vec![0.0, 0.0]);
+        frame.velocities_m_s = vec![[0.5, -1.0], [0.0, 0.25]];
+        frame.integrate(0.5);
+        assert_eq!(frame.positions_m, [[1.25, 1.5], [0.0, 0.125]]);
+    }
+}

@@ -119,10 +119,10 @@ pub struct Monitors<const D: usize> {
 /// Least and greatest over a run.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Extremes {
-    /// Least degree of normal robots.
-    pub degree_min: u16,
-    /// Least degree of malicious robots; `u16::MAX` if there are none.
-    pub malicious_degree_min: u16,
+    /// Least degree of normal robots, if there are any.
+    pub degree_min: Option<u16>,
+    /// Least degree of malicious robots, if there are any.
+    pub malicious_degree_min: Option<u16>,
     /// Least h_i of normal robots.
     pub h_min: f64,
     /// Least distance of two robots, m.
@@ -155,8 +155,8 @@ impl<const D: usize> Monitors<D> {
             degrees_held: true,
             degrees_held_in_round: false,
             extremes: Extremes {
-                degree_min: u16::MAX,
-                malicious_degree_min: u16::MAX,
+                degree_min: None,
+                malicious_degree_min: None,
                 h_min: f64::INFINITY,
                 distance_min_m: f64::INFINITY,
                 phi_global_min: f64::INFINITY,
@@ -211,10 +211,10 @@ impl<const D: usize> Monitors<D> {
         for (robot, index) in (1_u16..).zip(0..frame.degrees.len()) {
             let degree = frame.degrees[index];
             if self.malicious[index] {
-                self.extremes.malicious_degree_min = self.extremes.malicious_degree_min.min(degree);
+                lower(&mut self.extremes.malicious_degree_min, degree);
                 continue;
             }
-            self.extremes.degree_min = self.extremes.degree_min.min(degree);
+            lower(&mut self.extremes.degree_min, degree);
             self.extremes.h_min = self.extremes.h_min.min(degree_barrier(frame.levels[index], required));
             if degree < required {
                 self.degrees_held = false;
@@ -315,6 +315,10 @@ impl<const D: usize> Monitors<D> {
         self.spread = Some(spread);
         self.extremes.spread = spread;
     }
+}
+
+fn lower(least: &mut Option<u16>, degree: u16) {
+    *least = Some(least.map_or(degree, |least| least.min(degree)));
 }
 
 /// The first component outside its bounds, and the bound.

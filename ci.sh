@@ -1,0 +1,42 @@
+#!/usr/bin/env bash
+# All that CI runs, and what a developer runs before a commit. From the root of the repository, with Rust and a C compiler.
+set -euo pipefail
+cd "$(dirname "$0")"
+export RUST_BACKTRACE=1
+
+step() { printf '\n== %s\n' "$1"; }
+
+step "format"
+cargo fmt --all --check
+
+step "lints"
+cargo clippy --workspace --all-targets --locked -- -D warnings
+
+step "tests (the README's command)"
+cargo test --workspace
+
+step "documentation"
+RUSTDOCFLAGS="-D warnings" cargo doc --workspace --no-deps --locked --quiet
+
+step "the program, as its user runs it (the README's other command)"
+out=$(mktemp -d)
+trap 'rm -rf "$out"' EXIT
+cargo run --release --locked -- paper -o "$out/paper"
+test -s "$out/paper/report.html"
+cargo run --release --locked --quiet -- run scenarios/random.toml --seed 7 -o "$out/run"
+if cargo run --release --locked --quiet -- run scenarios/no-such-file.toml; then
+  echo "a missing file must be refused"; exit 1
+else
+  test $? -eq 2
+fi
+
+step "benches are built, not timed"
+cargo test --release --locked --benches --quiet -p closeranks-core -p closeranks-sim
+
+if command -v cargo-deny > /dev/null; then
+  step "licences"
+  cargo deny check licenses bans sources
+fi
+
+echo
+echo "all is well"
