@@ -2,12 +2,15 @@
 
 use closeranks_report::content::Claim;
 use closeranks_sim::monitor::Verdict;
+use closeranks_sim::robustness::weakest;
 use closeranks_sim::scenario::Scenario;
-use closeranks_sim::summary::Summary;
+use closeranks_sim::world::Run;
 use serde_json::{Map, Value, json};
 
 /// One run. Numbers that do not exist are null.
-pub(crate) fn run(scenario: &Scenario, summary: &Summary, time_s: f64) -> Value {
+pub(crate) fn run(scenario: &Scenario, run: &Run, time_s: f64) -> Value {
+    let summary = &run.summary;
+    let weakest = weakest(&run.rounds);
     let extremes = &summary.extremes;
     let laws = summary.verdicts.iter().map(|verdict| (verdict.law.name().to_owned(), law(scenario, verdict)));
     json!({
@@ -37,6 +40,8 @@ pub(crate) fn run(scenario: &Scenario, summary: &Summary, time_s: f64) -> Value 
         "phi_negative": summary.broken(closeranks_sim::monitor::Law::Shares),
         "phi_min": extremes.phi_min,
         "phi_global_min": extremes.phi_global_min,
+        "r_max_least": run.rounds.iter().map(|round| round.r_max.least).min(),
+        "f_max_least": weakest.map(|round| round.f_max.least),
         "ticks": summary.ticks,
         "rounds": summary.rounds,
         "time_s": time_s,

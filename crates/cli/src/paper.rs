@@ -100,7 +100,7 @@ fn start(name: &'static str, texts: &[&'static str; 3], seed: u64, bar: &Progres
 }
 
 fn done(scenario: Scenario, text: &'static str, bar: &ProgressBar) -> Result<Done> {
-    let options = Options { record: true, ..Options::default() };
+    let options = Options { record: true, robustness: true, ..Options::default() };
     let (run, time) = progress::timed(|| world::run(&scenario, options, &mut |_| ()));
     bar.inc(1);
     Ok(Done { run: run?, scenario, text, time_s: time.as_secs_f64() })
@@ -148,8 +148,13 @@ fn data(starts: &[Start], seed: u64, folder: &mut Folder, bar: &ProgressBar) -> 
 
 fn lines<'a>(starts: impl Iterator<Item = &'a Start>) -> Vec<Line<'a>> {
     let runs = starts.flat_map(|start| &start.runs);
-    runs.map(|done| Line { scenario: &done.scenario, summary: &done.run.summary, time_s: Some(done.time_s) })
-        .collect()
+    runs.map(|done| Line {
+        scenario: &done.scenario,
+        summary: &done.run.summary,
+        rounds: &done.run.rounds,
+        time_s: Some(done.time_s),
+    })
+    .collect()
 }
 
 fn told(starts: &[Start]) -> String {
@@ -178,7 +183,7 @@ fn start_story(start: &Start) -> String {
 fn numbers(starts: &[Start]) -> serde_json::Value {
     let start = |start: &Start| {
         let runs: Vec<_> =
-            start.runs.iter().map(|done| json::run(&done.scenario, &done.run.summary, done.time_s)).collect();
+            start.runs.iter().map(|done| json::run(&done.scenario, &done.run, done.time_s)).collect();
         serde_json::json!({ "start": start.name, "runs": runs, "claims": json::claims(&start.claims) })
     };
     serde_json::json!({ "starts": starts.iter().map(start).collect::<Vec<_>>() })

@@ -20,14 +20,14 @@ pub(crate) fn run(arguments: &crate::Run) -> Result<bool> {
     let folder = arguments.output.as_deref().map(Folder::new).transpose()?;
     let bar = progress::bar(u64::from(scenario.ticks()), arguments.quiet);
     bar.set_message(scenario.name.clone());
-    let options = Options { record: folder.is_some(), ..Options::default() };
+    let options = Options { record: folder.is_some(), robustness: true, ..Options::default() };
     let (run, time) =
         progress::timed(|| world::run(&scenario, options, &mut |tick| bar.set_position(u64::from(tick))));
     bar.finish_and_clear();
     let run = run?;
     let time_s = time.as_secs_f64();
     if arguments.json {
-        output::say(&json::text(&json::run(&scenario, &run.summary, time_s)));
+        output::say(&json::text(&json::run(&scenario, &run, time_s)));
     } else if !arguments.quiet {
         output::say(&told(&scenario, &run, time_s));
     }
@@ -44,7 +44,7 @@ pub(crate) fn run(arguments: &crate::Run) -> Result<bool> {
 }
 
 fn told(scenario: &Scenario, run: &Run, time_s: f64) -> String {
-    let line = Line { scenario, summary: &run.summary, time_s: Some(time_s) };
+    let line = Line { scenario, summary: &run.summary, rounds: &run.rounds, time_s: Some(time_s) };
     let start = story::start(scenario, &run.summary);
     let laws = story::laws(scenario, &run.summary);
     let warning = story::warning(scenario).map(|warning| warning + "\n").unwrap_or_default();
@@ -70,7 +70,7 @@ fn save(mut folder: Folder, scenario: &Scenario, source: &str, run: &Run, time_s
 }
 
 fn page(scenario: &Scenario, source: &str, run: &Run, time_s: f64, svg: String) -> Page {
-    let line = Line { scenario, summary: &run.summary, time_s: Some(time_s) };
+    let line = Line { scenario, summary: &run.summary, rounds: &run.rounds, time_s: Some(time_s) };
     let mut paragraphs = vec![story::start(scenario, &run.summary)];
     paragraphs.extend(story::warning(scenario));
     paragraphs.extend(story::laws(scenario, &run.summary).lines().map(str::to_owned));

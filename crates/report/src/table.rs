@@ -2,7 +2,9 @@
 
 use core::fmt::Write as _;
 
+use closeranks_graph::verdict::Interval;
 use closeranks_sim::monitor::Law;
+use closeranks_sim::robustness::{Round, weakest};
 use closeranks_sim::scenario::Scenario;
 use closeranks_sim::summary::Summary;
 
@@ -15,12 +17,14 @@ pub struct Line<'a> {
     pub scenario: &'a Scenario,
     /// What it came to.
     pub summary: &'a Summary,
+    /// Exact robustness of its rounds, if it was searched.
+    pub rounds: &'a [Round],
     /// Wall time of the run, s, if it was measured.
     pub time_s: Option<f64>,
 }
 
 /// Heads of the table; the second line of each is the unit or the kind of robot.
-const HEADS: [&str; 13] = [
+const HEADS: [&str; 14] = [
     "scenario",
     "degree\nnormal",
     "h\nnormal",
@@ -33,12 +37,14 @@ const HEADS: [&str; 13] = [
     "infea-\nsible",
     "phi_i\n< 0",
     "global\nphi",
+    "F_max\nleast",
     "time\nms",
 ];
 
 /// The table of several runs: least degree and least h of normal robots, least degree of malicious ones, least distance,
 /// radius of gyration and number of links at the end, mean distance from normal to malicious robots at the end, rounds
-/// until the spread of normal values is below 1, infeasible programs, negative φ_i, least global φ, time.
+/// until the spread of normal values is below 1, infeasible programs, negative φ_i, least global φ, least F for which the
+/// network was (F+1, F+1)-robust in every round (all robots counted, malicious ones too), time.
 #[must_use]
 pub fn table(lines: &[Line<'_>]) -> Table {
     let heads = HEADS.map(str::to_owned).to_vec();
@@ -61,8 +67,14 @@ fn row(line: &Line<'_>) -> Vec<String> {
         summary.broken(Law::Feasible).to_string(),
         summary.broken(Law::Shares).to_string(),
         number(extremes.phi_global_min, 3),
+        weakest(line.rounds).map_or("-".to_owned(), |round| proved(round.f_max)),
         line.time_s.map_or("-".to_owned(), |time| number(time * 1e3, 1)),
     ]
+}
+
+/// The number, or the end of the interval that is proved.
+fn proved(interval: Interval) -> String {
+    interval.exactly().map_or(format!(">= {}", interval.least), |value| value.to_string())
 }
 
 /// A number with `digits` after the point; large ones, and small ones that would read as 0, in powers of ten.

@@ -8,7 +8,7 @@ use closeranks_report::table::{Line, table, text};
 use closeranks_sim::parse::scenario;
 use closeranks_sim::scenario::{Controller, Scenario};
 use closeranks_sim::summary::Summary;
-use closeranks_sim::world::{Options, run};
+use closeranks_sim::world::{Options, Run, run};
 
 const FILES: [&str; 6] = [
     include_str!("../../../scenarios/published-nominal.toml"),
@@ -19,20 +19,26 @@ const FILES: [&str; 6] = [
     include_str!("../../../scenarios/inside-overstating.toml"),
 ];
 
+fn watched(scenario: &Scenario) -> Run {
+    run(scenario, Options { robustness: true, ..Options::default() }, &mut |_| ()).unwrap()
+}
+
 fn summary(scenario: &Scenario) -> Summary {
-    run(scenario, Options::default(), &mut |_| ()).unwrap().summary
+    watched(scenario).summary
 }
 
 //= paper sec:sim type=test
 #[test]
 fn the_table_of_the_paper() {
-    let runs: Vec<(Scenario, Summary)> = FILES
+    let runs: Vec<(Scenario, Run)> = FILES
         .iter()
         .map(|file| scenario(file).unwrap())
-        .map(|scenario| (scenario.clone(), summary(&scenario)))
+        .map(|scenario| (scenario.clone(), watched(&scenario)))
         .collect();
-    let lines: Vec<Line<'_>> =
-        runs.iter().map(|(scenario, summary)| Line { scenario, summary, time_s: None }).collect();
+    let lines: Vec<Line<'_>> = runs
+        .iter()
+        .map(|(scenario, run)| Line { scenario, summary: &run.summary, rounds: &run.rounds, time_s: None })
+        .collect();
     let told = text(&table(&lines));
     assert_eq!(told, include_str!("golden/paper_table.txt"), "now:\n{told}");
 }

@@ -12,7 +12,7 @@
 //! | where robots start and want to go | [`start`], [`motion`] |
 //! | what malicious robots tell | [`attack`] |
 //! | all robots of a tick, one by one or as a team | [`robots`], [`team`] |
-//! | the theorems as code | [`monitor`] |
+//! | the theorems as code, and exact robustness round by round | [`monitor`], [`robustness`] |
 //! | the run, its record and its table row | [`world`], [`record`], [`summary`] |
 
 pub mod attack;
@@ -23,6 +23,7 @@ pub mod parse;
 pub mod random;
 pub mod record;
 pub mod robots;
+pub mod robustness;
 pub mod scenario;
 pub mod start;
 pub mod summary;

@@ -9,6 +9,7 @@ use crate::monitor::Monitors;
 use crate::random::{Random, Stream};
 use crate::record::Record;
 use crate::robots::{Fleet, Memory};
+use crate::robustness::{Round, Watcher};
 use crate::scenario::{Scenario, Values};
 use crate::start::StartError;
 use crate::summary::{Collector, Summary};
@@ -29,6 +30,8 @@ pub enum Engine {
 pub struct Options {
     /// Keep every tick.
     pub record: bool,
+    /// Search the network of every consensus round for its exact robustness.
+    pub robustness: bool,
     /// How robots are computed.
     pub engine: Engine,
 }
@@ -38,6 +41,8 @@ pub struct Options {
 pub struct Run {
     /// Every tick, if it was asked for.
     pub record: Option<Record>,
+    /// Exact robustness of every consensus round, if it was asked for and the team is small enough.
+    pub rounds: Vec<Round>,
     /// The table's row.
     pub summary: Summary,
 }
@@ -115,6 +120,7 @@ struct World<'a, const D: usize> {
     monitors: Monitors<D>,
     collector: Collector,
     record: Option<Record>,
+    watcher: Option<Watcher>,
 }
 
 impl<'a, const D: usize> World<'a, D> {
@@ -129,6 +135,7 @@ impl<'a, const D: usize> World<'a, D> {
             monitors: Monitors::new(scenario, params),
             collector: Collector::default(),
             record: options.record.then(|| Record::new(scenario, required)),
+            watcher: options.robustness.then(Watcher::default),
         }
     }
 
@@ -143,12 +150,21 @@ impl<'a, const D: usize> World<'a, D> {
             if let Some(record) = &mut self.record {
                 record.push(&self.frame);
             }
+            self.watch_round(tick);
             if tick < last {
                 self.frame.integrate(self.scenario.tick_s());
             }
         }
         let summary = self.collector.finish(self.scenario, &self.frame, &self.monitors);
-        Run { record: self.record, summary }
+        Run { record: self.record, rounds: self.watcher.map(Watcher::finish).unwrap_or_default(), summary }
+    }
+
+    fn watch_round(&mut self, tick: u32) {
+        if let Some(watcher) = &mut self.watcher
+            && tick.is_multiple_of(self.scenario.ticks_per_round())
+        {
+            watcher.watch(tick, &self.frame, self.scenario.radius_m, &self.malicious);
+        }
     }
 }
 

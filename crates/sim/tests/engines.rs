@@ -8,7 +8,10 @@ use closeranks_sim::start::Start;
 use closeranks_sim::world::{Engine, Options, run};
 
 fn record(scenario: &Scenario, engine: Engine) -> Record {
-    run(scenario, Options { record: true, engine }, &mut |_| ()).unwrap().record.unwrap()
+    run(scenario, Options { record: true, engine, ..Options::default() }, &mut |_| ())
+        .unwrap()
+        .record
+        .unwrap()
 }
 
 #[track_caller]
