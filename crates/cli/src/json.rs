@@ -45,7 +45,7 @@ pub(crate) fn run(scenario: &Scenario, run: &Run, time_s: f64) -> Value {
         "ticks": summary.ticks,
         "rounds": summary.rounds,
         "time_s": time_s,
-        "laws": Map::from_iter(laws),
+        "laws": laws.collect::<Map<_, _>>(),
         "ok": summary.failures(scenario).next().is_none(),
     })
 }

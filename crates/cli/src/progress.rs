@@ -1,6 +1,7 @@
 //! Progress on standard error, for people only.
 
-use std::time::{Duration, Instant};
+use core::time::Duration;
+use std::time::Instant;
 
 use indicatif::{ProgressBar, ProgressStyle};
 

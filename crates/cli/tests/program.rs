@@ -1,5 +1,7 @@
 //! The program as its user meets it: files, exit codes, messages, folders.
 
+#![expect(clippy::unwrap_used, reason = "helpers of tests")]
+
 use std::fs;
 use std::path::Path;
 use std::process::{Command, Output};

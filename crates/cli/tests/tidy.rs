@@ -1,5 +1,7 @@
 //! House rules that no linter knows: heads, lengths, words, and labels of the paper that are known and tested.
 
+#![expect(clippy::unwrap_used, reason = "helpers of tests")]
+
 use std::collections::BTreeSet;
 use std::fs;
 use std::path::{Path, PathBuf};

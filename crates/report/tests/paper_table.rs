@@ -20,7 +20,7 @@ const FILES: [&str; 6] = [
 ];
 
 fn watched(scenario: &Scenario) -> Run {
-    run(scenario, Options { robustness: true, ..Options::default() }, &mut |_| ()).unwrap()
+    run(scenario, Options { robustness: true, ..Options::default() }, &mut |_| ()).expect("runs")
 }
 
 fn summary(scenario: &Scenario) -> Summary {
