@@ -9,6 +9,7 @@ use closeranks_report::figure::{Case, figure1, figure2};
 use closeranks_report::html::html;
 use closeranks_report::parquet::{Metadata, write};
 use closeranks_report::png::{SCALE_200_DPI, png};
+use closeranks_report::robustness::{Survey, robustness, write_rounds};
 use closeranks_report::table::{Line, table, text};
 use closeranks_sim::parse;
 use closeranks_sim::scenario::{Controller, Scenario};
@@ -60,7 +61,7 @@ struct Start {
 /// Runs everything; false when a law that a scenario expects was broken.
 pub(crate) fn paper(arguments: &crate::Paper) -> Result<bool> {
     let mut folder = Folder::new(&arguments.output)?;
-    let bar = progress::bar(20, arguments.quiet || arguments.json);
+    let bar = progress::bar(24, arguments.quiet || arguments.json);
     let starts = STARTS.iter().map(|(name, texts)| start(name, texts, arguments.seed, &bar));
     let starts: Vec<Start> = starts.collect::<Result<_>>()?;
     let figures = figures(&starts, &mut folder, &bar)?;
@@ -108,19 +109,21 @@ fn done(scenario: Scenario, text: &'static str, bar: &ProgressBar) -> Result<Don
     Ok(Done { run: run?, scenario, text, time_s: time.as_secs_f64() })
 }
 
-/// Both figures of each start, as SVG; SVG and PNG go to the folder.
-fn figures(starts: &[Start], folder: &mut Folder, bar: &ProgressBar) -> Result<Vec<[String; 2]>> {
+/// The figures of each start, as SVG; SVG and PNG go to the folder.
+fn figures(starts: &[Start], folder: &mut Folder, bar: &ProgressBar) -> Result<Vec<[String; 3]>> {
     bar.set_message("figures");
     let drawn = starts.iter().map(|start| {
         let cases = start.runs.iter().zip(TITLES).filter_map(|(done, title)| {
             Some(Case { title, scenario: &done.scenario, record: done.run.record.as_ref()? })
         });
         let cases: Vec<Case<'_>> = cases.collect();
-        [figure1(&cases), figure2(&cases)]
+        [figure1(&cases), figure2(&cases), robustness(&surveys(start))]
     });
-    let drawn: Vec<[String; 2]> = drawn.collect();
+    let drawn: Vec<[String; 3]> = drawn.collect();
     let named = starts.iter().zip(&drawn).flat_map(|(start, pair)| {
-        pair.iter().zip(1..).map(move |(svg, number)| (format!("{}-figure{number}", start.name), svg))
+        pair.iter()
+            .zip(1..)
+            .map(move |(svg, number)| (format!("{}-{}", start.name, figure_name(number)), svg))
     });
     let named: Vec<(String, &String)> = named.collect();
     let painted = named.par_iter().map(|(name, svg)| {
@@ -135,14 +138,29 @@ fn figures(starts: &[Start], folder: &mut Folder, bar: &ProgressBar) -> Result<V
     Ok(drawn)
 }
 
+fn figure_name(number: u32) -> String {
+    if number < 3 { format!("figure{number}") } else { "robustness".to_owned() }
+}
+
+fn surveys(start: &Start) -> Vec<Survey<'_>> {
+    start.runs.iter().zip(TITLES).map(|(done, title)| survey(done, title)).collect()
+}
+
+fn survey<'a>(done: &'a Done, title: &'a str) -> Survey<'a> {
+    Survey { title, faults: done.scenario.faults, tick_s: done.scenario.tick_s(), rounds: &done.run.rounds }
+}
+
 fn data(starts: &[Start], seed: u64, folder: &mut Folder, bar: &ProgressBar) -> Result<()> {
     bar.set_message("data");
     for done in starts.iter().flat_map(|start| &start.runs) {
         let Some(record) = &done.run.record else { continue };
         let (version, commit) = (env!("CARGO_PKG_VERSION"), env!("CLOSERANKS_COMMIT"));
-        let mut bytes = Vec::new();
-        write(record, &Metadata { scenario: done.text, seed, version, commit }, &mut bytes)?;
+        let metadata = Metadata { scenario: done.text, seed, version, commit };
+        let (mut bytes, mut rounds) = (Vec::new(), Vec::new());
+        write(record, &metadata, &mut bytes)?;
+        write_rounds(&survey(done, &done.scenario.name), &metadata, &mut rounds)?;
         folder.add(format!("{}.parquet", done.scenario.name), bytes);
+        folder.add(format!("{}-rounds.parquet", done.scenario.name), rounds);
         bar.inc(1);
     }
     Ok(())
@@ -191,7 +209,7 @@ fn numbers(starts: &[Start]) -> serde_json::Value {
     serde_json::json!({ "starts": starts.iter().map(start).collect::<Vec<_>>() })
 }
 
-fn page(starts: &[Start], figures: Vec<[String; 2]>) -> Page {
+fn page(starts: &[Start], figures: Vec<[String; 3]>) -> Page {
     let summary = Section {
         title: "All runs".to_owned(),
         paragraphs: vec![
@@ -220,14 +238,17 @@ fn page(starts: &[Start], figures: Vec<[String; 2]>) -> Page {
     }
 }
 
-fn section(start: &Start, [first, second]: [String; 2]) -> Section {
+fn section(start: &Start, pictures: [String; 3]) -> Section {
     let captions = [
         "Fig. 1: (a) the start, (b)-(d) formations at the end of the three scenarios. Normal robots are blue circles, \
          malicious ones red squares; dotted lines are links, red ones involve a malicious robot.",
         "Fig. 2: (a)-(c) h_i of every robot; normal robots must stay above 0. (d)-(f) values y_i; malicious robots draw \
          theirs anew in every round.",
+        "Exact robustness of the network in every consensus round: largest r for which it is r-robust, and largest F for \
+         which it is (F+1, F+1)-robust. All robots count here, malicious ones too, so F_max may fall below what the degrees \
+         of normal robots guarantee (docs/robustness.md).",
     ];
-    let figures = [first, second].into_iter().zip(captions);
+    let figures = pictures.into_iter().zip(captions);
     Section {
         title: format!("From the start “{}”", start.name),
         paragraphs: vec![start_story(start)],

@@ -6,6 +6,7 @@ use closeranks_report::figure::{Case, overview};
 use closeranks_report::html::html;
 use closeranks_report::parquet::{Metadata, write};
 use closeranks_report::png::{SCALE_200_DPI, png};
+use closeranks_report::robustness::{Survey, robustness, write_rounds};
 use closeranks_report::table::{Line, table, text};
 use closeranks_sim::scenario::Scenario;
 use closeranks_sim::world::{self, Options, Run};
@@ -35,7 +36,7 @@ pub(crate) fn run(arguments: &crate::Run) -> Result<bool> {
         save(folder, &scenario, &source, &run, time_s)?;
         if !arguments.quiet && !arguments.json {
             output::say(&format!(
-                "written to {}: report.html, overview.svg, overview.png, run.parquet\n",
+                "written to {}: report.html, overview.svg, overview.png, robustness.svg, run.parquet, rounds.parquet\n",
                 target.display()
             ));
         }
@@ -64,9 +65,22 @@ fn save(mut folder: Folder, scenario: &Scenario, source: &str, run: &Run, time_s
     let mut parquet = Vec::new();
     write(record, &metadata, &mut parquet)?;
     folder.add("run.parquet", parquet);
+    let survey = survey(scenario, run);
+    let mut rounds = Vec::new();
+    write_rounds(&survey, &metadata, &mut rounds)?;
+    folder.add("rounds.parquet", rounds);
+    folder.add("robustness.svg", robustness(&[survey]));
     folder.add("report.html", html(&page(scenario, source, run, time_s, svg.clone())));
     folder.add("overview.svg", svg);
     folder.write()
+}
+
+fn figure(caption: &str, svg: String) -> Figure {
+    Figure { caption: caption.to_owned(), svg }
+}
+
+fn survey<'a>(scenario: &'a Scenario, run: &'a Run) -> Survey<'a> {
+    Survey { title: &scenario.name, faults: scenario.faults, tick_s: scenario.tick_s(), rounds: &run.rounds }
 }
 
 fn page(scenario: &Scenario, source: &str, run: &Run, time_s: f64, svg: String) -> Page {
@@ -81,11 +95,10 @@ fn page(scenario: &Scenario, source: &str, run: &Run, time_s: f64, svg: String) 
             "Least and greatest over the run; heads as in the terminal.".to_owned(),
             table(&[line]),
         )],
-        figures: vec![Figure {
-            caption: "Formation at the start and at the end; degree barriers and values over time."
-                .to_owned(),
-            svg,
-        }],
+        figures: vec![
+            figure("Formation at the start and at the end; degree barriers and values over time.", svg),
+            figure("Exact robustness of the network in every round.", robustness(&[survey(scenario, run)])),
+        ],
         ..Section::default()
     };
     let text = Section {

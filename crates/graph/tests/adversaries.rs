@@ -84,6 +84,7 @@ fn local_resilience_lies_between_r_and_f_total() {
     }
 }
 
+//= paper ftotal type=test
 #[test]
 fn local_sets_are_counted_by_their_hearers() {
     let graph = Graph::directed(4, &[(0, 3), (1, 3), (2, 1)]).unwrap();

@@ -112,7 +112,8 @@ fn word(number: usize) -> i32 {
     u32::try_from(number).unwrap_or(u32::MAX).cast_signed()
 }
 
-fn put<T: DataType>(
+/// Writes the values of a column.
+pub(crate) fn put<T: DataType>(
     column: &mut SerializedColumnWriter<'_>,
     values: impl Iterator<Item = T::T>,
 ) -> Result<(), ParquetError> {

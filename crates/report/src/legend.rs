@@ -3,6 +3,7 @@
 use crate::formation::{Marker, link_style, robots_group, shape};
 use crate::palette::{INK, LABEL, LINK, MALICIOUS, NORMAL, SHADE};
 use crate::path::PathData;
+use crate::robustness::{largest_f, largest_r, needed};
 use crate::series::malicious_style;
 use crate::svg::{Element, Piece, Svg};
 use crate::text;
@@ -27,6 +28,12 @@ pub(crate) enum Entry {
     },
     /// The region below zero.
     Below,
+    /// The largest r.
+    LargestR,
+    /// The largest F.
+    LargestF,
+    /// The F that is needed.
+    Needed,
 }
 
 /// Of formations.
@@ -40,6 +47,9 @@ pub(crate) const FORMATION: [Entry; 4] = [
 /// Of lines over time.
 pub(crate) const SERIES: [Entry; 3] =
     [Entry::Line { malicious: false }, Entry::Line { malicious: true }, Entry::Below];
+
+/// Of robustness over time.
+pub(crate) const ROBUSTNESS: [Entry; 3] = [Entry::LargestR, Entry::LargestF, Entry::Needed];
 
 /// Space between entries.
 const GAP: f64 = 22.0;
@@ -57,6 +67,11 @@ impl Entry {
             }
             Self::Link { malicious: false } => &[Piece::Plain("link between normal robots")],
             Self::Link { malicious: true } => &[Piece::Plain("link with a malicious robot")],
+            Self::LargestR => &[Piece::Plain("largest "), Piece::Italic("r"), Piece::Plain(": r-robust")],
+            Self::LargestF => {
+                &[Piece::Plain("largest "), Piece::Italic("F"), Piece::Plain(": (F+1, F+1)-robust")]
+            }
+            Self::Needed => &[Piece::Italic("F"), Piece::Plain(" of the team")],
             Self::Below => &[Piece::Italic("h"), Piece::Subscript("i"), Piece::Plain(" < 0")],
         }
     }
@@ -92,6 +107,9 @@ impl Entry {
             Self::Line { malicious: false } => {
                 svg.add(line(left, right, y).text("stroke", NORMAL).number("stroke-width", 1.3));
             }
+            Self::LargestR => svg.add(largest_r(line(left, right, y))),
+            Self::LargestF => svg.add(largest_f(line(left, right, y))),
+            Self::Needed => svg.add(needed(line(left, right, y))),
             Self::Below => {
                 let place = crate::axes::Place { left, top: y - 5.0, width: right - left, height: 10.0 };
                 svg.add(place.element().text("fill", SHADE));

@@ -9,6 +9,7 @@
 //! | SVG to PNG | [`png`] |
 //! | the table of runs, and the paper's sentences held against them | [`table`], [`claims`] |
 //! | a record as a file | [`parquet`] |
+//! | exact robustness over time, as figure and file | [`robustness`] |
 
 pub mod claims;
 pub mod content;
@@ -16,6 +17,7 @@ pub mod figure;
 pub mod html;
 pub mod parquet;
 pub mod png;
+pub mod robustness;
 pub mod table;
 
 mod axes;

@@ -94,7 +94,7 @@ fn schema(columns: &[Column<'_>]) -> Result<TypePtr, ParquetError> {
 }
 
 /// Snappy everywhere; dictionaries only where values repeat.
-fn properties(metadata: &Metadata<'_>) -> WriterPropertiesPtr {
+pub(crate) fn properties(metadata: &Metadata<'_>) -> WriterPropertiesPtr {
     let seed = metadata.seed.to_string();
     let pairs = [
         ("scenario", metadata.scenario),

@@ -123,7 +123,7 @@ fn finite(number: f64) -> f64 {
 }
 
 /// A line that holds each height until the next: only its corners.
-fn steps(points: &[[f64; 2]]) -> Vec<[f64; 2]> {
+pub(crate) fn steps(points: &[[f64; 2]]) -> Vec<[f64; 2]> {
     let mut corners: Vec<[f64; 2]> = Vec::new();
     for point in points {
         match corners.last() {
