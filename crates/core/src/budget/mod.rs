@@ -1,0 +1,27 @@
+//! Our controller `budget`: rows that no lie, no loss and no step length can break (METHOD.md section 3).
+//!
+//! `h_k` is the spare connectivity of robot k. In one tick, k and each of its neighbours may spend a fixed share of what
+//! they *know* that k still has, so all of them together cannot overspend. Robot i moves by the v closest to the desired
+//! displacement that satisfies, for every neighbour j with `r = x_i − x_j`, `D = |r|²`:
+//!
+//! ```text
+//! (far)   r·v + |v|²       ≤ γ/(4 L_ij) min(h_i⁺/δ_i, b_ij/δ⁺_ij)         or, if all obey,
+//! (far′)  −g_ik·v + κ_ik |v|² ≤ γ b_ik/(δ⁺_ik + 1)                         for each neighbour k and i itself
+//! (near)  −2 r·v           ≤ (γ_c/2) (D − Δ_d²)⁺
+//! (reach) v/T ∈ U_i
+//! ```
+//!
+//! Each set is convex and contains v = 0: the program is feasible at every tick, for every lie.
+//!
+//! | symbol | here |
+//! | --- | --- |
+//! | L_ij, κ | [`curvature`] |
+//! | b_ij, the verified interval, δ⁺_ij | [`knowledge`] |
+//! | one row, what "holds" means in floating point | [`row`] |
+//! | T U_i | [`reach`] |
+//! | all rows of a tick, recovery | [`rows`] |
+//! | the closest point | [`project`] |
+
+pub mod curvature;
+pub mod reach;
+pub mod row;
