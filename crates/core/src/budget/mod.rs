@@ -23,5 +23,7 @@
 //! | the closest point | [`project`] |
 
 pub mod curvature;
+mod flat;
+pub mod project;
 pub mod reach;
 pub mod row;

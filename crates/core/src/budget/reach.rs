@@ -3,13 +3,14 @@
 use crate::math::{Vector, length};
 use crate::program::InputBox;
 
+/// No tick takes a robot farther along an axis, m.
+const EDGE_MAX_M: f64 = 1e12;
+
 /// The displacements of one tick, `T U_i`: a box that contains 0.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Reach<const D: usize> {
-    /// Least displacement per axis, m, at most 0.
-    pub min_m: Vector<D>,
-    /// Greatest displacement per axis, m, at least 0.
-    pub max_m: Vector<D>,
+    min_m: Vector<D>,
+    max_m: Vector<D>,
 }
 
 impl<const D: usize> Reach<D> {
@@ -17,9 +18,21 @@ impl<const D: usize> Reach<D> {
     #[must_use]
     pub fn new(input: &InputBox<D>, period_s: f64) -> Self {
         Self {
-            min_m: input.min_m_s.map(|speed| (period_s * speed).max(-f64::MAX).min(0.0)),
-            max_m: input.max_m_s.map(|speed| (period_s * speed).min(f64::MAX).max(0.0)),
+            min_m: input.min_m_s.map(|speed| -edge(-period_s * speed)),
+            max_m: input.max_m_s.map(|speed| edge(period_s * speed)),
         }
+    }
+
+    /// Least displacement per axis, m, at most 0.
+    #[must_use]
+    pub fn min_m(&self) -> &Vector<D> {
+        &self.min_m
+    }
+
+    /// Greatest displacement per axis, m, at least 0.
+    #[must_use]
+    pub fn max_m(&self) -> &Vector<D> {
+        &self.max_m
     }
 
     /// ρ, m: no displacement in the box is longer.
@@ -41,6 +54,11 @@ impl<const D: usize> Reach<D> {
     pub fn contains(&self, v: &Vector<D>) -> bool {
         (0..D).all(|d| self.min_m[d] <= v[d] && v[d] <= self.max_m[d])
     }
+}
+
+/// How far an axis reaches to one side, m: far inside `f64`, so that squares stay finite.
+fn edge(reach_m: f64) -> f64 {
+    if reach_m > 0.0 { reach_m.min(EDGE_MAX_M) } else { 0.0 }
 }
 
 #[cfg(test)]

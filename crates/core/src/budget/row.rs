@@ -1,7 +1,7 @@
 //! One constraint on the displacement of a tick: a ball or a half-space that contains 0.
 
 use crate::budget::reach::Reach;
-use crate::math::{Vector, add_scaled, dot, is_finite};
+use crate::math::{Vector, dot, is_finite};
 
 /// Relative rounding margin of [`Row::holds`].
 pub const ROUNDING: f64 = 8.0 * f64::EPSILON;
@@ -91,20 +91,20 @@ impl<const D: usize> Row<D> {
     /// lets a robot slide along a row whose bound is 0.
     #[must_use]
     pub fn holds(&self, v: &Vector<D>) -> bool {
-        self.holds_within(v, ROUNDING)
+        let (value, size) = self.value_and_size(v);
+        value <= self.bound + ROUNDING * (size - value)
     }
 
-    /// [`holds`](Self::holds) with another margin.
-    pub(crate) fn holds_within(&self, v: &Vector<D>, margin: f64) -> bool {
+    /// True when v breaks the row by no more than `share` of its terms.
+    pub(crate) fn nearly_holds(&self, v: &Vector<D>, share: f64) -> bool {
         let (value, size) = self.value_and_size(v);
-        value <= self.bound + margin * (size - value)
+        value <= self.bound + share * size
     }
 
     /// By how much v breaks the row, scaled; 0 if it holds.
     pub(crate) fn excess(&self, v: &Vector<D>) -> f64 {
         let (value, size) = self.value_and_size(v);
-        let excess = value - self.bound;
-        if excess <= ROUNDING * (size - value) { 0.0 } else { excess }
+        if value <= self.bound + ROUNDING * (size - value) { 0.0 } else { value - self.bound }
     }
 
     /// True when the row holds wherever `reach` allows: its largest value there, one axis at a time, is within bounds.
@@ -113,19 +113,21 @@ impl<const D: usize> Row<D> {
         let mut most = 0.0;
         for d in 0..D {
             let at = |v: f64| self.normal[d] * v + self.curvature * v * v;
-            most += at(reach.min_m[d]).max(at(reach.max_m[d]));
+            most += at(reach.min_m()[d]).max(at(reach.max_m()[d]));
         }
         most <= self.bound
+    }
+
+    /// The axis that the normal of a half-space is parallel to, if any.
+    pub(crate) fn axis(&self) -> Option<usize> {
+        let mut parts = (0..D).filter(|&d| self.normal[d] != 0.0);
+        let axis = parts.next()?;
+        (self.curvature == 0.0 && parts.next().is_none()).then_some(axis)
     }
 
     /// `normal·v + curvature |v|²`.
     pub(crate) fn value(&self, v: &Vector<D>) -> f64 {
         dot(&self.normal, v) + self.curvature * dot(v, v)
-    }
-
-    /// Gradient of [`value`](Self::value).
-    pub(crate) fn gradient(&self, v: &Vector<D>) -> Vector<D> {
-        add_scaled(&self.normal, 2.0 * self.curvature, v)
     }
 
     fn value_and_size(&self, v: &Vector<D>) -> (f64, f64) {
@@ -149,6 +151,7 @@ fn inverse_power(x: f64) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::program::InputBox;
 
     #[test]
     fn rows_are_scaled_by_powers_of_two() {
@@ -159,7 +162,7 @@ mod tests {
         let huge = Row::new([f64::MAX, 0.0], f64::MAX, f64::MAX);
         assert!((1.0..4.0).contains(&huge.normal[0]) && huge.bound.is_finite());
         let nothing = Row::new([0.0, 0.0], 0.0, 0.0);
-        assert!(nothing.holds(&[1e300, -1e300]));
+        assert!(nothing.holds(&[1e100, -1e100]));
     }
 
     #[test]
@@ -192,7 +195,7 @@ mod tests {
 
     #[test]
     fn a_row_contains_a_box_when_it_holds_at_the_worst_corner() {
-        let reach = Reach { min_m: [-1.0, 0.0], max_m: [0.5, 2.0] };
+        let reach = Reach::new(&InputBox { min_m_s: [-1.0, 0.0], max_m_s: [0.5, 2.0] }, 1.0);
         let worst = Row::new([1.0, -1.0], 1.0, 0.0).value(&[0.5, 2.0]);
         assert!(Row::new([1.0, -1.0], 1.0, worst).contains(&reach));
         assert!(!Row::new([1.0, -1.0], 1.0, worst - 1e-12).contains(&reach));
