@@ -209,7 +209,8 @@ mod tests {
     //= method far-prime type=test
     #[test]
     fn the_weight_stays_above_its_parabola() {
-        let weight = |shape: &LinkShape, r: &[f64; 2]| shape.link(r).map_or(0.0, |link: Link<f64>| link.weight);
+        let weight =
+            |shape: &LinkShape, r: &[f64; 2]| shape.link(r).map_or(0.0, |link: Link<f64>| link.weight);
         for shape in shapes() {
             let curvature = Curvature::new(shape);
             for k in 1..40 {

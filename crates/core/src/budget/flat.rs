@@ -142,9 +142,10 @@ mod tests {
         assert!(near(closest_on(&[&ball, &floor], &p), [0.0, 2.0, 0.0]));
         assert!(near(closest_on(&[&ball, &floor, &wall], &p), [1.0, libm::sqrt(3.0), 0.0]));
         let moved = Row::new([-2.0, 0.0, 0.0], 1.0, 3.0);
-        assert!(near(closest_on(&[&ball, &moved], &p).map(|v| [v[0], v[1] * v[1] + v[2] * v[2], 0.0]), [
-            0.5, 3.75, 0.0
-        ]));
+        assert!(near(
+            closest_on(&[&ball, &moved], &p).map(|v| [v[0], v[1] * v[1] + v[2] * v[2], 0.0]),
+            [0.5, 3.75, 0.0]
+        ));
     }
 
     #[test]

@@ -24,6 +24,8 @@
 
 pub mod curvature;
 mod flat;
+pub mod knowledge;
 pub mod project;
 pub mod reach;
 pub mod row;
+pub mod rows;

@@ -183,7 +183,7 @@ fn shorten<const D: usize>(row: &Row<D>, v: &Vector<D>) -> Vector<D> {
     let root = sqrt(along * along + 4.0 * square * row.bound());
     let share =
         if along > 0.0 { 2.0 * row.bound() / (along + root) } else { (root - along) / (2.0 * square) };
-    if share >= 0.0 && share < 1.0 { v.map(|component| share * component) } else { *v }
+    if (0.0..1.0).contains(&share) { v.map(|component| share * component) } else { *v }
 }
 
 /// Pulls `v` towards 0 until every row holds: by a few units in the last place, then by ever larger steps, to 0 at last.

@@ -158,7 +158,9 @@ mod tests {
         let row = Row::new([3.0, -40.0], 8.0, 16.0);
         assert_eq!(row, Row { normal: [3.0 / 32.0, -1.25], curvature: 0.25, bound: 0.5 });
         let tiny = Row::new([3e-300, 0.0], 0.0, 1e-300);
-        assert!((1.0..2.0).contains(&tiny.normal[0]) && (tiny.bound / tiny.normal[0] - 1.0 / 3.0).abs() < 1e-15);
+        assert!(
+            (1.0..2.0).contains(&tiny.normal[0]) && (tiny.bound / tiny.normal[0] - 1.0 / 3.0).abs() < 1e-15
+        );
         let huge = Row::new([f64::MAX, 0.0], f64::MAX, f64::MAX);
         assert!((1.0..4.0).contains(&huge.normal[0]) && huge.bound.is_finite());
         let nothing = Row::new([0.0, 0.0], 0.0, 0.0);
