@@ -139,7 +139,7 @@ impl<const D: usize> Team<D> {
     }
 
     fn in_range(&self, i: usize, j: usize) -> bool {
-        let radius_m = self.budget.curvature.link().radius_m;
+        let radius_m = self.radius_m();
         let offset = subtract(&self.positions[i], &self.positions[j]);
         i != j && dot(&offset, &offset) <= radius_m * radius_m
     }
@@ -166,8 +166,16 @@ impl<const D: usize> Team<D> {
         self.random = random.0;
     }
 
+    pub(crate) fn radius_m(&self) -> f64 {
+        self.budget.curvature.link().radius_m
+    }
+
+    pub(crate) fn neighbors(&self, i: usize) -> Vec<usize> {
+        (0..self.count()).filter(|&j| self.in_range(i, j)).collect()
+    }
+
     pub(crate) fn sightings(&self, i: usize) -> Vec<Sighting<D>> {
-        let near = (0..self.count()).filter(|&j| self.in_range(i, j));
+        let near = self.neighbors(i).into_iter();
         near.map(|j| Sighting {
             offset_m: subtract(&self.positions[i], &self.positions[j]),
             claim: self.heard[i][j],
@@ -196,7 +204,7 @@ impl<const D: usize> Team<D> {
             let v = program.closest(&desired.map(|component| far * component)).displacement_m;
             let mut x = self.positions.clone();
             x[i] = add_scaled(&x[i], 1.0, &v);
-            let harm = self.h(&x, k);
+            let harm = self.kept(&x, k);
             if harm < worst.1 {
                 worst = (v, harm);
             }
@@ -207,7 +215,9 @@ impl<const D: usize> Team<D> {
     /// The direction in which i takes most from k, of length 1.
     fn outward(&self, i: usize, k: usize) -> Vector<D> {
         let mut sum = [0.0; D];
-        for j in (0..self.count()).filter(|&j| if i == k { self.in_range(i, j) } else { j == k }) {
+        let counts = |j: usize| !(self.budget.assume == Assume::Free && self.malicious[j]);
+        for j in (0..self.count()).filter(|&j| if i == k { self.in_range(i, j) && counts(j) } else { j == k })
+        {
             let offset = subtract(&self.positions[i], &self.positions[j]);
             let slope = self.budget.curvature.slope_max(length(&offset), 0.0);
             sum = add_scaled(&sum, slope + 1e-9, &offset);
@@ -305,7 +315,7 @@ impl<const D: usize> Team<D> {
 /// Places in a box of some 2 m, or 8 m long, no two closer than [`SPACING_M`].
 fn scatter<const D: usize>(count: usize, random: &mut Seeded) -> Vec<Vector<D>> {
     let mut places: Vec<Vector<D>> = Vec::new();
-    let long = [1.0, 4.0][random.below(2)];
+    let long = [1.0, 2.5][random.below(2)];
     while places.len() < count {
         let place = core::array::from_fn(|d| if d == 0 { long } else { 1.0 } * random.between(-0.9, 0.9));
         if places.iter().all(|other| length(&subtract(other, &place)) > SPACING_M) {
