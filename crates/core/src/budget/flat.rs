@@ -32,7 +32,9 @@ pub(crate) fn closest_on<const D: usize>(rows: &[&Row<D>], point: &Vector<D>) ->
         flat.cut(sphere.normal(), sphere.bound())?;
         flat.closest(point)
     };
-    polish(rows, &mut closest);
+    if !rows.iter().all(|row| row.holds(&closest)) {
+        polish(rows, &mut closest);
+    }
     for row in rows {
         if let Some(axis) = row.axis() {
             closest[axis] = row.bound() / row.normal()[axis];

@@ -9,6 +9,8 @@
 //! (far′)  −g_ik·v + κ_ik |v|² ≤ γ b_ik/(δ⁺_ik + 1)                         for each neighbour k and i itself
 //! (near)  −2 r·v           ≤ (γ_c/2) (D − Δ_d²)⁺
 //! (reach) v/T ∈ U_i
+//!
+//! h⁺ = max(h, 0),  L_ij, κ: bounds of the link weight's derivatives,  b_ij ≤ h_j⁺ known,  δ⁺ ≥ δ_j (METHOD.md: n − 1)
 //! ```
 //!
 //! Each set is convex and contains v = 0: the program is feasible at every tick, for every lie.
@@ -16,7 +18,8 @@
 //! | symbol | here |
 //! | --- | --- |
 //! | L_ij, κ | [`curvature`] |
-//! | b_ij, the verified interval, δ⁺_ij | [`knowledge`] |
+//! | the verified interval, δ⁺_ij | [`interval`] |
+//! | b_ij | [`knowledge`] |
 //! | one row, what "holds" means in floating point | [`row`] |
 //! | T U_i | [`reach`] |
 //! | all rows of a tick, recovery | [`rows`] |
@@ -24,6 +27,7 @@
 
 pub mod curvature;
 mod flat;
+pub mod interval;
 pub mod knowledge;
 pub mod project;
 pub mod reach;

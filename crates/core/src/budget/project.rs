@@ -124,19 +124,25 @@ impl<'memory, const D: usize> Program<'memory, D> {
 }
 
 /// The closest point for `rows`, of which all but the last hold at `before`, the closest point without the last.
+///
+/// If the newcomer alone gives a point that holds everywhere, that is it. Else only rows which that point breaks can be
+/// active with the newcomer: for two rows of which it breaks neither, it is the closest point already.
 fn repair<const D: usize>(rows: &[Row<D>], before: &Vector<D>, desired: &Vector<D>) -> Vector<D> {
     let Some((newcomer, others)) = rows.split_last() else { return *before };
     let mut search = Search { rows, desired, best: settle(rows, shorten(newcomer, before)) };
-    if search.consider(&[newcomer]) {
+    let alone = closest_on(&[newcomer], desired);
+    if alone.is_some_and(|alone| search.consider(alone)) {
         return search.best;
     }
-    if D >= 2 {
-        for (index, first) in others.iter().enumerate() {
-            search.consider(&[first, newcomer]);
-            if D >= 3 {
-                for second in &others[index + 1..] {
-                    search.consider(&[first, second, newcomer]);
-                }
+    let breaks = |row: &Row<D>| alone.is_none_or(|alone| !row.holds(&alone));
+    for (index, first) in others.iter().enumerate() {
+        let first_breaks = breaks(first);
+        if D >= 2 && first_breaks {
+            search.consider_all(&[first, newcomer]);
+        }
+        if D >= 3 {
+            for second in others[..index].iter().filter(|second| first_breaks || breaks(second)) {
+                search.consider_all(&[first, second, newcomer]);
             }
         }
     }
@@ -150,9 +156,14 @@ struct Search<'a, const D: usize> {
 }
 
 impl<const D: usize> Search<'_, D> {
-    /// Takes the candidate of these boundaries if it is the best yet; true when it breaks no row just as it is.
-    fn consider(&mut self, boundaries: &[&Row<D>]) -> bool {
-        let Some(candidate) = closest_on(boundaries, self.desired) else { return false };
+    fn consider_all(&mut self, boundaries: &[&Row<D>]) {
+        if let Some(candidate) = closest_on(boundaries, self.desired) {
+            self.consider(candidate);
+        }
+    }
+
+    /// Takes the candidate if it is the best yet; true when it breaks no row just as it is.
+    fn consider(&mut self, candidate: Vector<D>) -> bool {
         if !is_finite(&candidate) || !self.is_closer(&candidate) {
             return false;
         }

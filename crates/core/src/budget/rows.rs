@@ -1,10 +1,12 @@
 //! All rows of one robot in one tick, and recovery from starts outside the set.
 
 use crate::budget::curvature::Curvature;
-use crate::budget::knowledge::{Assume, Known, Sighting, Trust, number};
+use crate::budget::interval::number;
+use crate::budget::knowledge::{Assume, Known, Sighting, Trust};
 use crate::budget::project::{Closest, Program};
 use crate::budget::reach::Reach;
 use crate::budget::row::Row;
+use crate::link::Link;
 use crate::math::{Vector, add_scaled, dot, is_finite, length};
 
 /// What bounds the loss of connectivity.
@@ -47,7 +49,7 @@ pub struct Budget {
 pub struct Memory<'memory, const D: usize> {
     /// `2·D + 2·N + 1` rows are always enough for N neighbours.
     pub rows: &'memory mut [Row<D>],
-    /// At least N numbers.
+    /// At least N numbers; with N² the weights between neighbours are computed once instead of twice.
     pub weights: &'memory mut [f64],
 }
 
@@ -114,29 +116,29 @@ impl Budget {
         memory: Memory<'memory, D>,
     ) -> Rows<'memory, D> {
         let Memory { rows, weights } = memory;
-        let own = self.own(sightings, weights);
-        let program = Program::new(rows, reach);
+        let mut own = self.own(sightings, weights);
         let desired_m = desired_m.map(|component| if component.is_finite() { component } else { 0.0 });
-        let mut rows = Rows { program, desired_m, h: own.h, broken: 0 };
+        let mut rows = Rows { program: Program::new(rows, reach), desired_m, h: own.h, broken: 0 };
         if weights.len() < sightings.len() {
             rows.program.push(stay());
         }
-        if self.form() == Form::Level {
-            let spend = self.gamma * own.h.max(0.0) / (own.degree + 1.0);
-            rows.program.push(Row::far_level(&own.gradient, own.bend, spend));
-        }
-        if own.h < 0.0 {
-            rows.raise(&own.gradient, self.mend_m(-own.h, &own.gradient));
-        }
-        for (index, sighting) in sightings.iter().enumerate() {
-            if !is_finite(&sighting.offset_m) {
+        let (count, unseen) = (sightings.len(), self.unseen(sightings));
+        let tabulated = self.tabulate(sightings, weights);
+        for (index, Sighting { offset_m, claim }) in sightings.iter().enumerate() {
+            if !is_finite(offset_m) {
                 rows.program.push(stay());
-            } else if self.link(&sighting.offset_m).is_some() {
-                let known = self.known(index, sightings, weights);
-                self.push_far(&own, &sighting.offset_m, &known, &mut rows);
-                self.push_near(&sighting.offset_m, &mut rows);
+            } else if let Some(link) = self.link(offset_m) {
+                let interval = if tabulated {
+                    self.bounds(offset_m, &mut weights[index * count..(index + 1) * count], unseen)
+                } else {
+                    self.interval(index, sightings, weights)
+                };
+                own.gradient = add_scaled(&own.gradient, 1.0, &link.gradient(offset_m));
+                self.push_far(&mut own, offset_m, &link, &self.believe(&interval, *claim), &mut rows);
+                self.push_near(offset_m, &mut rows);
             }
         }
+        self.push_own(&own, &mut rows);
         rows
     }
 
@@ -157,13 +159,13 @@ impl Budget {
 
     fn push_far<const D: usize>(
         &self,
-        own: &Own<D>,
+        own: &mut Own<D>,
         offset: &Vector<D>,
+        link: &Link<f64>,
         known: &Known,
         rows: &mut Rows<'_, D>,
     ) {
-        let gradient = self.link(offset).map_or([0.0; D], |link| link.gradient(offset));
-        let distance_m = length(offset);
+        let (distance_m, gradient) = (length(offset), link.gradient(offset));
         rows.program.push(match self.form() {
             Form::Link => {
                 let slope = self.curvature.slope_max(distance_m, self.move_max_m);
@@ -172,11 +174,22 @@ impl Budget {
             }
             Form::Level => {
                 let bend = self.curvature.bend_max(distance_m, self.move_max_m);
+                own.bend += bend;
                 Row::far_level(&gradient, bend, self.gamma * known.budget / (known.degree_max + 1.0))
             }
         });
         if known.deficit > 0.0 {
             rows.raise(&gradient, self.mend_m(known.deficit, &gradient));
+        }
+    }
+
+    fn push_own<const D: usize>(&self, own: &Own<D>, rows: &mut Rows<'_, D>) {
+        if self.form() == Form::Level {
+            let spend = self.gamma * own.h.max(0.0) / (own.degree + 1.0);
+            rows.program.push(Row::far_level(&own.gradient, own.bend, spend));
+        }
+        if own.h < 0.0 {
+            rows.raise(&own.gradient, self.mend_m(-own.h, &own.gradient));
         }
     }
 
@@ -189,17 +202,13 @@ impl Budget {
         }
     }
 
+    /// h_i and δ_i; the gradient and κ_ii are summed with the rows.
     fn own<const D: usize>(&self, sightings: &[Sighting<D>], weights: &mut [f64]) -> Own<D> {
         let h = self.level(sightings, weights) - f64::from(self.required());
-        let (mut gradient, mut bend, mut degree) = ([0.0; D], 0.0, 0);
-        for Sighting { offset_m, .. } in sightings {
-            if let Some(link) = self.link(offset_m) {
-                degree += 1;
-                gradient = add_scaled(&gradient, 1.0, &link.gradient(offset_m));
-                bend += self.curvature.bend_max(length(offset_m), self.move_max_m);
-            }
-        }
-        Own { h, degree: number(degree), gradient, bend }
+        let radius_m = self.curvature.link().radius_m;
+        let in_range = |offset: &Vector<D>| radius_m * radius_m - dot(offset, offset) >= 0.0;
+        let degree = sightings.iter().filter(|sighting| in_range(&sighting.offset_m)).count();
+        Own { h, degree: number(degree), gradient: [0.0; D], bend: 0.0 }
     }
 
     /// How far to go along `gradient` (1/m) to make up for `deficit`, m, at most ρ.

@@ -23,7 +23,7 @@ impl<const D: usize> Case<D> {
     /// Balls and half-spaces of the sizes that the controller meets.
     pub(crate) fn ordinary(seed: u64) -> Self {
         let mut random = Seeded(seed);
-        let rows = (0..1 + random.below(12))
+        let rows = (0..=random.below(12))
             .map(|_| {
                 let normal = core::array::from_fn(|_| random.between(-2.0, 2.0));
                 let curvature = [0.0, 1.0, random.between(0.1, 8.0)][random.below(3)];
@@ -38,7 +38,7 @@ impl<const D: usize> Case<D> {
         let mut random = Seeded(seed);
         let mut rows: Vec<Row<D>> = Vec::new();
         let axis: Vector<D> = core::array::from_fn(|_| random.between(-2.0, 2.0));
-        for _ in 0..1 + random.below(8) {
+        for _ in 0..=random.below(8) {
             let any: Vector<D> = core::array::from_fn(|_| random.between(-2.0, 2.0));
             let turn = [1.0, -1.0, 0.5, -3.0][random.below(4)];
             let normal = match random.below(6) {
@@ -76,7 +76,9 @@ impl<const D: usize> Case<D> {
     pub(crate) fn solve(&self) -> Closest<D> {
         let mut memory = [Row::default(); ROWS_MAX];
         let mut program = Program::new(&mut memory, Reach::new(&self.input, 1.0));
-        self.rows.iter().for_each(|row| program.push(*row));
+        for row in &self.rows {
+            program.push(*row);
+        }
         let closest = program.closest(&self.desired);
         let v = closest.displacement_m;
         assert!(!program.is_full() && self.admits(&v), "{v:?} is not admissible in {self:?}");

@@ -28,7 +28,9 @@ pub(crate) fn crate_rows<const D: usize>(
     sightings: &[Sighting<D>],
     reach: Reach<D>,
 ) -> Vec<Row<D>> {
-    let memory = Memory { rows: &mut [Row::default(); ROWS_MAX], weights: &mut [0.0; 16] };
+    // every other time with memory for the weights of the neighbours alone: the answer must be the same
+    let scratch = if sightings.len().is_multiple_of(2) { 144 } else { sightings.len() };
+    let memory = Memory { rows: &mut [Row::default(); ROWS_MAX], weights: &mut vec![0.0; scratch] };
     budget.rows(sightings, &[0.0; D], reach, memory).program.rows().to_vec()
 }
 
@@ -199,7 +201,9 @@ impl<const D: usize> Team<D> {
             };
             let mut memory = [Row::default(); ROWS_MAX];
             let mut program = Program::new(&mut memory, self.reach);
-            rows.iter().for_each(|row| program.push(*row));
+            for row in &rows {
+                program.push(*row);
+            }
             assert!(!program.is_full(), "memory for all rows");
             let v = program.closest(&desired.map(|component| far * component)).displacement_m;
             let mut x = self.positions.clone();
@@ -273,7 +277,9 @@ impl<const D: usize> Team<D> {
         let desired = closest.map_or([0.0; D], |offset| offset.map(|component| -component));
         let mut memory = [Row::default(); ROWS_MAX];
         let mut program = Program::new(&mut memory, self.reach);
-        builder(&self.budget, &sightings, self.reach).iter().for_each(|row| program.push(*row));
+        for row in builder(&self.budget, &sightings, self.reach) {
+            program.push(row);
+        }
         program.closest(&desired).displacement_m
     }
 
