@@ -6,7 +6,6 @@ use crate::budget::knowledge::{Assume, Known, Sighting, Trust};
 use crate::budget::project::{Closest, Program};
 use crate::budget::reach::Reach;
 use crate::budget::row::Row;
-use crate::link::Link;
 use crate::math::{Vector, add_scaled, dot, is_finite, length};
 
 /// What bounds the loss of connectivity.
@@ -19,7 +18,10 @@ pub enum Form {
     Level,
 }
 
-/// The controller `budget`. All robots of a team have the same, trust and form excepted.
+/// The controller `budget`. All robots of a team must have the same; only trust may differ.
+///
+/// Not even the form: (far) bounds the loss of a link by the distance, (far′) by the joint move of both ends, and a pair
+/// of which one end has each is covered by neither proof.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Budget {
     /// Bounds of the link weight's derivatives, and its shape.
@@ -32,7 +34,7 @@ pub struct Budget {
     pub distance_min_m: f64,
     /// ρ, m: the longest move of *any* robot in a tick, see [`Reach::longest_m`].
     pub move_max_m: f64,
-    /// γ in (0, 1]: the share of h_k that may be lost in a tick.
+    /// γ in (0, 1]: the share of h_k that may be lost in a tick. To lose at a rate α (1/s), `γ = 1 − e^(−αT)`.
     pub gamma: f64,
     /// γ_c in (0, 1]: the share of D − Δ_d² that may be lost in a tick.
     pub gamma_c: f64,
@@ -125,18 +127,13 @@ impl Budget {
         let (count, unseen) = (sightings.len(), self.unseen(sightings));
         let tabulated = self.tabulate(sightings, weights);
         for (index, Sighting { offset_m, claim }) in sightings.iter().enumerate() {
-            if !is_finite(offset_m) {
-                rows.program.push(stay());
-            } else if let Some(link) = self.link(offset_m) {
-                let interval = if tabulated {
-                    self.bounds(offset_m, &mut weights[index * count..(index + 1) * count], unseen)
-                } else {
-                    self.interval(index, sightings, weights)
-                };
-                own.gradient = add_scaled(&own.gradient, 1.0, &link.gradient(offset_m));
-                self.push_far(&mut own, offset_m, &link, &self.believe(&interval, *claim), &mut rows);
-                self.push_near(offset_m, &mut rows);
-            }
+            let interval = if tabulated {
+                self.bounds(offset_m, &mut weights[index * count..(index + 1) * count], unseen)
+            } else {
+                self.interval(index, sightings, weights)
+            };
+            let known = self.believe(&interval, *claim);
+            self.push_neighbor(&mut own, offset_m, &known, &mut rows);
         }
         self.push_own(&own, &mut rows);
         rows
@@ -157,15 +154,32 @@ impl Budget {
         if slope_max <= 0.0 { f64::INFINITY } else { self.gamma / (4.0 * slope_max) * least }
     }
 
+    fn push_neighbor<const D: usize>(
+        &self,
+        own: &mut Own<D>,
+        offset: &Vector<D>,
+        known: &Known,
+        rows: &mut Rows<'_, D>,
+    ) {
+        if !is_finite(offset) {
+            rows.program.push(stay());
+        } else if let Some(link) = self.link(offset) {
+            let gradient = link.gradient(offset);
+            own.gradient = add_scaled(&own.gradient, 1.0, &gradient);
+            self.push_far(own, offset, &gradient, known, rows);
+            self.push_near(offset, rows);
+        }
+    }
+
     fn push_far<const D: usize>(
         &self,
         own: &mut Own<D>,
         offset: &Vector<D>,
-        link: &Link<f64>,
+        gradient: &Vector<D>,
         known: &Known,
         rows: &mut Rows<'_, D>,
     ) {
-        let (distance_m, gradient) = (length(offset), link.gradient(offset));
+        let distance_m = length(offset);
         rows.program.push(match self.form() {
             Form::Link => {
                 let slope = self.curvature.slope_max(distance_m, self.move_max_m);
@@ -175,11 +189,11 @@ impl Budget {
             Form::Level => {
                 let bend = self.curvature.bend_max(distance_m, self.move_max_m);
                 own.bend += bend;
-                Row::far_level(&gradient, bend, self.gamma * known.budget / (known.degree_max + 1.0))
+                Row::far_level(gradient, bend, self.gamma * known.budget / (known.degree_max + 1.0))
             }
         });
         if known.deficit > 0.0 {
-            rows.raise(&gradient, self.mend_m(known.deficit, &gradient));
+            rows.raise(gradient, self.mend_m(known.deficit, gradient));
         }
     }
 
