@@ -27,6 +27,7 @@
 #![no_std]
 
 pub mod barrier;
+pub mod budget;
 pub mod composed;
 mod exponential;
 pub mod link;

@@ -1,0 +1,93 @@
+//! One robot under `budget`: its rows, the closest point, both.
+//!
+//! `cargo bench -p closeranks-core --bench budget`
+
+use closeranks_core::budget::curvature::Curvature;
+use closeranks_core::budget::knowledge::{Assume, Claim, Sighting, Trust};
+use closeranks_core::budget::reach::Reach;
+use closeranks_core::budget::row::Row;
+use closeranks_core::budget::rows::{Budget, Form, Memory};
+use closeranks_core::link::LinkShape;
+use closeranks_core::program::InputBox;
+use divan::{Bencher, black_box};
+
+fn main() {
+    divan::main();
+}
+
+/// Ten neighbours on two rings, as in the paper's formations.
+const OFFSETS: [[f64; 2]; 10] = [
+    [0.6, 0.0],
+    [-0.6, 0.1],
+    [0.3, 0.52],
+    [-0.3, -0.52],
+    [1.2, 0.4],
+    [-1.1, 0.9],
+    [0.2, -1.4],
+    [2.1, 1.0],
+    [-1.8, -1.6],
+    [2.4, -1.3],
+];
+
+/// Few rows cut the box at 5 ms, nearly all at 50 ms.
+const PERIODS_S: [f64; 2] = [0.005, 0.05];
+
+fn scene<const D: usize>(period_s: f64, assume: Assume, form: Form) -> (Budget, Reach<D>, [Sighting<D>; 10]) {
+    let reach = Reach::new(&InputBox { min_m_s: [-1.5; D], max_m_s: [1.5; D] }, period_s);
+    let budget = Budget {
+        curvature: Curvature::new(LinkShape { radius_m: 3.0, q1: 2.099, q2: 0.3 }),
+        robots: 11,
+        faults: 2,
+        distance_min_m: 0.3,
+        move_max_m: reach.longest_m(),
+        gamma: 0.2,
+        gamma_c: 0.2,
+        trust: Trust::ToldOrSeen,
+        assume,
+        form,
+    };
+    let claim = Some(Claim { level: 7.05, age_ticks: 1 });
+    let sightings =
+        OFFSETS.map(|[x, y]| Sighting { offset_m: core::array::from_fn(|d| [x, y, 0.3 * x * y][d]), claim });
+    (budget, reach, sightings)
+}
+
+fn whole<const D: usize>(bencher: Bencher<'_, '_>, period_s: f64, assume: Assume, form: Form) {
+    let (budget, reach, sightings) = scene::<D>(period_s, assume, form);
+    let (mut rows, mut weights) = ([Row::default(); 27], [0.0; 100]);
+    let mut desired = [0.0; D];
+    desired[0] = -period_s;
+    bencher.bench_local(|| {
+        let memory = Memory { rows: &mut rows, weights: &mut weights };
+        budget.rows(black_box(&sightings), black_box(&desired), reach, memory).closest()
+    });
+}
+
+#[divan::bench(args = PERIODS_S)]
+fn links_of_ten_neighbours(bencher: Bencher<'_, '_>, period_s: f64) {
+    whole::<2>(bencher, period_s, Assume::Obedient, Form::Link);
+}
+
+#[divan::bench(args = PERIODS_S)]
+fn levels_of_ten_neighbours(bencher: Bencher<'_, '_>, period_s: f64) {
+    whole::<2>(bencher, period_s, Assume::Obedient, Form::Level);
+}
+
+#[divan::bench(args = PERIODS_S)]
+fn free_of_ten_neighbours(bencher: Bencher<'_, '_>, period_s: f64) {
+    whole::<2>(bencher, period_s, Assume::Free, Form::Link);
+}
+
+#[divan::bench(args = PERIODS_S)]
+fn levels_of_ten_neighbours_in_3d(bencher: Bencher<'_, '_>, period_s: f64) {
+    whole::<3>(bencher, period_s, Assume::Obedient, Form::Level);
+}
+
+#[divan::bench(args = PERIODS_S)]
+fn closest_of_ten_neighbours(bencher: Bencher<'_, '_>, period_s: f64) {
+    let (budget, reach, sightings) = scene::<2>(period_s, Assume::Obedient, Form::Level);
+    let (mut rows, mut weights) = ([Row::default(); 27], [0.0; 100]);
+    let memory = Memory { rows: &mut rows, weights: &mut weights };
+    let mut rows = budget.rows(&sightings, &[-period_s, 0.0], reach, memory);
+    bencher.bench_local(|| black_box(&mut rows).closest());
+}

@@ -1,0 +1,163 @@
+//! The point of several boundaries at once that is closest to a given one.
+
+use crate::budget::row::Row;
+use crate::math::{Vector, add_scaled, dot, sqrt, subtract};
+
+/// Planes count as parallel below this square of the sine of their angle.
+const PARALLEL: f64 = 1e-24;
+/// Boundaries count as touching while the square of the radius they leave is negative by no more than this share.
+const TOUCHING: f64 = 1e-12;
+
+/// The point closest to `point` among those where all of `rows` (at most D) hold with equality; `None` if there is none,
+/// if several are equally close, or if the boundaries are parallel.
+///
+/// Of the balls, the most curved stays; the difference of another and its multiple is a plane. The planes leave a flat of
+/// `D − (count − 1)` dimensions, the ball a sphere in it. One Newton step removes most of the rounding.
+pub(crate) fn closest_on<const D: usize>(rows: &[&Row<D>], point: &Vector<D>) -> Option<Vector<D>> {
+    let mut sphere = *rows.first()?;
+    for row in rows {
+        if row.curvature() > sphere.curvature() {
+            sphere = row;
+        }
+    }
+    let mut flat = Flat::whole();
+    for row in rows.iter().filter(|row| !core::ptr::eq(**row, sphere)) {
+        let share = if sphere.curvature() > 0.0 { row.curvature() / sphere.curvature() } else { 0.0 };
+        let normal = add_scaled(row.normal(), -share, sphere.normal());
+        flat.cut(&normal, row.bound() - share * sphere.bound())?;
+    }
+    let mut closest = if sphere.curvature() > 0.0 {
+        flat.closest_on_sphere(sphere, point)?
+    } else {
+        flat.cut(sphere.normal(), sphere.bound())?;
+        flat.closest(point)
+    };
+    if !rows.iter().all(|row| row.holds(&closest)) {
+        polish(rows, &mut closest);
+    }
+    for row in rows {
+        if let Some(axis) = row.axis() {
+            closest[axis] = row.bound() / row.normal()[axis];
+        }
+    }
+    Some(closest)
+}
+
+/// One Newton step onto all boundaries at once, the shortest there is; none if they touch.
+fn polish<const D: usize>(rows: &[&Row<D>], v: &mut Vector<D>) {
+    let mut step = Flat::whole();
+    for row in rows {
+        let gradient = add_scaled(row.normal(), 2.0 * row.curvature(), v);
+        if step.cut(&gradient, row.bound() - row.value(v)).is_none() {
+            return;
+        }
+    }
+    *v = add_scaled(v, 1.0, &step.base);
+}
+
+/// An intersection of planes: `base` plus everything perpendicular to the first `count` of `axes`.
+struct Flat<const D: usize> {
+    axes: [Vector<D>; D],
+    count: usize,
+    /// The point closest to 0.
+    base: Vector<D>,
+}
+
+impl<const D: usize> Flat<D> {
+    fn whole() -> Self {
+        Self { axes: [[0.0; D]; D], count: 0, base: [0.0; D] }
+    }
+
+    /// Intersects with `normal·v = bound`.
+    fn cut(&mut self, normal: &Vector<D>, bound: f64) -> Option<()> {
+        let rest = self.within(normal);
+        let square = dot(&rest, &rest);
+        if square.is_nan() || square <= PARALLEL * dot(normal, normal) {
+            return None;
+        }
+        let length = sqrt(square);
+        let axis = rest.map(|component| component / length);
+        let missing = (bound - dot(normal, &self.base)) / dot(normal, &axis);
+        self.base = add_scaled(&self.base, missing, &axis);
+        *self.axes.get_mut(self.count)? = axis;
+        self.count += 1;
+        Some(())
+    }
+
+    /// The part of `a` along the flat; subtracted twice, so that what remains is perpendicular to its last digit.
+    fn within(&self, a: &Vector<D>) -> Vector<D> {
+        let mut rest = *a;
+        for _ in 0..2 {
+            for axis in &self.axes[..self.count] {
+                rest = add_scaled(&rest, -dot(&rest, axis), axis);
+            }
+        }
+        rest
+    }
+
+    fn closest(&self, point: &Vector<D>) -> Vector<D> {
+        let along = self.within(&subtract(point, &self.base));
+        add_scaled(&self.base, 1.0, &along)
+    }
+
+    /// The point of the flat on the boundary of the ball `row` that is closest to `point` p.
+    ///
+    /// ```text
+    /// w = p − t G,   G = n + 2 c p,   t = 2 q(p) / (|G| (|G| + ρ)),   ρ² = |n|² + 4 c b,   q(p) = n·p + c|p|² − b
+    /// ```
+    ///
+    /// with p, n along the flat and b what the base leaves of the bound: no centre, so no loss for nearly flat balls.
+    fn closest_on_sphere(&self, row: &Row<D>, point: &Vector<D>) -> Option<Vector<D>> {
+        let curvature = row.curvature();
+        let bound = row.bound() - row.value(&self.base);
+        let (start, normal) = (self.within(point), self.within(row.normal()));
+        let (square, lift) = (dot(&normal, &normal), 4.0 * curvature * bound);
+        if square + lift < -TOUCHING * (square + lift.abs()) {
+            return None;
+        }
+        let (radius, steep) = (sqrt((square + lift).max(0.0)), add_scaled(&normal, 2.0 * curvature, &start));
+        let length = sqrt(dot(&steep, &steep));
+        if length.is_nan() || length <= 0.0 {
+            return None;
+        }
+        let excess = dot(&normal, &start) + curvature * dot(&start, &start) - bound;
+        let w = add_scaled(&start, -2.0 * excess / (length * (length + radius)), &steep);
+        Some(add_scaled(&self.base, 1.0, &self.within(&w)))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn near(a: Option<Vector<3>>, b: Vector<3>) -> bool {
+        a.is_some_and(|a| (0..3).all(|d| (a[d] - b[d]).abs() < 1e-15))
+    }
+
+    #[test]
+    fn one_two_and_three_boundaries_by_hand() {
+        let ball = Row::new([0.0; 3], 1.0, 4.0);
+        let floor = Row::new([0.0, 0.0, 1.0], 0.0, 0.0);
+        let wall = Row::new([2.0, 0.0, 0.0], 0.0, 2.0);
+        let p = [0.0, 3.0, 5.0];
+        assert!(near(closest_on(&[&floor], &p), [0.0, 3.0, 0.0]));
+        assert!(near(closest_on(&[&ball, &floor], &p), [0.0, 2.0, 0.0]));
+        assert!(near(closest_on(&[&ball, &floor, &wall], &p), [1.0, libm::sqrt(3.0), 0.0]));
+        let moved = Row::new([-2.0, 0.0, 0.0], 1.0, 3.0);
+        assert!(near(
+            closest_on(&[&ball, &moved], &p).map(|v| [v[0], v[1] * v[1] + v[2] * v[2], 0.0]),
+            [0.5, 3.75, 0.0]
+        ));
+    }
+
+    #[test]
+    fn no_point_or_no_single_one() {
+        let ball = Row::new([0.0; 3], 1.0, 4.0);
+        let beyond = Row::new([1.0, 0.0, 0.0], 0.0, 3.0);
+        assert_eq!(closest_on(&[&ball, &beyond], &[0.0, 1.0, 0.0]), None);
+        assert_eq!(closest_on(&[&ball], &[0.0; 3]), None);
+        assert_eq!(closest_on(&[&beyond, &beyond.clone()], &[0.0; 3]), None);
+        assert_eq!(closest_on(&[&ball, &ball.clone()], &[1.0; 3]), None);
+        assert_eq!(closest_on::<3>(&[], &[1.0; 3]), None);
+    }
+}

@@ -1,0 +1,154 @@
+//! Bounds of a neighbour's level from positions alone: the verified interval.
+
+use crate::budget::knowledge::{Assume, Sighting};
+use crate::budget::rows::Budget;
+use crate::link::Link;
+use crate::math::{Vector, dot, is_finite, subtract};
+
+/// Bounds of the level of a neighbour, from positions alone.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Interval {
+    /// The level if no robot out of sight is near it.
+    pub low: f64,
+    /// The level if every robot out of sight is as near to it as it can be.
+    pub high: f64,
+    /// δ⁺: its neighbours, and every robot out of sight; at least 1.
+    pub degree_max: f64,
+}
+
+impl Budget {
+    /// F′ or θ: the level below which h is negative.
+    //= theory D
+    #[must_use]
+    pub fn required(&self) -> u16 {
+        match self.assume {
+            Assume::Obedient => crate::barrier::required_degree(self.robots, self.faults),
+            Assume::Free => self.faults.saturating_add(self.robots.saturating_sub(self.faults) / 2),
+        }
+    }
+
+    /// What robot i has to tell: its level, or the trimmed one. Zero if `weights` is shorter than `sightings`.
+    #[must_use]
+    pub fn level<const D: usize>(&self, sightings: &[Sighting<D>], weights: &mut [f64]) -> f64 {
+        let own = sightings.iter().map(|sighting| self.entry(&sighting.offset_m));
+        fill(own, weights).map_or(0.0, |weights| self.total(weights, 0.0, 0))
+    }
+
+    /// The verified interval of the level of `sightings[index]`. `weights` is scratch, as long as `sightings`.
+    ///
+    /// ```text
+    /// low = Σ_{p seen} a_jp,    high = low + (robots out of sight) · a(max(R − Δ_ij, 0))
+    /// ```
+    ///
+    /// because |x_p − x_i| > R for a robot p out of sight, so Δ_jp > R − Δ_ij. Under [`Assume::Free`] the F largest of the
+    /// same terms are left out; a trimmed sum falls when terms are taken away or made smaller, so both bounds remain.
+    /// A sighting that is not finite counts as out of sight. Too little scratch gives `low = high = 0`, which is safe.
+    //= theory 2.7
+    #[must_use]
+    pub fn interval<const D: usize>(
+        &self,
+        index: usize,
+        sightings: &[Sighting<D>],
+        weights: &mut [f64],
+    ) -> Interval {
+        let Some(of) = sightings.get(index).map(|sighting| sighting.offset_m) else {
+            return self.nothing();
+        };
+        let row = sightings.iter().enumerate().map(|(other, sighting)| {
+            let offset = if other == index { of } else { subtract(&sighting.offset_m, &of) };
+            self.entry(&offset)
+        });
+        let unseen = self.unseen(sightings);
+        fill(row, weights).map_or_else(|| self.nothing(), |weights| self.bounds(&of, weights, unseen))
+    }
+
+    /// The weights that [`interval`](Self::interval) adds up, of every sighting with every other one, each computed
+    /// once: line j of the table belongs to sighting j and holds its link to robot i in column j. False if `table` is
+    /// shorter than the square of the sightings.
+    pub(crate) fn tabulate<const D: usize>(&self, sightings: &[Sighting<D>], table: &mut [f64]) -> bool {
+        let count = sightings.len();
+        if count.checked_mul(count).is_none_or(|square| table.len() < square) {
+            return false;
+        }
+        for (line, of) in sightings.iter().enumerate() {
+            table[line * count + line] = self.entry(&of.offset_m);
+            for (column, other) in sightings[..line].iter().enumerate() {
+                let entry = self.entry(&subtract(&other.offset_m, &of.offset_m));
+                table[line * count + column] = entry;
+                table[column * count + line] = entry;
+            }
+        }
+        true
+    }
+
+    /// The interval of a neighbour at `offset` from the weights of its links, −1 for those out of its range.
+    pub(crate) fn bounds<const D: usize>(
+        &self,
+        offset: &Vector<D>,
+        weights: &mut [f64],
+        unseen: usize,
+    ) -> Interval {
+        let degree = unseen.saturating_add(weights.iter().filter(|weight| **weight >= 0.0).count());
+        let nearest_m = (self.curvature.link().radius_m - crate::math::length(offset)).max(0.0);
+        let low = self.total(weights, 0.0, 0);
+        let high = match unseen {
+            0 => low,
+            _ => self.total(weights, self.entry(&[nearest_m]).max(0.0), unseen),
+        };
+        Interval { low, high, degree_max: number(degree.max(1)) }
+    }
+
+    /// Robots of the team that are not among the sightings.
+    pub(crate) fn unseen<const D: usize>(&self, sightings: &[Sighting<D>]) -> usize {
+        let seen = sightings.iter().filter(|sighting| is_finite(&sighting.offset_m)).count();
+        usize::from(self.robots).saturating_sub(seen.saturating_add(1))
+    }
+
+    fn nothing(&self) -> Interval {
+        Interval { low: 0.0, high: 0.0, degree_max: f64::from(self.robots).max(1.0) }
+    }
+
+    pub(crate) fn link<const D: usize>(&self, offset: &Vector<D>) -> Option<Link<f64>> {
+        self.curvature.link().link_at(dot(offset, offset))
+    }
+
+    /// The weight of a link; −1 where there is none.
+    fn entry<const D: usize>(&self, offset: &Vector<D>) -> f64 {
+        self.link(offset).map_or(-1.0, |link| link.weight)
+    }
+
+    /// Sum of the positive `weights` and `copies` more of size `extra`, without the F largest of them under [`Assume::Free`].
+    fn total(&self, weights: &mut [f64], extra: f64, copies: usize) -> f64 {
+        let drop = match self.assume {
+            Assume::Obedient => 0,
+            Assume::Free => usize::from(self.faults),
+        };
+        let (mut kept, mut copies) = (&*weights, copies);
+        if drop > 0 {
+            weights.sort_unstable_by(f64::total_cmp);
+            kept = weights;
+        }
+        for _ in 0..drop {
+            match kept.split_last() {
+                Some((largest, rest)) if copies == 0 || *largest >= extra => kept = rest,
+                _ => copies = copies.saturating_sub(1),
+            }
+        }
+        kept.iter().fold(0.0, |sum, weight| sum + weight.max(0.0)) + number(copies) * extra
+    }
+}
+
+/// The leading part of `memory`, filled; `None` if it is too short.
+fn fill(numbers: impl Iterator<Item = f64>, memory: &mut [f64]) -> Option<&mut [f64]> {
+    let mut count = 0;
+    for number in numbers {
+        *memory.get_mut(count)? = number;
+        count += 1;
+    }
+    memory.get_mut(..count)
+}
+
+/// A count as a number; exact, because no team has 2³² robots.
+pub(crate) fn number(count: usize) -> f64 {
+    u32::try_from(count).map_or(f64::MAX, f64::from)
+}

@@ -1,0 +1,119 @@
+//! What robot i knows about the spare connectivity h_j of a neighbour, whatever it is told.
+
+use crate::budget::interval::Interval;
+use crate::budget::rows::Budget;
+use crate::math::Vector;
+
+/// What a robot believes about the levels of its neighbours.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Trust {
+    /// What was told, cut to what is possible.
+    Told,
+    /// The larger of what was told and what is seen.
+    ToldOrSeen,
+    /// What is seen alone. No level need be sent, so there is nothing to lie about.
+    Seen,
+}
+
+/// What malicious robots are assumed to do.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Assume {
+    /// They lie but move by the rows (Assumption 1): `h_k = Σ_j a_kj − F′`, `F′ = F + ⌊n/2⌋`.
+    Obedient,
+    /// They move as they like and tell every neighbour another value: `h_k = T_k − θ`, `θ = F + ⌊(n−F)/2⌋`, with T_k the
+    /// sum of the a_kj without its F largest terms.
+    Free,
+}
+
+/// A level that a neighbour told: the sum of its weights, or the trimmed sum, by [`Assume`].
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Claim {
+    /// As told. Any number is safe; what is not finite counts as not told.
+    pub level: f64,
+    /// m: ticks since the positions that it describes; 0 for those of this tick.
+    pub age_ticks: u32,
+}
+
+/// A neighbour as robot i senses and hears it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Sighting<const D: usize> {
+    /// x_i − x_j, m.
+    pub offset_m: Vector<D>,
+    /// The last that it told.
+    pub claim: Option<Claim>,
+}
+
+/// What robot i knows of h_j.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Known {
+    /// b_ij ≥ 0: for an honest robot that the theorem covers, never more than h_j⁺.
+    pub budget: f64,
+    /// By how much h_j is certainly below 0; at least 0.
+    pub deficit: f64,
+    /// δ⁺_ij.
+    pub degree_max: f64,
+}
+
+impl Budget {
+    /// b_ij, what robot i may count on: the larger of 0 and, by [`Trust`], of what was told and what is seen.
+    ///
+    /// ```text
+    /// told: min( (1−γ)ᵐ (c_j − required), high − required )        m ticks old
+    /// seen: low − required
+    /// ```
+    ///
+    /// First discounted, then cut to the interval of today. Discounted first, because `h_j ≥ (1−γ)ᵐ h_j(then)` is what the
+    /// theorem gives, and the interval of today bounds h_j of today, not of then. The cut can only lower the budget, so
+    /// it is sound; under [`Assume::Obedient`] it leaves every honest claim as it is, `(1−γ)ᵐ h_j(then) ≤ h_j ≤ high −
+    /// required`. Under [`Assume::Free`] T_j itself may fall faster when malicious robots leave; the old claim would still
+    /// be sound, because what the theorem protects are the sums over sets that leave F robots out, all of which are at
+    /// least T_j and decay by (1−γ) at most; there the cut costs a little room. A negative claim gives 0, never the
+    /// discount of a negative number.
+    //= method far
+    //= theory C
+    #[must_use]
+    pub fn known<const D: usize>(
+        &self,
+        index: usize,
+        sightings: &[Sighting<D>],
+        weights: &mut [f64],
+    ) -> Known {
+        let interval = self.interval(index, sightings, weights);
+        self.believe(&interval, sightings.get(index).and_then(|sighting| sighting.claim))
+    }
+
+    pub(crate) fn believe(&self, interval: &Interval, claim: Option<Claim>) -> Known {
+        let required = f64::from(self.required());
+        let seen = interval.low - required;
+        let told = claim.map_or(0.0, |claim| self.discounted(&claim).min(interval.high - required));
+        let believed = match self.trust {
+            Trust::Told => told,
+            Trust::ToldOrSeen => told.max(seen),
+            Trust::Seen => seen,
+        };
+        Known {
+            budget: believed.max(0.0),
+            deficit: (required - interval.high).max(0.0),
+            degree_max: interval.degree_max,
+        }
+    }
+
+    /// `(1−γ)ᵐ (c − required)⁺`; 0 for a claim that is not finite.
+    fn discounted(&self, claim: &Claim) -> f64 {
+        let spare = claim.level - f64::from(self.required());
+        if spare.is_finite() { power(1.0 - self.gamma, claim.age_ticks) * spare.max(0.0) } else { 0.0 }
+    }
+}
+
+/// `baseᵉ` by squaring, in the same order on every target.
+fn power(base: f64, exponent: u32) -> f64 {
+    let (mut result, mut square, mut rest) = (1.0, base, exponent);
+    while rest > 0 {
+        if rest & 1 == 1 {
+            result *= square;
+        }
+        square *= square;
+        rest >>= 1;
+    }
+    result
+}

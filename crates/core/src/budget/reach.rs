@@ -1,0 +1,83 @@
+//! Where one tick can take a robot.
+
+use crate::math::{Vector, length};
+use crate::program::InputBox;
+
+/// No tick takes a robot farther along an axis, m.
+const EDGE_MAX_M: f64 = 1e12;
+
+/// The displacements of one tick, `T U_i`: a box that contains 0.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Reach<const D: usize> {
+    min_m: Vector<D>,
+    max_m: Vector<D>,
+}
+
+impl<const D: usize> Reach<D> {
+    /// `T U_i` for a tick of `period_s`. A corner that is not a number, or on the wrong side of 0, becomes 0.
+    #[must_use]
+    pub fn new(input: &InputBox<D>, period_s: f64) -> Self {
+        Self {
+            min_m: input.min_m_s.map(|speed| -edge(-period_s * speed)),
+            max_m: input.max_m_s.map(|speed| edge(period_s * speed)),
+        }
+    }
+
+    /// Least displacement per axis, m, at most 0.
+    #[must_use]
+    pub fn min_m(&self) -> &Vector<D> {
+        &self.min_m
+    }
+
+    /// Greatest displacement per axis, m, at least 0.
+    #[must_use]
+    pub fn max_m(&self) -> &Vector<D> {
+        &self.max_m
+    }
+
+    /// ρ, m: no displacement in the box is longer.
+    #[must_use]
+    pub fn longest_m(&self) -> f64 {
+        let corner: Vector<D> = core::array::from_fn(|d| self.max_m[d].max(-self.min_m[d]));
+        length(&corner) * (1.0 + 4.0 * f64::EPSILON)
+    }
+
+    /// The point of the box closest to `v`; a component that is not a number becomes 0.
+    #[must_use]
+    pub fn clip(&self, v: &Vector<D>) -> Vector<D> {
+        let number = |component: f64| if component.is_nan() { 0.0 } else { component };
+        core::array::from_fn(|d| number(v[d]).max(self.min_m[d]).min(self.max_m[d]))
+    }
+
+    /// True when `v` is inside, borders included.
+    #[must_use]
+    pub fn contains(&self, v: &Vector<D>) -> bool {
+        (0..D).all(|d| self.min_m[d] <= v[d] && v[d] <= self.max_m[d])
+    }
+}
+
+/// How far an axis reaches to one side, m: far inside `f64`, so that squares stay finite.
+fn edge(reach_m: f64) -> f64 {
+    if reach_m > 0.0 { reach_m.min(EDGE_MAX_M) } else { 0.0 }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_tick_of_the_input_box() {
+        let input = InputBox { min_m_s: [-1.5, 0.0], max_m_s: [2.0, 4.0] };
+        let reach = Reach::new(&input, 0.5);
+        assert_eq!(reach, Reach { min_m: [-0.75, 0.0], max_m: [1.0, 2.0] });
+        assert!((reach.longest_m() - libm::sqrt(5.0)).abs() < 1e-14);
+        assert_eq!(reach.clip(&[-3.0, f64::NAN]), [-0.75, 0.0]);
+        assert!(reach.contains(&[1.0, 2.0]) && !reach.contains(&[1.0, -1e-300]));
+    }
+
+    #[test]
+    fn what_is_no_number_allows_no_move() {
+        let input = InputBox { min_m_s: [f64::NAN, 1.0], max_m_s: [f64::NAN, -1.0] };
+        assert_eq!(Reach::new(&input, 0.5), Reach { min_m: [0.0; 2], max_m: [0.0; 2] });
+    }
+}

@@ -1,0 +1,244 @@
+//! All rows of one robot in one tick, and recovery from starts outside the set.
+
+use crate::budget::curvature::Curvature;
+use crate::budget::interval::number;
+use crate::budget::knowledge::{Assume, Known, Sighting, Trust};
+use crate::budget::project::{Closest, Program};
+use crate::budget::reach::Reach;
+use crate::budget::row::Row;
+use crate::math::{Vector, add_scaled, dot, is_finite, length};
+
+/// What bounds the loss of connectivity.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Form {
+    /// (far): every link by itself.
+    Link,
+    /// (far′): the level of every robot; leaving one neighbour may be paid for by approaching another. Sound under
+    /// [`Assume::Obedient`] only; under [`Assume::Free`], `Link` is used in its place.
+    Level,
+}
+
+/// The controller `budget`. All robots of a team must have the same; only trust may differ.
+///
+/// Not even the form: (far) bounds the loss of a link by the distance, (far′) by the joint move of both ends, and a pair
+/// of which one end has each is covered by neither proof.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Budget {
+    /// Bounds of the link weight's derivatives, and its shape.
+    pub curvature: Curvature,
+    /// n.
+    pub robots: u16,
+    /// F.
+    pub faults: u16,
+    /// Δ_d, m.
+    pub distance_min_m: f64,
+    /// ρ, m: the longest move of *any* robot in a tick, see [`Reach::longest_m`].
+    pub move_max_m: f64,
+    /// γ in (0, 1]: the share of h_k that may be lost in a tick. To lose at a rate α (1/s), `γ = 1 − e^(−αT)`.
+    pub gamma: f64,
+    /// γ_c in (0, 1]: the share of D − Δ_d² that may be lost in a tick.
+    pub gamma_c: f64,
+    /// What is believed of levels.
+    pub trust: Trust,
+    /// What malicious robots may do.
+    pub assume: Assume,
+    /// Which rows bound the loss of connectivity.
+    pub form: Form,
+}
+
+/// Memory that the caller lends for one tick.
+#[derive(Debug)]
+pub struct Memory<'memory, const D: usize> {
+    /// `2·D + 2·N + 1` rows are always enough for N neighbours.
+    pub rows: &'memory mut [Row<D>],
+    /// At least N numbers; with N² the weights between neighbours are computed once instead of twice.
+    pub weights: &'memory mut [f64],
+}
+
+/// The rows of a tick.
+#[derive(Debug)]
+pub struct Rows<'memory, const D: usize> {
+    /// The program; its rows are all that bounds the move.
+    pub program: Program<'memory, D>,
+    /// The desired displacement, m, with the push of recovery.
+    pub desired_m: Vector<D>,
+    /// Own h_i, of the level or of the trimmed one.
+    pub h: f64,
+    /// What is known to be violated now: h_i < 0, h_j < 0 for certain, or a pair closer than Δ_d.
+    pub broken: usize,
+}
+
+/// Own state that every row of a tick needs.
+struct Own<const D: usize> {
+    h: f64,
+    degree: f64,
+    /// ∂h_i/∂x_i, 1/m.
+    gradient: Vector<D>,
+    /// κ_ii.
+    bend: f64,
+}
+
+impl<const D: usize> Rows<'_, D> {
+    /// The displacement, m: closest to the desired one, every row holds.
+    #[must_use]
+    pub fn closest(&mut self) -> Closest<D> {
+        self.program.closest(&self.desired_m)
+    }
+
+    /// Recovery: raises the desired displacement along `direction` to at least `wanted_m`.
+    fn raise(&mut self, direction: &Vector<D>, wanted_m: f64) {
+        self.broken += 1;
+        let size = length(direction);
+        if size > 0.0 && size.is_finite() && wanted_m > 0.0 {
+            let unit = direction.map(|component| component / size);
+            let missing = wanted_m - dot(&unit, &self.desired_m);
+            if missing > 0.0 {
+                self.desired_m = add_scaled(&self.desired_m, missing, &unit);
+            }
+        }
+    }
+}
+
+impl Budget {
+    /// All rows for a robot that senses `sightings`, wants to move by `desired_m` (m) and can move within `reach`.
+    ///
+    /// Whoever is farther away than R gets no row. A sighting that is not finite, or too little memory, allows no move. Where a
+    /// budget is negative, the right-hand side is 0 and the desired displacement is raised along the gradient of what is
+    /// violated, by what would mend it to first order, at most ρ: the violated h or distance cannot get worse.
+    //= method far
+    //= method near
+    //= method far-prime
+    //= method recovery
+    #[must_use]
+    pub fn rows<'memory, const D: usize>(
+        &self,
+        sightings: &[Sighting<D>],
+        desired_m: &Vector<D>,
+        reach: Reach<D>,
+        memory: Memory<'memory, D>,
+    ) -> Rows<'memory, D> {
+        let Memory { rows, weights } = memory;
+        let mut own = self.own(sightings, weights);
+        let desired_m = desired_m.map(|component| if component.is_finite() { component } else { 0.0 });
+        let mut rows = Rows { program: Program::new(rows, reach), desired_m, h: own.h, broken: 0 };
+        if weights.len() < sightings.len() {
+            rows.program.push(stay());
+        }
+        let (count, unseen) = (sightings.len(), self.unseen(sightings));
+        let tabulated = self.tabulate(sightings, weights);
+        for (index, Sighting { offset_m, claim }) in sightings.iter().enumerate() {
+            let interval = if tabulated {
+                self.bounds(offset_m, &mut weights[index * count..(index + 1) * count], unseen)
+            } else {
+                self.interval(index, sightings, weights)
+            };
+            let known = self.believe(&interval, *claim);
+            self.push_neighbor(&mut own, offset_m, &known, &mut rows);
+        }
+        self.push_own(&own, &mut rows);
+        rows
+    }
+
+    /// β_ij, m²: what one link may spend. `+∞` where it cannot be weakened.
+    ///
+    /// ```text
+    /// β_ij = γ/(4 L_ij) min( h_i⁺/δ_i, b_ij/δ⁺_ij )
+    /// ```
+    ///
+    /// METHOD.md has n − 1 for δ⁺. The proof needs no more than shares that sum to at most 1 over the neighbours of j, and
+    /// `δ⁺_ij ≥ δ_j` for each of them.
+    //= method far
+    #[must_use]
+    pub fn beta_m2(&self, slope_max: f64, own_share: f64, known_share: f64) -> f64 {
+        let least = own_share.min(known_share);
+        if slope_max <= 0.0 { f64::INFINITY } else { self.gamma / (4.0 * slope_max) * least }
+    }
+
+    fn push_neighbor<const D: usize>(
+        &self,
+        own: &mut Own<D>,
+        offset: &Vector<D>,
+        known: &Known,
+        rows: &mut Rows<'_, D>,
+    ) {
+        if !is_finite(offset) {
+            rows.program.push(stay());
+        } else if let Some(link) = self.link(offset) {
+            let gradient = link.gradient(offset);
+            own.gradient = add_scaled(&own.gradient, 1.0, &gradient);
+            self.push_far(own, offset, &gradient, known, rows);
+            self.push_near(offset, rows);
+        }
+    }
+
+    fn push_far<const D: usize>(
+        &self,
+        own: &mut Own<D>,
+        offset: &Vector<D>,
+        gradient: &Vector<D>,
+        known: &Known,
+        rows: &mut Rows<'_, D>,
+    ) {
+        let distance_m = length(offset);
+        rows.program.push(match self.form() {
+            Form::Link => {
+                let slope = self.curvature.slope_max(distance_m, self.move_max_m);
+                let own_share = own.h.max(0.0) / own.degree.max(1.0);
+                Row::far(offset, self.beta_m2(slope, own_share, known.budget / known.degree_max))
+            }
+            Form::Level => {
+                let bend = self.curvature.bend_max(distance_m, self.move_max_m);
+                own.bend += bend;
+                Row::far_level(gradient, bend, self.gamma * known.budget / (known.degree_max + 1.0))
+            }
+        });
+        if known.deficit > 0.0 {
+            rows.raise(gradient, self.mend_m(known.deficit, gradient));
+        }
+    }
+
+    fn push_own<const D: usize>(&self, own: &Own<D>, rows: &mut Rows<'_, D>) {
+        if self.form() == Form::Level {
+            let spend = self.gamma * own.h.max(0.0) / (own.degree + 1.0);
+            rows.program.push(Row::far_level(&own.gradient, own.bend, spend));
+        }
+        if own.h < 0.0 {
+            rows.raise(&own.gradient, self.mend_m(-own.h, &own.gradient));
+        }
+    }
+
+    fn push_near<const D: usize>(&self, offset: &Vector<D>, rows: &mut Rows<'_, D>) {
+        let spare_m2 = dot(offset, offset) - self.distance_min_m * self.distance_min_m;
+        rows.program.push(Row::near(offset, 0.5 * self.gamma_c * spare_m2.max(0.0)));
+        if spare_m2 < 0.0 {
+            let missing_m = self.distance_min_m - length(offset);
+            rows.raise(offset, (0.5 * missing_m).min(self.move_max_m));
+        }
+    }
+
+    /// h_i and δ_i; the gradient and κ_ii are summed with the rows.
+    fn own<const D: usize>(&self, sightings: &[Sighting<D>], weights: &mut [f64]) -> Own<D> {
+        let h = self.level(sightings, weights) - f64::from(self.required());
+        let radius_m = self.curvature.link().radius_m;
+        let in_range = |offset: &Vector<D>| radius_m * radius_m - dot(offset, offset) >= 0.0;
+        let degree = sightings.iter().filter(|sighting| in_range(&sighting.offset_m)).count();
+        Own { h, degree: number(degree), gradient: [0.0; D], bend: 0.0 }
+    }
+
+    /// How far to go along `gradient` (1/m) to make up for `deficit`, m, at most ρ.
+    fn mend_m<const D: usize>(&self, deficit: f64, gradient: &Vector<D>) -> f64 {
+        (deficit / length(gradient)).min(self.move_max_m)
+    }
+
+    fn form(&self) -> Form {
+        match self.assume {
+            Assume::Obedient => self.form,
+            Assume::Free => Form::Link,
+        }
+    }
+}
+
+/// The row that allows no move.
+fn stay<const D: usize>() -> Row<D> {
+    Row::new([0.0; D], 1.0, 0.0)
+}

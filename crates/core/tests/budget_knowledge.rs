@@ -1,0 +1,163 @@
+//! What a robot knows of its neighbours' levels: true bounds, and claims that cannot do harm.
+
+use budget_team::Team;
+use closeranks_core::budget::knowledge::{Assume, Claim, Sighting, Trust};
+use closeranks_core::budget::rows::{Budget, Form};
+use closeranks_core::math::{dot, subtract};
+use seeded::Seeded;
+
+mod budget_team;
+mod seeded;
+
+/// Of sums of at most a dozen weights near 1.
+const ROUNDING: f64 = 1e-13;
+
+fn teams(assume: Assume) -> impl Iterator<Item = Team<2>> {
+    (0..300).filter_map(move |seed| Team::random(seed, assume, Form::Link))
+}
+
+fn with_claim(sightings: &[Sighting<2>], level: f64, age_ticks: u32) -> Vec<Sighting<2>> {
+    let claim = Some(Claim { level, age_ticks });
+    sightings.iter().map(|sighting| Sighting { claim, ..*sighting }).collect()
+}
+
+/// For every robot i and neighbour k: the interval of k contains its true level.
+//= theory 2.7 type=test
+#[test]
+fn the_true_level_and_degree_are_in_the_interval() {
+    for assume in [Assume::Obedient, Assume::Free] {
+        let (mut inside, mut exact) = (0, 0);
+        for team in teams(assume) {
+            let required = f64::from(team.budget.required());
+            for i in 0..team.count() {
+                let (seen, sightings) = (team.neighbors(i), team.sightings(i));
+                for (index, &k) in seen.iter().enumerate() {
+                    let interval = team.budget.interval(index, &sightings, &mut [0.0; 12]);
+                    let level = team.h(&team.positions, k) + required;
+                    let degree = u32::try_from(team.neighbors(k).len()).map_or(0.0, f64::from);
+                    assert!(
+                        interval.low <= level + ROUNDING && level <= interval.high + ROUNDING,
+                        "{interval:?}"
+                    );
+                    assert!(degree <= interval.degree_max, "{degree} of {interval:?}");
+                    inside += 1;
+                    exact += usize::from(seen.len() + 1 == team.count() && interval.low == interval.high);
+                }
+            }
+        }
+        assert!(exact > inside / 10 && exact < inside, "{exact} of {inside} see everybody");
+    }
+}
+
+/// Honest claims of today are taken as they are, those of a liar never beyond the interval, whatever their age.
+//= theory C type=test
+#[test]
+fn a_claim_moves_the_budget_inside_the_interval_only() {
+    let claims = [f64::NAN, f64::INFINITY, f64::NEG_INFINITY, 1e308, -1e308, 0.0, 9.0, 20.0];
+    for (case, team) in teams(Assume::Obedient).enumerate() {
+        let budget = Budget { trust: Trust::ToldOrSeen, ..team.budget };
+        let required = f64::from(budget.required());
+        let sightings = team.sightings(0);
+        for (index, &k) in team.neighbors(0).iter().enumerate() {
+            let interval = budget.interval(index, &sightings, &mut [0.0; 12]);
+            let (low, high) = ((interval.low - required).max(0.0), (interval.high - required).max(0.0));
+            let told =
+                |level, age| budget.known(index, &with_claim(&sightings, level, age), &mut [0.0; 12]).budget;
+            for age in [0, 1, 7, u32::MAX] {
+                let known = told(claims[case % claims.len()], age);
+                assert!((low..=high).contains(&known), "{known} outside {low} to {high}");
+            }
+            let h = team.h(&team.positions, k);
+            assert!((told(h + required, 0) - h.max(0.0)).abs() <= ROUNDING, "the honest claim {h}");
+            assert!(told(h + required, 3) <= h.max(0.0) + ROUNDING, "an old claim");
+        }
+    }
+}
+
+#[test]
+fn trust_decides_what_counts() {
+    let team = teams(Assume::Obedient)
+        .find(|team| team.sightings(0).len() + 1 < team.count())
+        .expect("a partial view");
+    let sightings = team.sightings(0);
+    let interval = team.budget.interval(0, &sightings, &mut [0.0; 12]);
+    let known = |trust, required: u16, sightings: &[Sighting<2>]| {
+        // F = 0 and n = 2·required make the least level `required`; robots out of sight are then fewer
+        let budget = Budget { trust, gamma: 0.25, ..team.budget };
+        assert_eq!(required, budget.required());
+        budget.known(0, sightings, &mut [0.0; 12]).budget
+    };
+    let required = team.budget.required();
+    let floor = (interval.low - f64::from(required)).max(0.0);
+    assert_eq!(known(Trust::Seen, required, &with_claim(&sightings, 1e9, 0)), floor);
+    assert_eq!(known(Trust::Told, required, &with_claim(&sightings, -1e9, 0)), 0.0);
+    assert_eq!(known(Trust::ToldOrSeen, required, &with_claim(&sightings, -1e9, 0)), floor);
+    let silent: Vec<_> = sightings.iter().map(|sighting| Sighting { claim: None, ..*sighting }).collect();
+    assert_eq!(known(Trust::Told, required, &silent), 0.0);
+    let spare = 0.25 * (interval.high - f64::from(required));
+    let aged = known(Trust::Told, required, &with_claim(&sightings, f64::from(required) + spare, 2));
+    assert!((aged - spare * 0.75 * 0.75).abs() < ROUNDING, "two ticks of silence");
+}
+
+/// The trimmed sum leaves out the F largest, of robots out of sight too.
+//= theory D type=test
+#[test]
+fn trimmed_bounds_are_the_extremes_over_robots_out_of_sight() {
+    for team in teams(Assume::Free) {
+        let faults = usize::from(team.budget.faults);
+        for i in 0..team.count() {
+            let (seen, sightings) = (team.neighbors(i), team.sightings(i));
+            for (index, &k) in seen.iter().enumerate() {
+                let interval = team.budget.interval(index, &sightings, &mut [0.0; 12]);
+                let most = weight(&team, (team.radius_m() - distance(&team, i, k)).max(0.0));
+                let mut weights: Vec<f64> = seen
+                    .iter()
+                    .chain([&i])
+                    .filter(|&&p| p != k)
+                    .map(|&p| weight(&team, distance(&team, k, p)))
+                    .collect();
+                let low = trimmed(&mut weights, faults);
+                weights.resize(team.count() - 1, most);
+                let high = trimmed(&mut weights, faults);
+                assert!((interval.low - low).abs() < ROUNDING && (interval.high - high).abs() < ROUNDING);
+            }
+        }
+    }
+}
+
+fn weight(team: &Team<2>, distance_m: f64) -> f64 {
+    let link = team.budget.curvature.link().link_at::<f64>(distance_m * distance_m);
+    link.map_or(0.0, |link| link.weight)
+}
+
+fn distance(team: &Team<2>, i: usize, k: usize) -> f64 {
+    let offset = subtract(&team.positions[i], &team.positions[k]);
+    libm::sqrt(dot(&offset, &offset))
+}
+
+fn trimmed(weights: &mut [f64], faults: usize) -> f64 {
+    weights.sort_by(f64::total_cmp);
+    weights[..weights.len().saturating_sub(faults)].iter().sum()
+}
+
+#[test]
+fn any_sightings_are_safe() {
+    let odd = [f64::NAN, f64::INFINITY, f64::NEG_INFINITY, f64::MAX, 1e-320, 0.0];
+    let team = teams(Assume::Free).next().expect("a team");
+    for seed in 0..500 {
+        let mut random = Seeded(seed);
+        let mut number = || odd.get(random.below(12)).copied().unwrap_or(random.between(-3.0, 3.0));
+        let sightings: Vec<Sighting<2>> = (0..6)
+            .map(|_| Sighting {
+                offset_m: [number(), number()],
+                claim: Some(Claim { level: number(), age_ticks: 3 }),
+            })
+            .collect();
+        for index in 0..8 {
+            let known = team.budget.known(index, &sightings, &mut [0.0; 12]);
+            assert!(known.budget >= 0.0 && known.budget < 20.0 && known.degree_max >= 1.0, "{known:?}");
+            let short = team.budget.known(index, &sightings, &mut [0.0; 3]);
+            assert_eq!(short.budget, 0.0, "too little scratch");
+        }
+    }
+}

@@ -1,0 +1,188 @@
+//! Theorems B, C and D: whatever is told, lost or wanted, no tick takes more than its share; and mutants that do.
+
+use budget_team::{Builder, ROWS_MAX, Team, crate_rows};
+use closeranks_core::budget::knowledge::{Assume, Claim, Sighting};
+use closeranks_core::budget::project::Program;
+use closeranks_core::budget::reach::Reach;
+use closeranks_core::budget::row::Row;
+use closeranks_core::budget::rows::{Budget, Form};
+use closeranks_core::link::Link;
+use closeranks_core::math::{add_scaled, dot, length};
+
+mod budget_team;
+mod seeded;
+
+const TEAMS: core::ops::Range<u64> = 0..80;
+/// So many, because where everybody sees everybody a stale claim is cut to the truth.
+const TEAMS_FOR_MUTANTS: core::ops::Range<u64> = 0..240;
+const TICKS: usize = 25;
+
+/// Runs teams until one breaks the law; how many ticks went by.
+fn law<const D: usize>(
+    assume: Assume,
+    form: Form,
+    teams: core::ops::Range<u64>,
+    builder: Builder<'_, D>,
+) -> Result<usize, String> {
+    let mut ticks = 0;
+    for seed in teams {
+        let Some(mut team) = Team::<D>::random(seed, assume, form) else { continue };
+        for tick in 0..TICKS {
+            team.tick(builder).map_err(|broken| format!("seed {seed}, tick {tick}: {broken}"))?;
+            ticks += 1;
+        }
+    }
+    Ok(ticks)
+}
+
+fn holds<const D: usize>(assume: Assume, form: Form) {
+    match law::<D>(assume, form, TEAMS, &crate_rows) {
+        Ok(ticks) => assert!(ticks > 500, "only {ticks} ticks"),
+        Err(broken) => panic!("{broken}"),
+    }
+}
+
+//= theory B type=test
+//= theory C type=test
+//= method far type=test
+//= method near type=test
+#[test]
+fn theorem_b_holds_for_every_lie_and_loss() {
+    holds::<2>(Assume::Obedient, Form::Link);
+    holds::<3>(Assume::Obedient, Form::Link);
+}
+
+//= method far-prime type=test
+#[test]
+fn it_holds_when_leaving_one_may_be_paid_for_by_approaching_another() {
+    holds::<2>(Assume::Obedient, Form::Level);
+    holds::<3>(Assume::Obedient, Form::Level);
+}
+
+//= theory D type=test
+#[test]
+fn theorem_d_holds_when_malicious_robots_move_as_they_like() {
+    holds::<2>(Assume::Free, Form::Link);
+    holds::<3>(Assume::Free, Form::Link);
+}
+
+/// What may be wrong with a row.
+#[derive(Clone, Copy, Debug)]
+struct Mutant {
+    /// Of the budget of every row.
+    factor: f64,
+    /// Of the |v|² term.
+    square: f64,
+    /// Of the move that L or κ reckons with.
+    moves: f64,
+    /// In place of δ⁺.
+    degree: Option<f64>,
+    discount: bool,
+    near: f64,
+}
+
+const CORRECT: Mutant =
+    Mutant { factor: 1.0, square: 1.0, moves: 1.0, degree: None, discount: true, near: 1.0 };
+
+/// The rows of METHOD.md section 3, written a second time.
+fn rows<const D: usize>(mutant: Mutant, budget: &Budget, sightings: &[Sighting<D>]) -> Vec<Row<D>> {
+    let mut scratch = [0.0; 16];
+    let shape = budget.curvature.link();
+    let move_m = mutant.moves * budget.move_max_m;
+    let own_h = (budget.level(sightings, &mut scratch) - f64::from(budget.required())).max(0.0);
+    let degree = f64::from(u32::try_from(sightings.len()).unwrap_or(0));
+    let heard: Vec<Sighting<D>> = sightings
+        .iter()
+        .map(|sighting| match sighting.claim {
+            Some(claim) if !mutant.discount => {
+                Sighting { claim: Some(Claim { age_ticks: 0, ..claim }), ..*sighting }
+            }
+            _ => *sighting,
+        })
+        .collect();
+    let (mut rows, mut own_gradient, mut own_bend) = (Vec::new(), [0.0; D], 0.0);
+    for (index, Sighting { offset_m, .. }) in heard.iter().enumerate() {
+        let known = budget.known(index, &heard, &mut scratch);
+        let distance_m = length(offset_m);
+        if budget.form == Form::Level {
+            let gradient = shape.link(offset_m).map_or([0.0; D], |link: Link<f64>| link.gradient(offset_m));
+            let bend = mutant.square * budget.curvature.bend_max(distance_m, move_m);
+            let share = mutant.degree.unwrap_or(known.degree_max + 1.0);
+            rows.push(Row::far_level(&gradient, bend, mutant.factor * budget.gamma * known.budget / share));
+            own_gradient = add_scaled(&own_gradient, 1.0, &gradient);
+            own_bend += bend;
+        } else {
+            let slope = budget.curvature.slope_max(distance_m, move_m);
+            let share = mutant.degree.unwrap_or(known.degree_max);
+            let beta = mutant.factor * budget.beta_m2(slope, own_h / degree, known.budget / share);
+            rows.push(Row::new(*offset_m, mutant.square, beta));
+        }
+        let spare = dot(offset_m, offset_m) - budget.distance_min_m * budget.distance_min_m;
+        rows.push(Row::near(offset_m, mutant.near * 0.5 * budget.gamma_c * spare.max(0.0)));
+    }
+    if budget.form == Form::Level {
+        let spend = mutant.factor * budget.gamma * own_h / (degree + 1.0);
+        rows.push(Row::far_level(&own_gradient, own_bend, spend));
+    }
+    rows
+}
+
+#[test]
+fn the_rows_written_twice_are_the_same() {
+    let kept = |rows: Vec<Row<2>>, reach| {
+        let mut memory = [Row::default(); ROWS_MAX];
+        let mut program = Program::new(&mut memory, reach);
+        for row in rows {
+            program.push(row);
+        }
+        program.rows().to_vec()
+    };
+    for form in [Form::Link, Form::Level] {
+        let same = |budget: &Budget, sightings: &[Sighting<2>], reach: Reach<2>| {
+            let rows = crate_rows(budget, sightings, reach);
+            assert_eq!(rows, kept(self::rows(CORRECT, budget, sightings), reach));
+            rows
+        };
+        law(Assume::Obedient, form, 0..6, &same).expect("the crate's rows");
+    }
+}
+
+/// METHOD.md section 3 breaks when any of its parts is left out, and the law notices.
+#[test]
+fn every_mutant_breaks_the_law() {
+    let mutants = [
+        ("budget fourfold", Mutant { factor: 4.0, ..CORRECT }),
+        ("no |v|²", Mutant { square: 0.0, ..CORRECT }),
+        ("L and κ here and now only", Mutant { moves: 0.0, ..CORRECT }),
+        ("half in place of 1/δ⁺", Mutant { degree: Some(2.0), ..CORRECT }),
+        ("no discount", Mutant { discount: false, ..CORRECT }),
+        ("near twofold", Mutant { near: 2.0, ..CORRECT }),
+    ];
+    for (name, mutant) in mutants {
+        for form in [Form::Link, Form::Level] {
+            let builder =
+                |budget: &Budget, sightings: &[Sighting<2>], _: Reach<2>| rows(mutant, budget, sightings);
+            match law(Assume::Obedient, form, TEAMS_FOR_MUTANTS, &builder) {
+                Ok(ticks) => panic!("{name} goes unnoticed in {ticks} ticks, {form:?}"),
+                Err(broken) => eprintln!("{name}, {form:?}: {broken}"),
+            }
+        }
+    }
+}
+
+/// Theorem D needs the trimmed sum and the rows per link.
+#[test]
+fn the_rows_of_assumption_1_break_when_malicious_robots_move_as_they_like() {
+    type Rows = fn(&Budget, &[Sighting<2>], Reach<2>) -> Vec<Row<2>>;
+    let untrimmed: Rows = |budget, sightings, reach| {
+        crate_rows(&Budget { assume: Assume::Obedient, form: Form::Link, ..*budget }, sightings, reach)
+    };
+    let offsetting: Rows =
+        |budget, sightings, _| rows(CORRECT, &Budget { form: Form::Level, ..*budget }, sightings);
+    for (name, teams, builder) in [("untrimmed", TEAMS, untrimmed), ("offsetting", 640..660, offsetting)] {
+        match law(Assume::Free, Form::Link, teams, &builder) {
+            Ok(ticks) => panic!("{name} goes unnoticed in {ticks} ticks"),
+            Err(broken) => eprintln!("{name}: {broken}"),
+        }
+    }
+}

@@ -1,0 +1,149 @@
+//! Starts outside the set: nothing that is broken gets worse, and what can be mended is.
+
+use closeranks_core::budget::curvature::Curvature;
+use closeranks_core::budget::knowledge::{Assume, Claim, Sighting, Trust};
+use closeranks_core::budget::reach::Reach;
+use closeranks_core::budget::row::Row;
+use closeranks_core::budget::rows::{Budget, Form, Memory};
+use closeranks_core::link::LinkShape;
+use closeranks_core::math::{Vector, add_scaled, dot, length, subtract};
+use closeranks_core::program::InputBox;
+use seeded::Seeded;
+
+mod seeded;
+
+/// METHOD.md section 1: robots 1 and 10 stand 0.2236 m apart.
+const PUBLISHED: [Vector<2>; 11] = [
+    [-1.1, 0.4],
+    [-0.8, -0.1],
+    [0.8, -0.3],
+    [0.1, -1.2],
+    [0.4, -0.7],
+    [-0.5, -1.0],
+    [-0.9, -0.4],
+    [1.0, 0.8],
+    [0.4, 0.9],
+    [-0.9, 0.5],
+    [1.3, 0.3],
+];
+
+fn budget(form: Form) -> (Budget, Reach<2>) {
+    let reach = Reach::new(&InputBox { min_m_s: [-1.5; 2], max_m_s: [1.5; 2] }, 0.005);
+    let budget = Budget {
+        curvature: Curvature::new(LinkShape { radius_m: 3.0, q1: 2.099, q2: 0.3 }),
+        robots: 11,
+        faults: 2,
+        distance_min_m: 0.3,
+        move_max_m: reach.longest_m(),
+        gamma: 0.2,
+        gamma_c: 0.2,
+        trust: Trust::ToldOrSeen,
+        assume: Assume::Obedient,
+        form,
+    };
+    (budget, reach)
+}
+
+struct Tick {
+    positions: Vec<Vector<2>>,
+    h: Vec<f64>,
+    broken: usize,
+}
+
+/// One tick without lies, every robot wanting to move by `desired`.
+fn tick(positions: &[Vector<2>], desired: impl Fn(usize) -> Vector<2>, form: Form) -> Tick {
+    let (budget, reach) = budget(form);
+    let sightings = |i: usize| -> Vec<Sighting<2>> {
+        let offsets = positions.iter().enumerate().filter(|(j, _)| *j != i);
+        let near = offsets.map(|(_, x)| subtract(&positions[i], x)).filter(|r| dot(r, r) <= 9.0);
+        near.map(|offset_m| Sighting { offset_m, claim: Some(Claim { level: -1e9, age_ticks: 0 }) }).collect()
+    };
+    let mut tick = Tick { positions: Vec::new(), h: Vec::new(), broken: 0 };
+    for (i, x) in positions.iter().enumerate() {
+        let memory = Memory { rows: &mut [Row::default(); 25], weights: &mut [0.0; 100] };
+        let mut rows = budget.rows(&sightings(i), &desired(i), reach, memory);
+        tick.broken += rows.broken;
+        tick.h.push(rows.h);
+        let v = rows.closest().displacement_m;
+        assert!(reach.contains(&v) && rows.program.rows().iter().all(|row| row.holds(&v)));
+        tick.positions.push(add_scaled(x, 1.0, &v));
+    }
+    tick
+}
+
+fn closest_pair(positions: &[Vector<2>]) -> f64 {
+    let pairs = (0..positions.len()).flat_map(|i| (0..i).map(move |j| (i, j)));
+    pairs.map(|(i, j)| length(&subtract(&positions[i], &positions[j]))).fold(f64::INFINITY, f64::min)
+}
+
+//= method recovery type=test
+#[test]
+fn robots_that_start_too_close_part_and_nothing_gets_worse() {
+    for form in [Form::Link, Form::Level] {
+        let mut positions = PUBLISHED.to_vec();
+        let mut ticks = 0;
+        loop {
+            let before = closest_pair(&positions);
+            let now = tick(&positions, |_| [0.002, -0.001], form);
+            if now.broken == 0 {
+                break;
+            }
+            positions = now.positions;
+            ticks += 1;
+            assert!(closest_pair(&positions) >= before.min(0.3) - 1e-12, "the distance fell in tick {ticks}");
+            assert!(now.h.iter().all(|&h| h > 0.0) && ticks < 100, "still broken after {ticks} ticks");
+        }
+        assert!(closest_pair(&positions) >= 0.3 - 1e-12, "{form:?} in {ticks} ticks");
+    }
+}
+
+//= method recovery type=test
+#[test]
+fn a_team_that_starts_too_wide_closes_ranks() {
+    let wide: Vec<Vector<2>> = PUBLISHED.iter().map(|x| x.map(|component| 1.75 * component)).collect();
+    let mut positions = wide;
+    let mut least = f64::NEG_INFINITY;
+    for ticks in 0..2_000 {
+        // each wants to leave; the row keeps h from falling, the push makes it rise
+        let away = |i: usize| positions[i].map(|component| 0.003 * component);
+        let now = tick(&positions, away, Form::Level);
+        let h = now.h.iter().copied().fold(f64::INFINITY, f64::min);
+        assert!(ticks > 0 || h < -0.5, "h is {h} at the start");
+        assert!(h >= least.min(0.0) - 1e-12, "h fell from {least} to {h} in tick {ticks}");
+        least = h;
+        positions = now.positions;
+        if least >= 0.0 {
+            return;
+        }
+    }
+    panic!("least h is {least} after 2000 ticks");
+}
+
+#[test]
+fn any_floats_give_an_admissible_move() {
+    let odd = [f64::NAN, f64::INFINITY, f64::NEG_INFINITY, f64::MAX, 1e-320, 0.0, 1e-9];
+    for seed in 0..2_000 {
+        let mut random = Seeded(seed);
+        let mut number = || odd.get(random.below(30)).copied().unwrap_or(random.between(-2.0, 2.0));
+        let sightings: Vec<Sighting<2>> = (0..8)
+            .map(|_| Sighting {
+                offset_m: [number(), number()],
+                claim: Some(Claim { level: number(), age_ticks: 2 }),
+            })
+            .collect();
+        let (mut budget, mut reach) = budget([Form::Link, Form::Level][usize::from(number() > 0.0)]);
+        if number() > 1.0 {
+            budget = Budget { gamma: number(), gamma_c: number(), move_max_m: number(), ..budget };
+            reach = Reach::new(&InputBox { min_m_s: [number(); 2], max_m_s: [number(); 2] }, number());
+        }
+        let memory = Memory { rows: &mut [Row::default(); 21], weights: &mut [0.0; 64] };
+        let mut rows = budget.rows(&sightings, &[number(), number()], reach, memory);
+        let v = rows.closest().displacement_m;
+        assert!(!rows.program.is_full() && reach.contains(&v), "{v:?}");
+        assert!(rows.program.rows().iter().all(|row| row.holds(&v)));
+        if sightings.iter().any(|sighting| !sighting.offset_m.iter().all(|component| component.is_finite())) {
+            // below 1e-154 m the square of a move vanishes
+            assert!(length(&v) < 1e-150, "a neighbour somewhere unknown");
+        }
+    }
+}

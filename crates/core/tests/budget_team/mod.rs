@@ -1,0 +1,200 @@
+//! Teams that move by rows, with liars among them.
+
+#![allow(dead_code, reason = "not every file of tests needs every part")]
+
+use closeranks_core::budget::curvature::Curvature;
+use closeranks_core::budget::knowledge::{Assume, Claim, Sighting, Trust};
+use closeranks_core::budget::reach::Reach;
+use closeranks_core::budget::row::Row;
+use closeranks_core::budget::rows::{Budget, Form, Memory};
+use closeranks_core::link::LinkShape;
+use closeranks_core::math::{Vector, dot, length, subtract};
+use closeranks_core::program::InputBox;
+
+use crate::seeded::Seeded;
+
+mod conspiracy;
+
+pub(crate) const ROWS_MAX: usize = 48;
+const SPACING_M: f64 = 0.31;
+const DISTANCE_MIN_M: f64 = 0.3;
+
+/// The rows of robot i from what it senses and hears.
+pub(crate) type Builder<'a, const D: usize> = &'a dyn Fn(&Budget, &[Sighting<D>], Reach<D>) -> Vec<Row<D>>;
+
+/// The rows of the crate.
+pub(crate) fn crate_rows<const D: usize>(
+    budget: &Budget,
+    sightings: &[Sighting<D>],
+    reach: Reach<D>,
+) -> Vec<Row<D>> {
+    // every other time with memory for the weights of the neighbours alone: the answer must be the same
+    let scratch = if sightings.len().is_multiple_of(2) { 144 } else { sightings.len() };
+    let memory = Memory { rows: &mut [Row::default(); ROWS_MAX], weights: &mut vec![0.0; scratch] };
+    budget.rows(sightings, &[0.0; D], reach, memory).program.rows().to_vec()
+}
+
+#[derive(Clone, Debug)]
+pub(crate) struct Team<const D: usize> {
+    pub(crate) positions: Vec<Vector<D>>,
+    pub(crate) malicious: Vec<bool>,
+    pub(crate) budget: Budget,
+    pub(crate) reach: Reach<D>,
+    /// What i last heard from j, `heard[i][j]`.
+    heard: Vec<Vec<Option<Claim>>>,
+    loss: f64,
+    random: u64,
+}
+
+impl<const D: usize> Team<D> {
+    /// 4 to 12 robots, every honest h at least 0 and one of them little more; `None` if the seed gives no such team.
+    pub(crate) fn random(seed: u64, assume: Assume, form: Form) -> Option<Self> {
+        let mut random = Seeded(seed);
+        let count = 4 + random.below(9);
+        let robots = u16::try_from(count).ok()?;
+        let faults = u16::try_from(random.below((count - 1) / 2 + 1)).ok()?;
+        let q1 = 2.0 + random.between(0.1, 0.9) / f64::from(robots - 1);
+        let link = LinkShape { radius_m: 3.0, q1, q2: [0.05, 0.1, 0.3, 0.9][random.below(4)] };
+        let period_s = [0.005, 0.05][random.below(2)];
+        let reach = Reach::new(&InputBox { min_m_s: [-1.5; D], max_m_s: [1.5; D] }, period_s);
+        let budget = Budget {
+            curvature: Curvature::new(link),
+            robots,
+            faults,
+            distance_min_m: DISTANCE_MIN_M,
+            move_max_m: reach.longest_m(),
+            gamma: [0.2, 0.2, 0.7, 1.0][random.below(4)],
+            gamma_c: [0.2, 1.0][random.below(2)],
+            trust: [Trust::Told, Trust::ToldOrSeen, Trust::Seen][random.below(3)],
+            assume,
+            form,
+        };
+        let mut malicious = vec![false; count];
+        for _ in 0..faults {
+            malicious[random.below(count)] = true;
+        }
+        let positions = scatter(count, &mut random);
+        let heard = vec![vec![None; count]; count];
+        let loss = [0.0, 0.5, 0.95][random.below(3)];
+        let mut team = Self { positions, malicious, budget, reach, heard, loss, random: random.0 };
+        team.stretch(random.between(0.0, 0.3)).then_some(team)
+    }
+
+    /// Scales the team up until the least honest h is at most `spare`; false if it is below 0 from the start.
+    fn stretch(&mut self, spare: f64) -> bool {
+        let compact = self.positions.clone();
+        let (mut low, mut high) = (0.0, 8.0);
+        for _ in 0..40 {
+            let middle = 0.5 * (low + high);
+            self.positions = compact.iter().map(|x| x.map(|component| middle * component)).collect();
+            *if self.least_h() >= spare { &mut low } else { &mut high } = middle;
+        }
+        self.positions = compact.iter().map(|x| x.map(|component| low * component)).collect();
+        low > 0.0 && self.closest_pair() > DISTANCE_MIN_M && self.least_h() >= 0.0
+    }
+
+    fn closest_pair(&self) -> f64 {
+        let distance = |i: usize, j: usize| length(&subtract(&self.positions[i], &self.positions[j]));
+        let pairs = (0..self.count()).flat_map(|i| (0..i).map(move |j| (i, j)));
+        pairs.map(|(i, j)| distance(i, j)).fold(f64::INFINITY, f64::min)
+    }
+
+    pub(crate) fn count(&self) -> usize {
+        self.positions.len()
+    }
+
+    pub(crate) fn honest(&self) -> impl Iterator<Item = usize> + Clone + '_ {
+        (0..self.count()).filter(|&k| !self.malicious[k])
+    }
+
+    fn least_h(&self) -> f64 {
+        self.honest().map(|k| self.h(&self.positions, k)).fold(f64::INFINITY, f64::min)
+    }
+
+    /// eq:adjacency, literally.
+    fn weight(&self, x: &[Vector<D>], i: usize, j: usize) -> f64 {
+        let LinkShape { radius_m, q1, q2 } = *self.budget.curvature.link();
+        let offset = subtract(&x[i], &x[j]);
+        let slack = radius_m * radius_m - dot(&offset, &offset);
+        if slack < 0.0 { 0.0 } else { q1 / (1.0 + libm::exp(-q2 * slack * slack)) - q1 / 2.0 }
+    }
+
+    /// h_k at `x`: of the level, or of the trimmed one.
+    pub(crate) fn h(&self, x: &[Vector<D>], k: usize) -> f64 {
+        let mut weights: Vec<f64> =
+            (0..self.count()).filter(|&j| j != k).map(|j| self.weight(x, k, j)).collect();
+        weights.sort_by(f64::total_cmp);
+        let trimmed = if self.budget.assume == Assume::Free { usize::from(self.budget.faults) } else { 0 };
+        weights[..weights.len().saturating_sub(trimmed)].iter().sum::<f64>()
+            - f64::from(self.budget.required())
+    }
+
+    /// What the theorem keeps at 0 or more: h_k, or under `Free` the sum over normal neighbours less θ.
+    pub(crate) fn kept(&self, x: &[Vector<D>], k: usize) -> f64 {
+        match self.budget.assume {
+            Assume::Obedient => self.h(x, k),
+            Assume::Free => {
+                let normal = self.honest().filter(|&j| j != k).map(|j| self.weight(x, k, j));
+                normal.sum::<f64>() - f64::from(self.budget.required())
+            }
+        }
+    }
+
+    pub(crate) fn in_range(&self, i: usize, j: usize) -> bool {
+        let radius_m = self.radius_m();
+        let offset = subtract(&self.positions[i], &self.positions[j]);
+        i != j && dot(&offset, &offset) <= radius_m * radius_m
+    }
+
+    /// Everybody tells everybody; some messages are lost; malicious robots tell each neighbour another number.
+    pub(crate) fn talk(&mut self) {
+        let required = f64::from(self.budget.required());
+        let levels: Vec<f64> = (0..self.count()).map(|k| self.h(&self.positions, k) + required).collect();
+        let mut random = Seeded(self.random);
+        for i in 0..self.count() {
+            for j in 0..self.count() {
+                if let Some(claim) = &mut self.heard[i][j] {
+                    claim.age_ticks += 1;
+                }
+                if random.between(0.0, 1.0) < self.loss || !self.in_range(i, j) {
+                    continue;
+                }
+                let lie = [random.between(-20.0, 20.0), 1e300, f64::NAN, f64::INFINITY]
+                    [random.below(12).saturating_sub(8)];
+                let level = if self.malicious[j] { lie } else { levels[j] };
+                self.heard[i][j] = Some(Claim { level, age_ticks: 0 });
+            }
+        }
+        self.random = random.0;
+    }
+
+    pub(crate) fn radius_m(&self) -> f64 {
+        self.budget.curvature.link().radius_m
+    }
+
+    pub(crate) fn neighbors(&self, i: usize) -> Vec<usize> {
+        (0..self.count()).filter(|&j| self.in_range(i, j)).collect()
+    }
+
+    pub(crate) fn sightings(&self, i: usize) -> Vec<Sighting<D>> {
+        let near = self.neighbors(i).into_iter();
+        near.map(|j| Sighting {
+            offset_m: subtract(&self.positions[i], &self.positions[j]),
+            claim: self.heard[i][j],
+        })
+        .collect()
+    }
+}
+
+/// Places in a box of some 2 m, or 8 m long, no two closer than [`SPACING_M`].
+fn scatter<const D: usize>(count: usize, random: &mut Seeded) -> Vec<Vector<D>> {
+    let mut places: Vec<Vector<D>> = Vec::new();
+    let long = [1.0, 2.5][random.below(2)];
+    while places.len() < count {
+        let place = core::array::from_fn(|d| if d == 0 { long } else { 1.0 } * random.between(-0.9, 0.9));
+        if places.iter().all(|other| length(&subtract(other, &place)) > SPACING_M) {
+            places.push(place);
+        }
+    }
+    places
+}
