@@ -120,6 +120,19 @@ mod tests {
         assert_eq!(witness.reach(&pair), 1);
     }
 
+    //= paper reachability type=test
+    #[test]
+    fn ends_of_a_path_reach_out_once_and_its_middle_twice() {
+        let path = Graph::undirected(3, &[(0, 1), (1, 2)]).unwrap();
+        let (ends, middle) = (NodeSet::from_bits(0b101), NodeSet::from_bits(0b010));
+        assert!(is_reachable(&path, ends, 1, 2) && !is_reachable(&path, ends, 2, 1));
+        assert!(is_reachable(&path, middle, 2, 1) && !is_reachable(&path, middle, 2, 2));
+        assert!(
+            !is_reachable(&path, NodeSet::from_bits(0), 0, 0),
+            "the empty set is no set of the definition"
+        );
+    }
+
     #[test]
     fn a_false_witness_does_not_hold() {
         let pair = Graph::undirected(2, &[(0, 1)]).unwrap();

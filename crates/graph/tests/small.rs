@@ -11,6 +11,16 @@ fn every_graph_of_up_to_5_nodes() {
     (1..=5).for_each(|count| every(count, false, 1));
 }
 
+/// `check` holds what degrees alone guarantee against the definition for every graph; here by hand, at its edge.
+//= paper lem:rs_robust type=test
+#[test]
+fn degrees_alone_guarantee_robustness_and_not_more() {
+    let ring = closeranks_graph::makers::fixed::ring(4).unwrap();
+    assert_eq!(closeranks_graph::bounds::r_least(&ring), 1);
+    assert!((1..=4).all(|s| closeranks_graph::definition::is_robust(&ring, 1, s)));
+    assert!(!closeranks_graph::definition::is_robust(&ring, 2, 1));
+}
+
 #[test]
 fn every_graph_of_6_nodes() {
     every(6, false, 1);
