@@ -19,8 +19,9 @@ pub(crate) fn run(scenario: &Scenario, run: &Run, time_s: f64) -> Value {
         "version": env!("CARGO_PKG_VERSION"),
         "commit": env!("CLOSERANKS_COMMIT"),
         "start": {
-            "inside": summary.start.inside(),
+            "inside": summary.start.inside,
             "phi_min": summary.start.phi_min,
+            "h_min": summary.start.h_min,
             "degree_min": summary.start.degree_min,
             "distance_min_m": summary.start.distance_min_m,
             "inside_from_s": extremes.inside_from.map(|tick| f64::from(tick) * scenario.tick_s()),

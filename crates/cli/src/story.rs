@@ -4,22 +4,26 @@ use core::fmt::Write as _;
 
 use closeranks_report::table::{number, telling};
 use closeranks_sim::monitor::{Law, Verdict};
-use closeranks_sim::scenario::Scenario;
+use closeranks_sim::scenario::{Controller, Scenario};
 use closeranks_sim::summary::Summary;
 
 /// Where the start lies, and when a start outside came inside.
 pub(crate) fn start(scenario: &Scenario, summary: &Summary) -> String {
     let start = &summary.start;
+    let measure = match scenario.controller {
+        Controller::Budget => format!("least h {}", number(start.h_min, 3)),
+        Controller::Composed | Controller::None => format!("least phi_i {}", telling(start.phi_min, 4)),
+    };
     let place = format!(
-        "least phi_i {}, least degree {}, least distance {} m",
-        number(start.phi_min, 4),
+        "{measure}, least degree {}, least distance {} m",
         start.degree_min,
         number(start.distance_min_m, 3)
     );
-    if start.inside() {
+    if start.inside {
         return format!("start: inside the safe set ({place})");
     }
     let came = match summary.extremes.inside_from {
+        _ if scenario.controller == Controller::Budget => "recovering".to_owned(),
         Some(tick) => format!("inside from t = {}", time(scenario, tick)),
         None => "never inside".to_owned(),
     };

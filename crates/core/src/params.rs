@@ -3,6 +3,10 @@
 use core::time::Duration;
 
 use crate::barrier::required_degree;
+use crate::budget::curvature::Curvature;
+use crate::budget::knowledge::{Assume, Trust};
+use crate::budget::reach::Reach;
+use crate::budget::rows::{Budget, Form};
 use crate::composed::{Composed, Share};
 use crate::link::LinkShape;
 use crate::math::is_finite;
@@ -12,6 +16,15 @@ use crate::program::InputBox;
 pub const ROBOTS_MAX: u16 = 10_000;
 /// Greatest magnitude of any length, weight or speed: far outside use, far inside `f64`.
 pub const MAGNITUDE_MAX: f64 = 1e6;
+
+/// Which controller a robot runs.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Controller {
+    /// The paper's, as printed ([`crate::composed`]).
+    Composed,
+    /// Ours ([`crate::budget`]): a guarantee in discrete time, for any lie and any loss of told levels.
+    Budget,
+}
 
 /// Everything the paper leaves as a parameter, unchecked. `Default` holds the paper's values and, where it prints
 /// none, ours (METHOD.md section 1).
@@ -37,6 +50,16 @@ pub struct Settings<const D: usize> {
     pub alpha: f64,
     /// Which φ_i.
     pub share: Share,
+    /// Which controller.
+    pub controller: Controller,
+    /// γ of `budget`: the share of h_k that may be lost in a tick, in (0, 1].
+    pub gamma: f64,
+    /// γ_c of `budget`: the share of D − Δ_d² that may be lost in a tick, in (0, 1].
+    pub gamma_c: f64,
+    /// What `budget` believes of levels.
+    pub trust: Trust,
+    /// What `budget` assumes of malicious robots.
+    pub assume: Assume,
     /// U_i.
     pub input: InputBox<D>,
     /// τ₁: how often the level is shared.
@@ -58,6 +81,8 @@ pub enum Field {
     WR,
     WC,
     Alpha,
+    Gamma,
+    GammaC,
     InputMinMS,
     InputMaxMS,
     LevelPeriod,
@@ -92,6 +117,8 @@ pub struct Params<const D: usize> {
     settings: Settings<D>,
     link: LinkShape,
     composed: Composed,
+    budget: Budget,
+    reach: Reach<D>,
 }
 
 impl<const D: usize> Default for Settings<D> {
@@ -107,6 +134,11 @@ impl<const D: usize> Default for Settings<D> {
             w_c: 25.0,
             alpha: 0.1,
             share: Share::Neighbours,
+            controller: Controller::Composed,
+            gamma: 0.2,
+            gamma_c: 0.2,
+            trust: Trust::ToldOrSeen,
+            assume: Assume::Obedient,
             input: InputBox { min_m_s: [-1.5; D], max_m_s: [1.5; D] },
             level_period: Duration::from_millis(5),
             value_period: Duration::from_millis(100),
@@ -142,17 +174,47 @@ impl<const D: usize> Settings<D> {
             (Field::Robots, n, Allowed::Closed(2.0, f64::from(ROBOTS_MAX))),
             (Field::Faults, f64::from(self.faults), Allowed::Closed(0.0, faults_max)),
             (Field::RadiusM, radius, positive),
-            (Field::DistanceMinM, self.distance_min_m, Allowed::Open(0.0, radius)),
+            (Field::DistanceMinM, self.distance_min_m, Allowed::Open(0.0, self.distance_limit())),
             (Field::Epsilon, self.epsilon(), Allowed::Open(0.0, 1.0 / (n - 1.0))),
             (Field::Q2, self.q2, positive),
             (Field::WR, self.w_r, positive),
             (Field::WC, self.w_c, positive),
             (Field::Alpha, self.alpha, positive),
+            (Field::Gamma, self.gamma, Allowed::LeftOpen(0.0, 1.0)),
+            (Field::GammaC, self.gamma_c, Allowed::LeftOpen(0.0, 1.0)),
             (Field::LevelPeriod, self.level_period.as_secs_f64(), positive),
             (Field::ValuePeriod, self.value_period.as_secs_f64(), positive),
         ];
         let failed = checks.into_iter().find(|(_, value, allowed)| !allowed.holds(*value));
         failed.map_or(Ok(()), |(field, value, allowed)| Err(ParamsError { field, value, allowed }))
+    }
+
+    /// Δ_d must be below R, and with `budget` below R − 2ρ: robots that are not linked have no row for their distance.
+    fn distance_limit(&self) -> f64 {
+        match self.controller {
+            Controller::Composed => self.radius_m,
+            Controller::Budget => self.radius_m - 2.0 * self.reach().longest_m(),
+        }
+    }
+
+    /// `T U_i`, T = τ₁.
+    fn reach(&self) -> Reach<D> {
+        Reach::new(&self.input, self.level_period.as_secs_f64())
+    }
+
+    fn budget(&self, link: LinkShape) -> Budget {
+        Budget {
+            curvature: Curvature::new(link),
+            robots: self.robots,
+            faults: self.faults,
+            distance_min_m: self.distance_min_m,
+            move_max_m: self.reach().longest_m(),
+            gamma: self.gamma,
+            gamma_c: self.gamma_c,
+            trust: self.trust,
+            assume: self.assume,
+            form: Form::Level,
+        }
     }
 
     fn check_input(&self) -> Result<(), ParamsError> {
@@ -173,8 +235,8 @@ impl<const D: usize> Settings<D> {
 impl<const D: usize> Params<D> {
     /// Checks every setting; the first that is outside its range is the error.
     pub fn new(settings: Settings<D>) -> Result<Self, ParamsError> {
-        settings.check()?;
         settings.check_input()?;
+        settings.check()?;
         let link = LinkShape { radius_m: settings.radius_m, q1: 2.0 + settings.epsilon(), q2: settings.q2 };
         let composed = Composed {
             share: settings.share,
@@ -185,7 +247,7 @@ impl<const D: usize> Params<D> {
             required: required_degree(settings.robots, settings.faults),
             distance_min_m: settings.distance_min_m,
         };
-        Ok(Self { settings, link, composed })
+        Ok(Self { settings, link, composed, budget: settings.budget(link), reach: settings.reach() })
     }
 
     /// The settings as they were given.
@@ -204,6 +266,18 @@ impl<const D: usize> Params<D> {
     #[must_use]
     pub fn composed(&self) -> &Composed {
         &self.composed
+    }
+
+    /// Our controller.
+    #[must_use]
+    pub fn budget(&self) -> &Budget {
+        &self.budget
+    }
+
+    /// The displacements of one tick, `T U_i`.
+    #[must_use]
+    pub fn reach(&self) -> &Reach<D> {
+        &self.reach
     }
 
     /// F′.
@@ -247,7 +321,7 @@ mod tests {
 
     #[test]
     fn each_setting_is_refused_outside_its_range() {
-        let wrong: [(Field, Change); 14] = [
+        let wrong: [(Field, Change); 17] = [
             (Field::Robots, |s| s.robots = 1),
             (Field::Robots, |s| s.robots = ROBOTS_MAX + 1),
             (Field::Faults, |s| s.faults = 6),
@@ -259,6 +333,9 @@ mod tests {
             (Field::WR, |s| s.w_r = -1.0),
             (Field::WC, |s| s.w_c = f64::INFINITY),
             (Field::Alpha, |s| s.alpha = 2e6),
+            (Field::Gamma, |s| s.gamma = 0.0),
+            (Field::GammaC, |s| s.gamma_c = 1.1),
+            (Field::DistanceMinM, |s| (s.controller, s.distance_min_m) = (Controller::Budget, 2.98)),
             (Field::InputMinMS, |s| s.input.min_m_s[1] = 0.1),
             (Field::InputMaxMS, |s| s.input.max_m_s[0] = f64::NAN),
             (Field::LevelPeriod, |s| s.level_period = Duration::ZERO),

@@ -31,6 +31,8 @@ pub enum Outcome {
     Active,
     /// No velocity in the box satisfies the row; the answer is the one that comes closest to it.
     Infeasible,
+    /// `budget`, outside the safe set: nothing gets worse, and what is broken is being mended.
+    Recovering,
 }
 
 /// Answer of [`closest`].

@@ -23,9 +23,9 @@ pub struct Report {
     pub margin: i32,
     /// c_i as sensed at the last update, before any restatement.
     pub level: f64,
-    /// h_i = c_i − F′ (eq:h_i).
+    /// h_i = c_i − F′ (eq:h_i); under `budget` with free liars T_i − θ.
     pub h: f64,
-    /// φ_i (eq:phi_i). May be negative while all is well (METHOD.md 2.2).
+    /// φ_i (eq:phi_i), whatever the controller. May be negative while all is well (METHOD.md 2.2).
     pub phi: f64,
     /// What the program found.
     pub outcome: Outcome,
@@ -53,7 +53,8 @@ pub struct RoundReport {
 /// What a robot can promise for its answer.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Mode {
-    /// All assumptions that a robot can check hold. `composed` never says so: its theorem needs continuous time.
+    /// All assumptions of THEORY.md B that a robot can check hold. `composed` never says so: its theorem needs continuous
+    /// time.
     Guaranteed,
     /// The answer is used, but an assumption does not hold.
     Degraded(Reason),
@@ -66,12 +67,15 @@ pub enum Mode {
 /// Why an answer is not guaranteed; the gravest that applies.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Reason {
-    /// Fewer than F′ neighbours.
+    /// Fewer than F′ neighbours (θ under [`Assume::Free`](crate::budget::knowledge::Assume::Free)).
     Degree,
     /// The program had no solution.
     Infeasible,
-    /// φ_i < 0: the robot is outside Z_i (thm:cbf-qp).
+    /// `composed`: φ_i < 0, outside Z_i (thm:cbf-qp). `budget`: h_i < 0, a neighbour's h certainly negative, or a pair too
+    /// close.
     OutsideSafeSet,
+    /// More than τ₁ has passed since the last tick: the velocity was held for longer than the rows allow for.
+    Late,
     /// A neighbour has told no level.
     Untold,
     /// thm:cbf-qp needs continuous time and a constant bias; a robot that ticks cannot have the first.

@@ -3,10 +3,12 @@
 use core::time::Duration;
 
 use crate::barrier::degree_barrier;
+use crate::budget::knowledge::Sighting;
+use crate::budget::row::Row;
 use crate::math::{Vector, dot, is_finite, subtract};
 use crate::message::{Message, VALUE_MAX};
 use crate::neighbor::{RobotId, Slot, Told};
-use crate::params::Params;
+use crate::params::{Controller, Params};
 use crate::program::{Outcome, closest};
 use crate::refusal::{ObserveError, Observed, ReceiveError, RobotError, SenseError};
 use crate::report::{Mode, Output, Reason, Report, RoundReport};
@@ -34,9 +36,12 @@ pub struct Robot<'memory, const D: usize> {
     id: RobotId,
     pub(crate) slots: &'memory mut [Slot<D>],
     pub(crate) values: &'memory mut [f64],
+    pub(crate) sightings: &'memory mut [Sighting<D>],
+    pub(crate) rows: &'memory mut [Row<D>],
     pub(crate) count: usize,
-    now: Instant,
+    pub(crate) now: Instant,
     position: Option<Vector<D>>,
+    pub(crate) last_tick: Option<Instant>,
     level_timer: Timer,
     value_timer: Timer,
     sequence: u32,
@@ -70,9 +75,12 @@ impl<'memory, const D: usize> Robot<'memory, D> {
             id,
             slots,
             values,
+            sightings: &mut [],
+            rows: &mut [],
             count: 0,
             now: Instant::START,
             position: None,
+            last_tick: None,
             level_timer: Timer::new(Instant::START, params.settings().level_period),
             value_timer: Timer::new(Instant::START, params.settings().value_period),
             sequence: 0,
@@ -82,6 +90,18 @@ impl<'memory, const D: usize> Robot<'memory, D> {
             next_value: value,
             round_on: false,
         })
+    }
+
+    /// Lends what [`Controller::Budget`] needs besides: as many `sightings` as slots, and `2·D + 2·N + 1` `rows` for N of
+    /// them. With N² `values` it is faster than with N. With too little of it the robot stands still.
+    #[must_use]
+    pub fn with_budget_memory(
+        mut self,
+        sightings: &'memory mut [Sighting<D>],
+        rows: &'memory mut [Row<D>],
+    ) -> Self {
+        (self.sightings, self.rows) = (sightings, rows);
+        self
     }
 
     /// Begins a tick at `now` with the robot's own position x_i, m.
@@ -132,7 +152,7 @@ impl<'memory, const D: usize> Robot<'memory, D> {
         let level_due = self.level_timer.fires(self.now);
         let value_due = self.value_timer.fires(self.now);
         if level_due {
-            self.level = self.neighbors().iter().fold(0.0, |level, slot| level + slot.link.weight);
+            self.level = self.own_level();
             self.told_level = self.level;
         }
         if value_due {
@@ -184,12 +204,19 @@ impl<'memory, const D: usize> Robot<'memory, D> {
         let composed = self.params.composed();
         let own = composed.degree_term(self.told_level);
         let composition = composed.compose(own, self.sensed().map(Slot::term));
-        let solution = closest(&desired, &composition.row, &self.params.settings().input);
-        let mut report = self.report(composition.phi, solution.outcome, round);
+        let (velocity_m_s, outcome) = match self.params.settings().controller {
+            Controller::Composed => {
+                let solution = closest(&desired, &composition.row, &self.params.settings().input);
+                (solution.velocity_m_s, solution.outcome)
+            }
+            Controller::Budget => self.budget_velocity(&desired),
+        };
+        let mut report = self.report(composition.phi, outcome, round);
         if !known {
             report.mode = Mode::Hold;
         }
-        Output { velocity_m_s: solution.velocity_m_s, report }
+        self.last_tick = Some(self.now);
+        Output { velocity_m_s, report }
     }
 
     /// When the next share is due.
@@ -222,7 +249,7 @@ impl<'memory, const D: usize> Robot<'memory, D> {
         &self.slots[..self.count]
     }
 
-    fn sensed(&self) -> impl Iterator<Item = &Slot<D>> + Clone {
+    pub(crate) fn sensed(&self) -> impl Iterator<Item = &Slot<D>> + Clone {
         self.neighbors().iter().filter(|slot| slot.sensed)
     }
 
@@ -267,22 +294,20 @@ impl<'memory, const D: usize> Robot<'memory, D> {
     fn report(&self, phi: f64, outcome: Outcome, round: Option<RoundReport>) -> Report {
         let degree = small(self.sensed().count());
         let untold = small(self.sensed().filter(|slot| slot.told.is_none()).count());
-        let required = self.params.required_degree();
-        let reason = match outcome {
-            _ if degree < required => Reason::Degree,
-            Outcome::Infeasible => Reason::Infeasible,
-            _ if phi < 0.0 => Reason::OutsideSafeSet,
-            _ if untold > 0 => Reason::Untold,
-            _ => Reason::ContinuousTime,
+        let required = self.required();
+        let h = degree_barrier(self.level, required);
+        let mode = match self.params.settings().controller {
+            Controller::Composed => Mode::Degraded(composed_reason(degree < required, outcome, phi, untold)),
+            Controller::Budget => self.budget_mode(degree < required, outcome, h),
         };
         Report {
             degree,
             margin: i32::from(degree) - i32::from(required),
             level: self.level,
-            h: degree_barrier(self.level, required),
+            h,
             phi,
             outcome,
-            mode: Mode::Degraded(reason),
+            mode,
             untold,
             told_age_max: self
                 .sensed()
@@ -293,11 +318,30 @@ impl<'memory, const D: usize> Robot<'memory, D> {
         }
     }
 
+    /// F′, or θ under `budget` with free liars.
+    fn required(&self) -> u16 {
+        match self.params.settings().controller {
+            Controller::Composed => self.params.required_degree(),
+            Controller::Budget => self.params.budget().required(),
+        }
+    }
+
     fn stopped(&self, round: Option<RoundReport>) -> Output<D> {
         let composed = self.params.composed();
         let alone = composed.compose(Scaled::ZERO, core::iter::empty::<crate::composed::Term<D>>());
         let report = self.report(alone.phi, Outcome::Infeasible, round);
         Output { velocity_m_s: [0.0; D], report: Report { mode: Mode::Stopped, ..report } }
+    }
+}
+
+/// The gravest of what speaks against an answer of `composed`.
+fn composed_reason(degree_low: bool, outcome: Outcome, phi: f64, untold: u16) -> Reason {
+    match outcome {
+        _ if degree_low => Reason::Degree,
+        Outcome::Infeasible => Reason::Infeasible,
+        _ if phi < 0.0 => Reason::OutsideSafeSet,
+        _ if untold > 0 => Reason::Untold,
+        _ => Reason::ContinuousTime,
     }
 }
 

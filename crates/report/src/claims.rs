@@ -155,7 +155,7 @@ impl SectionFive<'_> {
         vec![
             claim(
                 "[thm:cbf-qp, hypothesis] The start lies in the safe set: every phi_i >= 0.",
-                self.all(|run| run.start.inside()),
+                self.all(|run| run.start.inside),
                 format!("least phi_i at the start: {}", self.each(|run| number(run.start.phi_min, 4))),
             ),
             claim(

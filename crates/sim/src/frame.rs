@@ -18,6 +18,8 @@ pub struct Frame<const D: usize> {
     pub levels: Vec<f64>,
     /// c_i as told.
     pub told: Vec<f64>,
+    /// h_i as the robot's controller has it: c_i − F′, or T_i − θ under `budget` with free liars.
+    pub spares: Vec<f64>,
     /// φ_i.
     pub phis: Vec<f64>,
     /// y_i; of malicious robots what they tell.
@@ -40,6 +42,7 @@ impl<const D: usize> Frame<D> {
             degrees: vec![0; robots],
             levels: vec![0.0; robots],
             told: vec![0.0; robots],
+            spares: vec![0.0; robots],
             phis: vec![0.0; robots],
             values,
             outcomes: vec![Outcome::Free; robots],

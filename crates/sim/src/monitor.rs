@@ -9,6 +9,9 @@ use crate::frame::Frame;
 use crate::scenario::Scenario;
 use crate::start::squared_distance;
 
+/// A pair that keeps Δ_d exactly may miss it by the rounding of its positions, far less than this part of Δ_d².
+const ROUNDING: f64 = 1e-12;
+
 /// Something that a run can be expected to keep.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Law {
@@ -169,6 +172,18 @@ impl<const D: usize> Monitors<D> {
         }
     }
 
+    /// Which robots are malicious.
+    #[must_use]
+    pub fn malicious(&self) -> &[bool] {
+        &self.malicious
+    }
+
+    /// F′.
+    #[must_use]
+    pub fn required_degree(&self) -> u16 {
+        self.params.required_degree()
+    }
+
     /// What became of each law.
     #[must_use]
     pub fn verdicts(&self) -> &[Verdict; 8] {
@@ -235,7 +250,7 @@ impl<const D: usize> Monitors<D> {
                 if distance_m2 <= settings.radius_m * settings.radius_m {
                     collisions += self.params.composed().collision_term::<f64>(distance_m2);
                 }
-                if distance_m2 < allowed {
+                if distance_m2 < allowed * (1.0 - ROUNDING) {
                     let (seen, demanded) = (sqrt(distance_m2), settings.distance_min_m);
                     self.broke(Law::Distance, Violation { tick, robots: [first, second], seen, demanded });
                 }

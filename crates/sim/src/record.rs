@@ -134,5 +134,6 @@ pub fn outcome_name(outcome: Outcome) -> &'static str {
         Outcome::Free => "free",
         Outcome::Active => "active",
         Outcome::Infeasible => "infeasible",
+        Outcome::Recovering => "recovering",
     }
 }

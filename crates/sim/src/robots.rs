@@ -3,6 +3,8 @@
 //! This is the whole path that a robot in the world takes; [`crate::team`] gives the same bits faster where the network
 //! is perfect.
 
+use closeranks_core::budget::knowledge::Sighting;
+use closeranks_core::budget::row::Row;
 use closeranks_core::message::Message;
 use closeranks_core::neighbor::{RobotId, Slot};
 use closeranks_core::params::Params;
@@ -18,6 +20,8 @@ use crate::frame::Frame;
 pub struct Memory<const D: usize> {
     slots: Vec<Slot<D>>,
     values: Vec<f64>,
+    sightings: Vec<Sighting<D>>,
+    rows: Vec<Row<D>>,
     robots: usize,
 }
 
@@ -25,7 +29,23 @@ impl<const D: usize> Memory<D> {
     /// For `robots` robots that may all be neighbours of each other.
     #[must_use]
     pub fn new(robots: usize) -> Self {
-        Self { slots: vec![Slot::default(); robots * robots], values: vec![0.0; robots * robots], robots }
+        let nobody = Sighting { offset_m: [0.0; D], claim: None };
+        Self {
+            slots: vec![Slot::default(); robots * robots],
+            values: vec![0.0; robots * Self::values_each(robots)],
+            sightings: vec![nobody; robots * robots],
+            rows: vec![Row::default(); robots * Self::rows_each(robots)],
+            robots,
+        }
+    }
+
+    /// Small teams get a table of all pairs, which halves the work of `budget`.
+    fn values_each(robots: usize) -> usize {
+        if robots <= 64 { robots * robots } else { robots }
+    }
+
+    fn rows_each(robots: usize) -> usize {
+        2 * D + 2 * robots + 1
     }
 }
 
@@ -46,10 +66,15 @@ impl<'memory, const D: usize> Fleet<'memory, D> {
         memory: &'memory mut Memory<D>,
     ) -> Result<Self, RobotError> {
         let chunk = memory.robots.max(1);
-        let lent = memory.slots.chunks_mut(chunk).zip(memory.values.chunks_mut(chunk));
-        let robots = (1..).zip(values).zip(lent);
-        let robots = robots
-            .map(|((id, value), (slots, scratch))| Robot::new(params, RobotId(id), *value, slots, scratch));
+        let scratch = memory.values.chunks_mut(Memory::<D>::values_each(chunk));
+        let lent = memory.slots.chunks_mut(chunk).zip(scratch);
+        let rows = memory.rows.chunks_mut(Memory::<D>::rows_each(chunk));
+        let more = memory.sightings.chunks_mut(chunk).zip(rows);
+        let robots = (1..).zip(values).zip(lent.zip(more));
+        let robots = robots.map(|((id, value), ((slots, scratch), (sightings, rows)))| {
+            let robot = Robot::new(params, RobotId(id), *value, slots, scratch)?;
+            Ok(robot.with_budget_memory(sightings, rows))
+        });
         Ok(Self {
             robots: robots.collect::<Result<_, _>>()?,
             outbox: vec![None; values.len()],
@@ -115,7 +140,9 @@ impl<'memory, const D: usize> Fleet<'memory, D> {
             let output = robot.tick(frame.desired_m_s[index]);
             frame.velocities_m_s[index] = output.velocity_m_s;
             frame.degrees[index] = output.report.degree;
-            frame.levels[index] = output.report.level;
+            frame.levels[index] =
+                robot.neighbors().iter().fold(0.0, |level, slot| level + slot.link().weight);
+            frame.spares[index] = output.report.h;
             frame.told[index] = robot.told_level();
             frame.phis[index] = output.report.phi;
             frame.outcomes[index] = output.report.outcome;

@@ -2,8 +2,9 @@
 
 use core::time::Duration;
 
+use closeranks_core::budget::knowledge::{Assume, Trust};
 use closeranks_core::composed::Share;
-use closeranks_core::params::{Params, ParamsError, Settings};
+use closeranks_core::params::{self, Params, ParamsError, Settings};
 use closeranks_core::program::InputBox;
 
 use crate::attack::{LevelAttack, ValueAttack};
@@ -44,6 +45,14 @@ pub struct Scenario {
     pub w_c: f64,
     /// α(s) = alpha·s, 1/s.
     pub alpha: f64,
+    /// γ of `budget`.
+    pub gamma: f64,
+    /// γ_c of `budget`.
+    pub gamma_c: f64,
+    /// What `budget` believes of levels.
+    pub trust: Trust,
+    /// What `budget` assumes of malicious robots.
+    pub assume: Assume,
     /// Δ_d, m.
     pub distance_min_m: f64,
     /// Lower corner of U_i, m/s, one number a dimension.
@@ -73,6 +82,8 @@ pub struct Scenario {
 pub enum Controller {
     /// The paper's (eq:split, seq:qp).
     Composed,
+    /// Ours (METHOD.md section 3).
+    Budget,
     /// None: the desired velocity, cut to the box. What the paper's robots would do unfiltered.
     None,
 }
@@ -110,6 +121,10 @@ impl Default for Scenario {
             w_r: settings.w_r,
             w_c: settings.w_c,
             alpha: settings.alpha,
+            gamma: settings.gamma,
+            gamma_c: settings.gamma_c,
+            trust: settings.trust,
+            assume: settings.assume,
             distance_min_m: settings.distance_min_m,
             input_min_m_s: settings.input.min_m_s.to_vec(),
             input_max_m_s: settings.input.max_m_s.to_vec(),
@@ -171,6 +186,14 @@ impl Scenario {
             w_c: self.w_c,
             alpha: self.alpha,
             share: self.share,
+            controller: match self.controller {
+                Controller::Budget => params::Controller::Budget,
+                Controller::Composed | Controller::None => params::Controller::Composed,
+            },
+            gamma: self.gamma,
+            gamma_c: self.gamma_c,
+            trust: self.trust,
+            assume: self.assume,
             input: InputBox { min_m_s: corner(&self.input_min_m_s), max_m_s: corner(&self.input_max_m_s) },
             level_period: self.tau_1,
             value_period: self.tau_2,

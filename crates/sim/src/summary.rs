@@ -5,14 +5,19 @@ use closeranks_core::math::{Vector, sqrt};
 use crate::attack::mean_distance_to_liars;
 use crate::frame::Frame;
 use crate::monitor::{Extremes, Law, Monitors, Verdict};
-use crate::scenario::Scenario;
+use crate::scenario::{Controller, Scenario};
 use crate::start::squared_distance;
 
 /// Where the start lies.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct StartSummary {
-    /// Least φ_i at the start; the start is in the safe set if this is not negative.
+    /// Whether the start is in the safe set of its controller: every φ_i ≥ 0 for `composed` (thm:cbf-qp); every h_i of a
+    /// normal robot ≥ 0 and no two robots closer than Δ_d for `budget`.
+    pub inside: bool,
+    /// Least φ_i at the start.
     pub phi_min: f64,
+    /// Least h_i of a normal robot at the start, as its controller has it.
+    pub h_min: f64,
     /// Least degree of all robots.
     pub degree_min: u16,
     /// Least distance of two robots, m.
@@ -46,14 +51,6 @@ pub struct Summary {
     pub ticks: u32,
 }
 
-impl StartSummary {
-    /// Every φ_i ≥ 0: the hypothesis of thm:cbf-qp.
-    #[must_use]
-    pub fn inside(&self) -> bool {
-        self.phi_min >= 0.0
-    }
-}
-
 impl Summary {
     /// How often `law` was broken.
     #[must_use]
@@ -77,21 +74,14 @@ pub struct Collector {
 
 impl Collector {
     /// Looks at one tick after the monitors did.
-    pub fn watch<const D: usize>(
-        &mut self,
-        frame: &Frame<D>,
-        monitors: &Monitors<D>,
-        malicious: &[bool],
-        required: u16,
-    ) {
+    pub fn watch<const D: usize>(&mut self, scenario: &Scenario, frame: &Frame<D>, monitors: &Monitors<D>) {
+        let malicious = monitors.malicious();
         if self.start.is_none() {
-            let extremes = monitors.extremes();
-            let degree_min = frame.degrees.iter().copied().min().unwrap_or(0);
-            let (phi_min, distance_min_m) = (extremes.phi_min, extremes.distance_min_m);
-            self.start = Some(StartSummary { phi_min, degree_min, distance_min_m });
+            self.start = Some(start(scenario, frame, monitors));
             self.spreading_start_m_s = spreading(frame);
             self.malicious_below = vec![false; malicious.len()];
         }
+        let required = monitors.required_degree();
         for index in 0..malicious.len() {
             self.malicious_below[index] |= malicious[index] && frame.degrees[index] < required;
         }
@@ -108,11 +98,7 @@ impl Collector {
         let speeds = frame.velocities_m_s.iter().map(|velocity| squared_distance(velocity, &[0.0; D]));
         let below = self.malicious_below.iter().filter(|below| **below).count();
         Summary {
-            start: self.start.unwrap_or(StartSummary {
-                phi_min: f64::NAN,
-                degree_min: 0,
-                distance_min_m: f64::NAN,
-            }),
+            start: self.start.unwrap_or(NO_START),
             extremes: *monitors.extremes(),
             verdicts: *monitors.verdicts(),
             gyration_m: gyration(&frame.positions_m),
@@ -125,6 +111,27 @@ impl Collector {
             ticks: scenario.ticks(),
         }
     }
+}
+
+/// Of a run without a single tick, which there is not.
+const NO_START: StartSummary = StartSummary {
+    inside: false,
+    phi_min: f64::NAN,
+    h_min: f64::NAN,
+    degree_min: 0,
+    distance_min_m: f64::NAN,
+};
+
+fn start<const D: usize>(scenario: &Scenario, frame: &Frame<D>, monitors: &Monitors<D>) -> StartSummary {
+    let (phi_min, distance_min_m) = (monitors.extremes().phi_min, monitors.extremes().distance_min_m);
+    let normal = frame.spares.iter().zip(monitors.malicious()).filter(|(_, malicious)| !**malicious);
+    let h_min = normal.map(|(spare, _)| *spare).fold(f64::INFINITY, f64::min);
+    let inside = match scenario.controller {
+        Controller::Budget => h_min >= 0.0 && distance_min_m >= scenario.distance_min_m,
+        Controller::Composed | Controller::None => phi_min >= 0.0,
+    };
+    let degree_min = frame.degrees.iter().copied().min().unwrap_or(0);
+    StartSummary { inside, phi_min, h_min, degree_min, distance_min_m }
 }
 
 fn mean<const D: usize>(vectors: &[Vector<D>]) -> Vector<D> {

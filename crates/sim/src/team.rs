@@ -3,6 +3,7 @@
 //! In a perfect network every neighbour hears the same level, so weight, slope and both exponentials belong to a pair
 //! and are computed once for both ends. Sums are taken in order of robot numbers, as a robot takes them.
 
+use closeranks_core::barrier::degree_barrier;
 use closeranks_core::composed::{Composition, Sum, TERM_LARGE, Term};
 use closeranks_core::link::Link;
 use closeranks_core::math::{Vector, dot, subtract};
@@ -104,6 +105,7 @@ impl<const D: usize> Team<D> {
     pub fn step(&mut self, frame: &mut Frame<D>, liars: &mut Liars) {
         self.find_pairs(frame);
         for (index, level) in frame.levels.iter().enumerate() {
+            frame.spares[index] = degree_barrier(*level, self.params.required_degree());
             frame.told[index] = liars.level(index, *level);
         }
         if self.tick.is_multiple_of(self.ticks_per_round) {

@@ -10,7 +10,7 @@ use crate::random::{Random, Stream};
 use crate::record::Record;
 use crate::robots::{Fleet, Memory};
 use crate::robustness::{Round, Watcher};
-use crate::scenario::{Scenario, Values};
+use crate::scenario::{Controller, Scenario, Values};
 use crate::start::StartError;
 use crate::summary::{Collector, Summary};
 use crate::team::Team;
@@ -18,7 +18,7 @@ use crate::team::Team;
 /// How robots are computed; both give the same bits.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Engine {
-    /// All at once ([`crate::team`]).
+    /// All at once ([`crate::team`]); controller `budget` runs one by one all the same.
     #[default]
     Team,
     /// One by one, with every message as bytes ([`crate::robots`]). Controller `none` is not a robot's: it runs as a team.
@@ -90,7 +90,12 @@ fn run_in<const D: usize>(
     let values = initial_values(scenario)?;
     let frame = Frame::new(scenario.start.positions(scenario)?, values.clone());
     let world = World::new(scenario, params, frame, options);
-    if options.engine == Engine::Robots && scenario.controller == crate::scenario::Controller::Composed {
+    let single = match scenario.controller {
+        Controller::Budget => true,
+        Controller::Composed => options.engine == Engine::Robots,
+        Controller::None => false,
+    };
+    if single {
         let mut memory = Memory::new(usize::from(scenario.robots));
         let mut fleet = Fleet::new(params, &values, &mut memory)?;
         return Ok(world.run(|frame, liars| fleet.step(frame, liars), progress));
@@ -113,7 +118,6 @@ pub fn initial_values(scenario: &Scenario) -> Result<Vec<f64>, RunError> {
 
 struct World<'a, const D: usize> {
     scenario: &'a Scenario,
-    required: u16,
     malicious: Vec<bool>,
     frame: Frame<D>,
     liars: Liars,
@@ -128,7 +132,6 @@ impl<'a, const D: usize> World<'a, D> {
         let required = params.required_degree();
         Self {
             scenario,
-            required,
             malicious: scenario.malicious_mask(),
             frame,
             liars: Liars::new(scenario),
@@ -146,7 +149,7 @@ impl<'a, const D: usize> World<'a, D> {
             want(self.scenario, &mut self.frame);
             step(&mut self.frame, &mut self.liars);
             self.monitors.watch(tick, &self.frame);
-            self.collector.watch(&self.frame, &self.monitors, &self.malicious, self.required);
+            self.collector.watch(self.scenario, &self.frame, &self.monitors);
             if let Some(record) = &mut self.record {
                 record.push(&self.frame);
             }

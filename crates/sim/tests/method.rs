@@ -54,7 +54,7 @@ fn programs_become_infeasible_without_any_attack() {
         ..Scenario::default()
     };
     let summary = summary(&scenario);
-    assert!(summary.start.inside());
+    assert!(summary.start.inside);
     assert!(summary.broken(Law::Feasible) > 0, "programs without a solution");
 }
 
@@ -64,7 +64,7 @@ fn the_published_start_is_outside_the_safe_set() {
     for attack in ATTACKS {
         let summary =
             summary(&Scenario { start: Start::Published, level_attack: attack, ..Scenario::default() });
-        assert!(!summary.start.inside());
+        assert!(!summary.start.inside);
         assert!(summary.start.distance_min_m < 0.3);
         assert!(summary.extremes.inside_from.is_some_and(|tick| tick > 0));
         assert!(summary.extremes.safe_from.is_some_and(|tick| tick > 0));

@@ -61,7 +61,7 @@ fn more_liars_than_f_pull_values_out_of_their_interval() {
 fn an_understated_level_beyond_reach_makes_programs_infeasible() {
     let scenario = Scenario { level_attack: LevelAttack::Bias(-6.0), ..Scenario::default() };
     assert!(summary(&scenario).broken(Law::Feasible) > 0);
-    assert!(!summary(&scenario).start.inside());
+    assert!(!summary(&scenario).start.inside);
 }
 
 /// Inputs outside their box cannot come from a controller of ours, so the monitor is given a frame of its own.
@@ -84,6 +84,6 @@ fn an_input_outside_its_box_is_named_with_its_component() {
 fn a_random_start_says_whether_it_is_safe() {
     let crowd = Start::Random { half_side_m: 0.7, distance_min_m: 0.3 };
     let wide = Start::Random { half_side_m: 1.2, distance_min_m: 0.55 };
-    assert!(!summary(&Scenario { start: crowd, duration_s: 0.0, ..Scenario::default() }).start.inside());
-    assert!(summary(&Scenario { start: wide, duration_s: 0.0, ..Scenario::default() }).start.inside());
+    assert!(!summary(&Scenario { start: crowd, duration_s: 0.0, ..Scenario::default() }).start.inside);
+    assert!(summary(&Scenario { start: wide, duration_s: 0.0, ..Scenario::default() }).start.inside);
 }

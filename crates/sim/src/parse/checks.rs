@@ -4,7 +4,7 @@ use closeranks_core::params::{Field, ParamsError};
 
 use super::ROWS_MAX;
 use super::reader::Reader;
-use crate::scenario::{Scenario, Values};
+use crate::scenario::{Controller, Scenario, Values};
 use crate::start::{Start, StartError, squared_distance};
 
 /// Notes in `reader` what cannot be run; `scenario` holds fields that were each read without fault.
@@ -81,6 +81,9 @@ fn refuse_parameter(reader: &mut Reader, scenario: &Scenario, error: &ParamsErro
     let why = match error.field {
         Field::Faults => format!(" (2F + 1 <= n = {})", scenario.robots),
         Field::Epsilon => format!(" (below 1/(n-1), n = {})", scenario.robots),
+        Field::DistanceMinM if scenario.controller == Controller::Budget => {
+            " (below link.radius_m by two longest moves of a tick)".to_owned()
+        }
         Field::DistanceMinM => " (below link.radius_m)".to_owned(),
         Field::InputMinMS | Field::InputMaxMS => " (the box must contain 0)".to_owned(),
         _ => String::new(),
@@ -99,6 +102,8 @@ fn field_name(field: Field) -> &'static str {
         Field::WR => "controller.w_r",
         Field::WC => "controller.w_c",
         Field::Alpha => "controller.alpha",
+        Field::Gamma => "controller.gamma",
+        Field::GammaC => "controller.gamma_c",
         Field::InputMinMS => "controller.input_min_m_s",
         Field::InputMaxMS => "controller.input_max_m_s",
         Field::LevelPeriod => "clock.tau_1_s",

@@ -2,6 +2,7 @@
 
 use core::time::Duration;
 
+use closeranks_core::budget::knowledge::{Assume, Trust};
 use closeranks_core::composed::Share;
 use closeranks_core::params::{Allowed, MAGNITUDE_MAX, ROBOTS_MAX};
 use toml::de::{DeTable, DeValue};
@@ -88,13 +89,20 @@ fn link(reader: &mut Reader, section: &mut Section<'_>, scenario: &mut Scenario)
 }
 
 fn controller(reader: &mut Reader, section: &mut Section<'_>, scenario: &mut Scenario) {
-    let kinds = [("composed", Controller::Composed), ("none", Controller::None)];
+    let kinds =
+        [("composed", Controller::Composed), ("budget", Controller::Budget), ("none", Controller::None)];
     set(&mut scenario.controller, reader.word(section, "kind", &kinds));
     let shares = [("neighbours", Share::Neighbours), ("own", Share::Own)];
     set(&mut scenario.share, reader.word(section, "share", &shares));
     set(&mut scenario.w_r, reader.number(section, "w_r", POSITIVE));
     set(&mut scenario.w_c, reader.number(section, "w_c", POSITIVE));
     set(&mut scenario.alpha, reader.number(section, "alpha", POSITIVE));
+    set(&mut scenario.gamma, reader.number(section, "gamma", POSITIVE));
+    set(&mut scenario.gamma_c, reader.number(section, "gamma_c", POSITIVE));
+    let trusts = [("told", Trust::Told), ("told-or-seen", Trust::ToldOrSeen), ("seen", Trust::Seen)];
+    set(&mut scenario.trust, reader.word(section, "trust", &trusts));
+    let assumptions = [("obedient", Assume::Obedient), ("free", Assume::Free)];
+    set(&mut scenario.assume, reader.word(section, "assume", &assumptions));
     set(&mut scenario.distance_min_m, reader.number(section, "distance_min_m", POSITIVE));
     set(&mut scenario.input_min_m_s, reader.list(section, "input_min_m_s", "a speed in m/s", number));
     set(&mut scenario.input_max_m_s, reader.list(section, "input_max_m_s", "a speed in m/s", number));

@@ -1,0 +1,97 @@
+//! `budget` in whole runs: what it guarantees holds for lies, tick lengths and starts that break the paper's controller.
+
+#![expect(clippy::unwrap_used, reason = "helpers of tests")]
+
+use core::time::Duration;
+
+use closeranks_core::budget::knowledge::{Assume, Trust};
+use closeranks_core::program::Outcome;
+use closeranks_sim::attack::LevelAttack;
+use closeranks_sim::monitor::Law;
+use closeranks_sim::scenario::{Controller, Scenario};
+use closeranks_sim::start::Start;
+use closeranks_sim::world::{Options, Run, run};
+
+fn budget() -> Scenario {
+    Scenario { controller: Controller::Budget, duration_s: 5.0, ..Scenario::default() }
+}
+
+fn recorded(scenario: &Scenario) -> Run {
+    run(scenario, Options { record: true, ..Options::default() }, &mut |_| ()).unwrap()
+}
+
+/// Degrees, distances, values and inputs are kept, h of normal robots stays at 0 or above beyond rounding, and no
+/// program is without an answer.
+#[track_caller]
+fn kept(scenario: &Scenario) {
+    let run = recorded(scenario);
+    assert!(run.summary.start.inside, "{scenario:?}");
+    for law in [Law::Degree, Law::Distance, Law::Interval, Law::Agreement, Law::Input, Law::Feasible] {
+        assert_eq!(run.summary.broken(law), 0, "{law:?}: {:?}, {scenario:?}", run.summary.verdicts);
+    }
+    if scenario.assume == Assume::Obedient {
+        assert!(run.summary.extremes.h_min > -1e-9, "{} {scenario:?}", run.summary.extremes.h_min);
+    }
+    let outcomes = run.record.unwrap().outcome;
+    assert!(!outcomes.contains(&Outcome::Infeasible));
+}
+
+#[test]
+fn any_bias_is_survived() {
+    for bias in [-1e6, -40.0, -10.0, -2.5, 0.0, 1.0, 3.5, 40.0, 1e6] {
+        kept(&Scenario { level_attack: LevelAttack::Bias(bias), ..budget() });
+    }
+}
+
+#[test]
+fn long_ticks_are_survived() {
+    for (tick_ms, q2) in [(20, 0.9), (50, 0.1), (50, 0.3), (50, 0.9), (100, 0.3)] {
+        let (tau_1, tau_2) = (Duration::from_millis(tick_ms), Duration::from_millis(100));
+        kept(&Scenario { tau_1, tau_2, q2, level_attack: LevelAttack::Bias(3.5), ..budget() });
+    }
+}
+
+#[test]
+fn every_trust_and_assumption_in_two_and_three_dimensions() {
+    for trust in [Trust::Told, Trust::ToldOrSeen, Trust::Seen] {
+        for assume in [Assume::Obedient, Assume::Free] {
+            kept(&Scenario { trust, assume, level_attack: LevelAttack::Bias(6.0), ..budget() });
+            let start = Start::Random { half_side_m: 0.8, distance_min_m: 0.45 };
+            let corner = vec![1.5; 3];
+            let low = vec![-1.5; 3];
+            let cube =
+                Scenario { dimension: 3, start, input_max_m_s: corner, input_min_m_s: low, ..budget() };
+            kept(&Scenario { trust, assume, robots: 12, level_attack: LevelAttack::Bias(-3.0), ..cube });
+        }
+    }
+}
+
+#[test]
+fn random_starts_and_other_teams() {
+    for seed in 0..12 {
+        let start = Start::Random { half_side_m: 1.1, distance_min_m: 0.4 };
+        kept(&Scenario { seed, start, level_attack: LevelAttack::Bias(9.0), ..budget() });
+        let start = Start::Random { half_side_m: 0.8, distance_min_m: 0.4 };
+        kept(&Scenario { seed, start, robots: 6, faults: 1, malicious: vec![4], ..budget() });
+    }
+}
+
+/// The published start has two robots too close: they come apart, and from then on everything holds.
+#[test]
+fn a_start_outside_the_set_is_recovered_from() {
+    let run = recorded(&Scenario { start: Start::Published, ..budget() });
+    assert!(!run.summary.start.inside);
+    let outcomes = run.record.unwrap().outcome;
+    assert!(outcomes[..11].contains(&Outcome::Recovering));
+    assert!(!outcomes[11 * 20..].contains(&Outcome::Recovering), "within 0.1 s");
+    assert!(run.summary.extremes.safe_from.is_some_and(|tick| tick > 0 && tick < 20));
+}
+
+/// The same lie and tick break `composed`: what the runs above survive is not nothing.
+#[test]
+fn the_papers_controller_does_not_survive_these() {
+    let slow =
+        Scenario { tau_1: Duration::from_millis(50), q2: 0.9, controller: Controller::Composed, ..budget() };
+    let summary = recorded(&slow).summary;
+    assert!(summary.broken(Law::Degree) + summary.broken(Law::Distance) > 0);
+}
