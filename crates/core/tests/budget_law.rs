@@ -5,7 +5,7 @@ use closeranks_core::budget::knowledge::{Assume, Claim, Sighting};
 use closeranks_core::budget::project::Program;
 use closeranks_core::budget::reach::Reach;
 use closeranks_core::budget::row::Row;
-use closeranks_core::budget::rows::{Budget, Form};
+use closeranks_core::budget::settings::{Budget, Form};
 use closeranks_core::link::Link;
 use closeranks_core::math::{add_scaled, dot, length};
 
