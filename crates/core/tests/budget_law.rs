@@ -186,3 +186,15 @@ fn the_rows_of_assumption_1_break_when_malicious_robots_move_as_they_like() {
         }
     }
 }
+
+/// (far) bounds a link's loss by its distance, (far′) by the joint move: a pair with one of each is covered by neither.
+#[test]
+fn robots_with_different_forms_break_the_law() {
+    let mixed = |budget: &Budget, sightings: &[Sighting<2>], reach: Reach<2>| {
+        let bits = sightings.iter().fold(0, |bits, sighting| bits ^ sighting.offset_m[0].to_bits());
+        let form = if bits & 1 == 0 { Form::Link } else { Form::Level };
+        crate_rows(&Budget { form, ..*budget }, sightings, reach)
+    };
+    let broken = law(Assume::Obedient, Form::Link, TEAMS, &mixed);
+    assert!(broken.is_err(), "mixed forms go unnoticed");
+}

@@ -42,6 +42,52 @@ pub struct Budget {
     pub form: Form,
 }
 
+/// Why the theorem would not hold with some settings.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Unsound {
+    /// γ is not in (0, 1].
+    Gamma,
+    /// γ_c is not in (0, 1].
+    GammaC,
+    /// `R − 2ρ < Δ_d`: two robots that do not see each other yet could be too close a tick later.
+    Blind,
+    /// `q₁/2 (required − 1) ≥ required`: h ≥ 0 would not mean that many neighbours.
+    Height,
+    /// More neighbours are required than there are other robots.
+    Required,
+}
+
+impl Budget {
+    /// Checks what the theorem assumes of the settings; the first that fails is the error. Nothing else is unsafe then:
+    /// any settings give moves in the box that satisfy their rows.
+    pub fn check(&self) -> Result<(), Unsound> {
+        let (required, link) = (f64::from(self.required()), self.curvature.link());
+        let share = |gamma: f64| 0.0 < gamma && gamma <= 1.0;
+        let checks = [
+            (share(self.gamma), Unsound::Gamma),
+            (share(self.gamma_c), Unsound::GammaC),
+            (link.radius_m - 2.0 * self.move_max_m >= self.distance_min_m, Unsound::Blind),
+            (0.5 * link.q1 * (required - 1.0) < required, Unsound::Height),
+            (required < f64::from(self.robots), Unsound::Required),
+        ];
+        checks.into_iter().find(|(holds, _)| !holds).map_or(Ok(()), |(_, unsound)| Err(unsound))
+    }
+}
+
+impl core::fmt::Display for Unsound {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        f.write_str(match self {
+            Self::Gamma => "gamma is not more than 0 and at most 1",
+            Self::GammaC => "gamma_c is not more than 0 and at most 1",
+            Self::Blind => "two robots out of range of each other could collide within a tick",
+            Self::Height => "epsilon is too large for the required number of neighbours",
+            Self::Required => "more neighbours are required than there are other robots",
+        })
+    }
+}
+
+impl core::error::Error for Unsound {}
+
 /// `γ = 1 − e^(−αT)`: the share per tick of `period_s` (s) that loses at the rate α (1/s), whatever the tick.
 ///
 /// The guarantee holds for every γ; how far a team gets does not. Who spends all in one tick is held where it happens to
@@ -63,6 +109,39 @@ pub fn share_of_rate(rate_per_s: f64, period_s: f64) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::link::LinkShape;
+
+    fn paper() -> Budget {
+        Budget {
+            curvature: Curvature::new(LinkShape { radius_m: 3.0, q1: 2.099, q2: 0.3 }),
+            robots: 11,
+            faults: 2,
+            distance_min_m: 0.3,
+            move_max_m: 0.0107,
+            gamma: share_of_rate(2.0, 0.005),
+            gamma_c: 0.2,
+            trust: Trust::ToldOrSeen,
+            assume: Assume::Obedient,
+            form: Form::Level,
+        }
+    }
+
+    #[test]
+    fn what_the_theorem_assumes_is_checked() {
+        assert_eq!(paper().check(), Ok(()));
+        assert_eq!(Budget { assume: Assume::Free, ..paper() }.check(), Ok(()));
+        let tall = Curvature::new(LinkShape { radius_m: 3.0, q1: 2.4, q2: 0.3 });
+        for (budget, unsound) in [
+            (Budget { gamma: 0.0, ..paper() }, Unsound::Gamma),
+            (Budget { gamma: f64::NAN, ..paper() }, Unsound::Gamma),
+            (Budget { gamma_c: 1.1, ..paper() }, Unsound::GammaC),
+            (Budget { move_max_m: 1.36, ..paper() }, Unsound::Blind),
+            (Budget { curvature: tall, ..paper() }, Unsound::Height),
+            (Budget { faults: 6, ..paper() }, Unsound::Required),
+        ] {
+            assert_eq!(budget.check(), Err(unsound));
+        }
+    }
 
     #[test]
     fn a_rate_is_the_same_over_one_long_tick_and_many_short_ones() {
