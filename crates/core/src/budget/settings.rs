@@ -92,7 +92,7 @@ impl core::error::Error for Unsound {}
 ///
 /// The guarantee holds for every γ; how far a team gets does not. Who spends all in one tick is held where it happens to
 /// stand. Mean radius of gyration of the paper's eleven robots after 10 s (q₂ = 0.3, start `inside`, twelve assignments of
-/// robots to places, no attack), m:
+/// robots to places, no attack; `examples/budget_spread.rs`), m:
 ///
 /// ```text
 /// α, 1/s              0.5    1      2      4      8      40
