@@ -2,7 +2,7 @@
 
 use budget_team::Team;
 use closeranks_core::budget::knowledge::{Assume, Claim, Sighting, Trust};
-use closeranks_core::budget::rows::{Budget, Form};
+use closeranks_core::budget::settings::{Budget, Form};
 use closeranks_core::math::{dot, subtract};
 use seeded::Seeded;
 

@@ -5,7 +5,7 @@ use closeranks_core::budget::knowledge::{Assume, Claim, Sighting};
 use closeranks_core::budget::project::Program;
 use closeranks_core::budget::reach::Reach;
 use closeranks_core::budget::row::Row;
-use closeranks_core::budget::rows::{Budget, Form};
+use closeranks_core::budget::settings::{Budget, Form};
 use closeranks_core::link::Link;
 use closeranks_core::math::{add_scaled, dot, length};
 
@@ -185,4 +185,16 @@ fn the_rows_of_assumption_1_break_when_malicious_robots_move_as_they_like() {
             Err(broken) => eprintln!("{name}: {broken}"),
         }
     }
+}
+
+/// (far) bounds a link's loss by its distance, (far′) by the joint move: a pair with one of each is covered by neither.
+#[test]
+fn robots_with_different_forms_break_the_law() {
+    let mixed = |budget: &Budget, sightings: &[Sighting<2>], reach: Reach<2>| {
+        let bits = sightings.iter().fold(0, |bits, sighting| bits ^ sighting.offset_m[0].to_bits());
+        let form = if bits & 1 == 0 { Form::Link } else { Form::Level };
+        crate_rows(&Budget { form, ..*budget }, sightings, reach)
+    };
+    let broken = law(Assume::Obedient, Form::Link, TEAMS, &mixed);
+    assert!(broken.is_err(), "mixed forms go unnoticed");
 }

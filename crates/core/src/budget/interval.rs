@@ -1,7 +1,7 @@
 //! Bounds of a neighbour's level from positions alone: the verified interval.
 
 use crate::budget::knowledge::{Assume, Sighting};
-use crate::budget::rows::Budget;
+use crate::budget::settings::Budget;
 use crate::link::Link;
 use crate::math::{Vector, dot, is_finite, subtract};
 

@@ -24,6 +24,7 @@
 //! | T U_i | [`reach`] |
 //! | all rows of a tick, recovery | [`rows`] |
 //! | the closest point | [`project`] |
+//! | γ, γ_c and the rest | [`settings`] |
 
 pub mod curvature;
 mod flat;
@@ -33,3 +34,4 @@ pub mod project;
 pub mod reach;
 pub mod row;
 pub mod rows;
+pub mod settings;

@@ -1,50 +1,12 @@
 //! All rows of one robot in one tick, and recovery from starts outside the set.
 
-use crate::budget::curvature::Curvature;
 use crate::budget::interval::number;
-use crate::budget::knowledge::{Assume, Known, Sighting, Trust};
+use crate::budget::knowledge::{Assume, Known, Sighting};
 use crate::budget::project::{Closest, Program};
 use crate::budget::reach::Reach;
 use crate::budget::row::Row;
+use crate::budget::settings::{Budget, Form};
 use crate::math::{Vector, add_scaled, dot, is_finite, length};
-
-/// What bounds the loss of connectivity.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Form {
-    /// (far): every link by itself.
-    Link,
-    /// (far′): the level of every robot; leaving one neighbour may be paid for by approaching another. Sound under
-    /// [`Assume::Obedient`] only; under [`Assume::Free`], `Link` is used in its place.
-    Level,
-}
-
-/// The controller `budget`. All robots of a team must have the same; only trust may differ.
-///
-/// Not even the form: (far) bounds the loss of a link by the distance, (far′) by the joint move of both ends, and a pair
-/// of which one end has each is covered by neither proof.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Budget {
-    /// Bounds of the link weight's derivatives, and its shape.
-    pub curvature: Curvature,
-    /// n.
-    pub robots: u16,
-    /// F.
-    pub faults: u16,
-    /// Δ_d, m.
-    pub distance_min_m: f64,
-    /// ρ, m: the longest move of *any* robot in a tick, see [`Reach::longest_m`].
-    pub move_max_m: f64,
-    /// γ in (0, 1]: the share of h_k that may be lost in a tick. To lose at a rate α (1/s), `γ = 1 − e^(−αT)`.
-    pub gamma: f64,
-    /// γ_c in (0, 1]: the share of D − Δ_d² that may be lost in a tick.
-    pub gamma_c: f64,
-    /// What is believed of levels.
-    pub trust: Trust,
-    /// What malicious robots may do.
-    pub assume: Assume,
-    /// Which rows bound the loss of connectivity.
-    pub form: Form,
-}
 
 /// Memory that the caller lends for one tick.
 #[derive(Debug)]
