@@ -6,7 +6,7 @@ use crate::barrier::required_degree;
 use crate::budget::curvature::Curvature;
 use crate::budget::knowledge::{Assume, Trust};
 use crate::budget::reach::Reach;
-use crate::budget::rows::{Budget, Form};
+use crate::budget::settings::{Budget, Form, share_of_rate};
 use crate::composed::{Composed, Share};
 use crate::link::LinkShape;
 use crate::math::is_finite;
@@ -52,8 +52,9 @@ pub struct Settings<const D: usize> {
     pub share: Share,
     /// Which controller.
     pub controller: Controller,
-    /// γ of `budget`: the share of h_k that may be lost in a tick, in (0, 1].
-    pub gamma: f64,
+    /// γ of `budget`: the share of h_k that may be lost in a tick, in (0, 1]; `None` for a rate of 2/s, which lets robots
+    /// get farther than METHOD.md's 0.2 a tick ([`share_of_rate`]).
+    pub gamma: Option<f64>,
     /// γ_c of `budget`: the share of D − Δ_d² that may be lost in a tick, in (0, 1].
     pub gamma_c: f64,
     /// What `budget` believes of levels.
@@ -135,7 +136,7 @@ impl<const D: usize> Default for Settings<D> {
             alpha: 0.1,
             share: Share::Neighbours,
             controller: Controller::Composed,
-            gamma: 0.2,
+            gamma: None,
             gamma_c: 0.2,
             trust: Trust::ToldOrSeen,
             assume: Assume::Obedient,
@@ -166,6 +167,12 @@ impl<const D: usize> Settings<D> {
         self.epsilon.unwrap_or(if limit > 0.001 { limit - 0.001 } else { limit / 2.0 })
     }
 
+    /// γ: the one given, or the share of a rate of 2/s for this tick.
+    #[must_use]
+    pub fn gamma(&self) -> f64 {
+        self.gamma.unwrap_or_else(|| share_of_rate(2.0, self.level_period.as_secs_f64()))
+    }
+
     fn check(&self) -> Result<(), ParamsError> {
         let positive = Allowed::LeftOpen(0.0, MAGNITUDE_MAX);
         let (n, radius) = (f64::from(self.robots), self.radius_m);
@@ -180,7 +187,7 @@ impl<const D: usize> Settings<D> {
             (Field::WR, self.w_r, positive),
             (Field::WC, self.w_c, positive),
             (Field::Alpha, self.alpha, positive),
-            (Field::Gamma, self.gamma, Allowed::LeftOpen(0.0, 1.0)),
+            (Field::Gamma, self.gamma(), Allowed::LeftOpen(0.0, 1.0)),
             (Field::GammaC, self.gamma_c, Allowed::LeftOpen(0.0, 1.0)),
             (Field::LevelPeriod, self.level_period.as_secs_f64(), positive),
             (Field::ValuePeriod, self.value_period.as_secs_f64(), positive),
@@ -209,7 +216,7 @@ impl<const D: usize> Settings<D> {
             faults: self.faults,
             distance_min_m: self.distance_min_m,
             move_max_m: self.reach().longest_m(),
-            gamma: self.gamma,
+            gamma: self.gamma(),
             gamma_c: self.gamma_c,
             trust: self.trust,
             assume: self.assume,
@@ -333,7 +340,7 @@ mod tests {
             (Field::WR, |s| s.w_r = -1.0),
             (Field::WC, |s| s.w_c = f64::INFINITY),
             (Field::Alpha, |s| s.alpha = 2e6),
-            (Field::Gamma, |s| s.gamma = 0.0),
+            (Field::Gamma, |s| s.gamma = Some(0.0)),
             (Field::GammaC, |s| s.gamma_c = 1.1),
             (Field::DistanceMinM, |s| (s.controller, s.distance_min_m) = (Controller::Budget, 2.98)),
             (Field::InputMinMS, |s| s.input.min_m_s[1] = 0.1),

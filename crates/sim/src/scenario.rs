@@ -45,8 +45,8 @@ pub struct Scenario {
     pub w_c: f64,
     /// α(s) = alpha·s, 1/s.
     pub alpha: f64,
-    /// γ of `budget`.
-    pub gamma: f64,
+    /// γ of `budget`, or the share of a rate of 2/s.
+    pub gamma: Option<f64>,
     /// γ_c of `budget`.
     pub gamma_c: f64,
     /// What `budget` believes of levels.
