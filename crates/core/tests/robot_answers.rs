@@ -1,10 +1,12 @@
 //! What a robot answers: the equations, whatever the order of calls, and something safe whatever the calls.
 
+use closeranks_core::budget::knowledge::{Assume, Sighting, Trust};
+use closeranks_core::budget::row::Row;
 use closeranks_core::composed::{Share, Term};
 use closeranks_core::math::{Vector, dot, is_finite, subtract};
 use closeranks_core::message::{MESSAGE_BYTES, Message};
 use closeranks_core::neighbor::{RobotId, Slot};
-use closeranks_core::params::{MAGNITUDE_MAX, Params, Settings};
+use closeranks_core::params::{Controller, MAGNITUDE_MAX, Params, Settings};
 use closeranks_core::program::{InputBox, closest};
 use closeranks_core::report::{Mode, Output};
 use closeranks_core::robot::Robot;
@@ -76,9 +78,16 @@ fn check_calls<const D: usize>(calls: &[Call<D>]) {
         input: InputBox { min_m_s: [-MAGNITUDE_MAX; D], max_m_s: [0.0; D] },
         ..Settings::default()
     };
-    let settings = [ordinary, extreme, Settings::default()][calls.len() % 3];
-    lend_with(settings, |params, slots, values| {
-        let mut robot = Robot::new(params, ME, 1.0, &mut slots[..3], values).expect("memory and a value");
+    let budget = |settings: Settings<D>| Settings { controller: Controller::Budget, ..settings };
+    let free = Settings { assume: Assume::Free, trust: Trust::Told, ..budget(Settings::default()) };
+    let choices = [ordinary, extreme, Settings::default(), budget(ordinary), budget(extreme), free];
+    lend_with(choices[calls.len() % choices.len()], |params, slots, values| {
+        let nobody = Sighting { offset_m: [0.0; D], claim: None };
+        // Every seventh time too little is lent.
+        let (sightings, rows) = if calls.len() % 7 == 0 { (2, 4) } else { (3, 13) };
+        let (mut sightings, mut rows) = (vec![nobody; sightings], vec![Row::default(); rows]);
+        let robot = Robot::new(params, ME, 1.0, &mut slots[..3], values).expect("memory and a value");
+        let mut robot = robot.with_budget_memory(&mut sightings, &mut rows);
         for call in calls {
             match call {
                 Call::Sense(nanos, position) => drop(robot.sense(Instant::from_nanos(*nanos), *position)),
