@@ -2,6 +2,7 @@
 //!
 //! Exit codes: 0 fine, 1 a law that was expected to hold was broken, 2 bad input.
 
+mod check;
 mod folder;
 mod json;
 mod output;
@@ -59,6 +60,9 @@ enum Command {
     /// Run one scenario from a TOML file.
     #[command(after_long_help = RUN_HELP)]
     Run(Run),
+    /// Say how many liars a network survives, exactly, with a witness.
+    #[command(after_long_help = check::HELP)]
+    Check(check::Check),
 }
 
 #[derive(Args, Debug)]
@@ -100,6 +104,7 @@ fn main() -> ExitCode {
     let done = match Arguments::parse().command {
         Command::Paper(arguments) => paper::paper(&arguments),
         Command::Run(arguments) => single::run(&arguments),
+        Command::Check(arguments) => check::check(&arguments),
     };
     match done {
         Ok(true) => ExitCode::SUCCESS,

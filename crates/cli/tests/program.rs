@@ -68,7 +68,10 @@ fn a_broken_law_that_was_expected_gives_exit_code_1() {
     let broken = run("[controller]\nkind = \"none\"\n");
     assert_eq!(broken.status.code(), Some(1));
     let told = text(&broken.stdout);
-    assert!(told.contains("degree: BROKEN: 14919 times, first at t = 1.300 s, robot 9: 6, demanded 7"), "{told}");
+    assert!(
+        told.contains("degree: BROKEN: 14919 times, first at t = 1.300 s, robot 9: 6, demanded 7"),
+        "{told}"
+    );
     let expected = run("expect = [\"input\"]\n[controller]\nkind = \"none\"\n");
     assert_eq!(expected.status.code(), Some(0));
     assert!(text(&expected.stdout).contains("degree: broken, not expected to hold"));
