@@ -5,6 +5,7 @@
 //! | what | where |
 //! | --- | --- |
 //! | the paper's figures, and one for a single run | [`figure`] |
+//! | a graph with its witness | [`network`] |
 //! | one self-contained page, and what is on it | [`html`], [`content`] |
 //! | SVG to PNG | [`png`] |
 //! | the table of runs, and the paper's sentences held against them | [`table`], [`claims`] |
@@ -14,6 +15,7 @@ pub mod claims;
 pub mod content;
 pub mod figure;
 pub mod html;
+pub mod network;
 pub mod parquet;
 pub mod png;
 pub mod table;
@@ -24,6 +26,8 @@ mod formation;
 mod layout;
 mod legend;
 mod links;
+mod network_layout;
+mod network_mark;
 mod palette;
 mod path;
 mod series;

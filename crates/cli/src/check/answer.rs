@@ -29,6 +29,10 @@ pub(super) struct Answer {
     pub(super) numbers: Value,
     /// S₁, S₂ and the exempt nodes, as far as there are any.
     pub(super) sets: [NodeSet; 3],
+    /// What the picture calls them.
+    pub(super) labels: [&'static str; 3],
+    /// What the picture shows.
+    pub(super) caption: String,
 }
 
 impl Answer {
@@ -44,6 +48,9 @@ impl Answer {
     pub(super) fn with_witness(mut self, named: &Named, witness: &Witness) -> Self {
         self.why.push(words::witness(named, witness));
         self.sets = [witness.first, witness.second, witness.exempt];
+        self.labels = ["one side", "the other side", "may lie"];
+        self.caption =
+            format!("Why it is not ({},{})-robust: two sides that never agree", witness.r, witness.s);
         self
     }
 }
@@ -124,7 +131,9 @@ impl<'a> Task<'a> {
                 self.one(kind, &limit, &mut meter)
             }
         };
-        Answer { graph: analysis::graph(&self.named.graph), ..answer }
+        let caption =
+            if answer.caption.is_empty() { answer.sentence.clone() } else { answer.caption.clone() };
+        Answer { graph: analysis::graph(&self.named.graph), caption, ..answer }
     }
 
     fn one(&self, kind: &Kind, limit: &str, meter: &mut Meter<'_>) -> Answer {

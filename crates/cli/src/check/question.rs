@@ -90,6 +90,7 @@ pub(super) fn leaders(named: &Named, leaders: NodeSet, r: Option<usize>) -> Answ
         why: if closed.is_empty() { Vec::new() } else { vec![why, liars_led(most)] },
         numbers: numbers(named, &question, if holds { "yes" } else { "no" }, &more),
         sets: [closed, leaders, NodeSet::EMPTY],
+        labels: ["never follow", "leaders", ""],
         ..Answer::default()
     }
 }
@@ -216,6 +217,8 @@ fn with_local(mut answer: Answer, named: &Named, witness: &LocalWitness) -> Answ
         witness.f
     ));
     answer.sets = [witness.first, witness.second, witness.malicious];
+    answer.labels = ["one side", "the other side", "lie"];
+    answer.caption = format!("Two sides that never agree if no robot hears more than {} liars", witness.f);
     answer
 }
 
