@@ -5,6 +5,7 @@
 mod check;
 mod folder;
 mod json;
+mod maker;
 mod output;
 mod paper;
 mod progress;
@@ -63,6 +64,9 @@ enum Command {
     /// Say how many liars a network survives, exactly, with a witness.
     #[command(after_long_help = check::HELP)]
     Check(check::Check),
+    /// Write a graph by name to standard output.
+    #[command(after_long_help = maker::HELP, after_help = "Examples: closeranks graph --help")]
+    Graph(maker::Make),
 }
 
 #[derive(Args, Debug)]
@@ -105,6 +109,7 @@ fn main() -> ExitCode {
         Command::Paper(arguments) => paper::paper(&arguments),
         Command::Run(arguments) => single::run(&arguments),
         Command::Check(arguments) => check::check(&arguments),
+        Command::Graph(arguments) => maker::make(&arguments),
     };
     match done {
         Ok(true) => ExitCode::SUCCESS,
