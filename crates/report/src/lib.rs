@@ -6,6 +6,7 @@
 //! | --- | --- |
 //! | the paper's figures, and one for a single run | [`figure`] |
 //! | a graph with its witness | [`network`] |
+//! | robustness over time, and the recording it comes from | [`robustness`], [`recording`] |
 //! | one self-contained page, and what is on it | [`html`], [`content`] |
 //! | SVG to PNG | [`png`] |
 //! | the table of runs, and the paper's sentences held against them | [`table`], [`claims`] |
@@ -18,6 +19,8 @@ pub mod html;
 pub mod network;
 pub mod parquet;
 pub mod png;
+pub mod recording;
+pub mod robustness;
 pub mod table;
 
 mod axes;

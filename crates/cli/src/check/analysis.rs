@@ -120,7 +120,8 @@ fn interval(number: Interval) -> String {
     }
 }
 
-fn value(number: Interval) -> Value {
+/// The number, or `[least, most]`.
+pub(super) fn value(number: Interval) -> Value {
     number.exactly().map_or_else(|| json!([number.least, number.most]), |number| json!(number))
 }
 

@@ -20,11 +20,29 @@ pub(crate) struct Input {
 /// Longest part of a line that is shown, bytes.
 const SHOWN: usize = 160;
 
-/// Reads and checks a graph.
-pub(super) fn read(arguments: &Check) -> Result<Input> {
+/// Longest recording that is read, bytes.
+const RECORDING_MAX: usize = 1 << 26;
+
+/// A graph or a recorded run.
+pub(super) enum Source {
+    /// One graph.
+    Graph(Input),
+    /// A Parquet file and its name.
+    Recording(String, Vec<u8>),
+}
+
+/// Reads a file, and checks it if it is a graph.
+pub(super) fn read(arguments: &Check) -> Result<Source> {
     let name = source::name(&arguments.file);
-    let text = source::text(&arguments.file, "graph", TEXT_LIMIT)?;
-    graph(arguments, name, &text)
+    let bytes = source::bytes(&arguments.file, "graph", RECORDING_MAX)?;
+    if arguments.format.is_none() && bytes.starts_with(b"PAR1") {
+        return Ok(Source::Recording(name, bytes));
+    }
+    if bytes.len() > TEXT_LIMIT {
+        bail!("the graph `{name}` is too long: allowed is at most {TEXT_LIMIT} bytes");
+    }
+    let text = source::decode(bytes, "graph", &name)?;
+    graph(arguments, name, &text).map(Source::Graph)
 }
 
 fn graph(arguments: &Check, name: String, text: &str) -> Result<Input> {

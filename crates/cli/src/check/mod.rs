@@ -4,12 +4,13 @@ mod analysis;
 mod answer;
 mod input;
 mod question;
+mod recording;
 mod save;
 mod words;
 
 use std::path::PathBuf;
 
-use anyhow::Result;
+use anyhow::{Result, bail};
 use clap::{Args, ValueEnum};
 use closeranks_graph::formats;
 
@@ -17,6 +18,7 @@ use crate::folder::Folder;
 use crate::output;
 use crate::progress::Watch;
 use answer::{Answer, Task};
+use input::{Input, Source};
 
 /// Shown by `closeranks check --help`.
 pub(crate) const HELP: &str = "\
@@ -30,6 +32,7 @@ A directed edge u -> v means that v hears u.
     closeranks check team.edges --F 2 --additions   # which edges to add
     closeranks check team.edges --local          # liars few in every neighbourhood instead of few in all
     closeranks check team.edges --leaders 1,2 --r 3 # do all follow robots 1 and 2?
+    closeranks check out/run.parquet             # a recorded run: robustness at every consensus round
     closeranks graph petersen | closeranks check -
 
 What the words mean, with pictures: docs/robustness.md.
@@ -75,7 +78,7 @@ impl Format {
 /// What is asked of which graph.
 #[derive(Args, Debug)]
 pub(crate) struct Check {
-    /// Graph; `-` reads standard input.
+    /// Graph or recorded run (Parquet); `-` reads standard input.
     #[arg(value_name = "GRAPH")]
     file: PathBuf,
     /// How it is written down; told by the ending of its name or by its content if left out.
@@ -102,6 +105,9 @@ pub(crate) struct Check {
     /// Which edges to add, as few as can be, until --F or --r and --s hold.
     #[arg(long)]
     additions: bool,
+    /// Of a recorded run, look at every K-th tick; every consensus round if left out.
+    #[arg(long, value_name = "K", value_parser = clap::value_parser!(u32).range(1..))]
+    every: Option<u32>,
     /// Stop after so many seconds and say what is proved by then.
     #[arg(long, value_name = "SECONDS", default_value_t = 60.0, value_parser = seconds)]
     time_limit: f64,
@@ -124,25 +130,34 @@ fn seconds(text: &str) -> Result<f64, String> {
 /// Answers; false when the answer is no or was not found within the time limit.
 pub(crate) fn check(arguments: &Check) -> Result<bool> {
     let folder = arguments.output.as_deref().map(Folder::new).transpose()?;
-    let input = input::read(arguments)?;
+    match input::read(arguments)? {
+        Source::Graph(input) => graph(arguments, &input, folder),
+        Source::Recording(name, file) => recording::check(arguments, &name, file, folder),
+    }
+}
+
+fn graph(arguments: &Check, input: &Input, folder: Option<Folder>) -> Result<bool> {
+    if arguments.every.is_some() {
+        bail!("--every is for recorded runs (Parquet files of `closeranks run`)");
+    }
     let mut watch = Watch::new(arguments.time_limit, arguments.quiet);
     let task = Task::new(&input.named, arguments)?;
     let answer = task.answer(&mut watch);
     watch.finish();
     if let Some(folder) = folder {
-        save::save(folder, &input, &answer)?;
+        save::save(folder, input, &answer)?;
     }
-    tell(arguments, &answer);
+    tell(arguments, &answer, "report.html, graph.svg, graph.png");
     Ok(answer.holds)
 }
 
-fn tell(arguments: &Check, answer: &Answer) {
+fn tell(arguments: &Check, answer: &Answer, files: &str) {
     if arguments.json {
         output::say(&crate::json::text(&answer.numbers));
     } else if !arguments.quiet {
         output::say(&answer.text());
         if let Some(target) = &arguments.output {
-            output::say(&format!("\nwritten to {}: report.html, graph.svg, graph.png\n", target.display()));
+            output::say(&format!("\nwritten to {}: {files}\n", target.display()));
         }
     }
 }
