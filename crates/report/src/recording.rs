@@ -103,7 +103,7 @@ fn robots_of(ticks: &[i32], robots: &[i32]) -> Result<usize, ReadError> {
         (0..ticks.len()).find(|&row| !(is(ticks[row], row / count) && is(robots[row], row % count + 1)));
     match stray {
         Some(row) => Err(wrong(row)),
-        None if ticks.len() % count > 0 => Err(wrong(ticks.len())),
+        None if !ticks.len().is_multiple_of(count) => Err(wrong(ticks.len())),
         None => Ok(count),
     }
 }
