@@ -41,7 +41,7 @@ pub(crate) fn run(scenario: &Scenario, summary: &Summary, time_s: f64) -> Value 
         "ticks": summary.ticks,
         "rounds": summary.rounds,
         "time_s": time_s,
-        "laws": Map::from_iter(laws),
+        "laws": laws.collect::<Map<String, Value>>(),
         "ok": summary.failures(scenario).next().is_none(),
     })
 }

@@ -1,6 +1,6 @@
 //! `closeranks graph MAKER`: graphs by name, on standard output.
 
-use std::num::NonZeroU8;
+use core::num::NonZeroU8;
 
 use anyhow::{Context, Result};
 use clap::{Args, Subcommand};

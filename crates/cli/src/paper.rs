@@ -1,5 +1,7 @@
 //! `closeranks paper`: section V, three scenarios from two starts.
 
+use core::fmt::Write as _;
+
 use anyhow::Result;
 use closeranks_report::claims::SectionFive;
 use closeranks_report::content::{Claim, Figure, Page, Section};
@@ -155,16 +157,16 @@ fn lines<'a>(starts: impl Iterator<Item = &'a Start>) -> Vec<Line<'a>> {
 fn told(starts: &[Start]) -> String {
     let mut out = text(&table(&lines(starts.iter())));
     for start in starts {
-        out.push_str(&format!("\nSection V from the start `{}`\n{}\n", start.name, start_story(start)));
+        let _ = writeln!(out, "\nSection V from the start `{}`\n{}", start.name, start_story(start));
         for claim in &start.claims {
             let verdict = if claim.holds { "holds              " } else { "does not hold here " };
-            out.push_str(&format!("  {verdict} {}\n  {:19} {}\n", claim.sentence, "", claim.numbers));
+            let _ = writeln!(out, "  {verdict} {}\n  {:19} {}", claim.sentence, "", claim.numbers);
         }
     }
     for done in starts.iter().flat_map(|start| &start.runs) {
         for verdict in done.run.summary.failures(&done.scenario) {
             let what = story::violation(&done.scenario, verdict);
-            out.push_str(&format!("\n{}: {}: BROKEN: {what}\n", done.scenario.name, verdict.law.name()));
+            let _ = writeln!(out, "\n{}: {}: BROKEN: {what}", done.scenario.name, verdict.law.name());
         }
     }
     out

@@ -1,7 +1,8 @@
 //! Progress on standard error, for people only, and the clock of `--time-limit`.
 
 use core::ops::ControlFlow;
-use std::time::{Duration, Instant};
+use core::time::Duration;
+use std::time::Instant;
 
 use closeranks_graph::budget::Progress;
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};

@@ -1,6 +1,6 @@
 //! Files of users: read with a bound; scenarios refused with the line underlined.
 
-use core::fmt;
+use core::fmt::{self, Write as _};
 use std::fs::File;
 use std::io::{IsTerminal as _, Read as _};
 use std::path::Path;
@@ -89,7 +89,7 @@ fn picture(name: &str, text: &str, problems: &[Problem]) -> String {
         out.push('\n');
     }
     if problems.len() > SHOWN {
-        out.push_str(&format!("and {} more\n", problems.len() - SHOWN));
+        let _ = writeln!(out, "and {} more", problems.len() - SHOWN);
     }
     out
 }

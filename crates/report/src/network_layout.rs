@@ -119,7 +119,8 @@ mod tests {
         for seed in 0..40 {
             let count = 1 + usize::try_from(seed).unwrap() * 127 / 39;
             let graph =
-                closeranks_graph::makers::random::erdos_renyi(count, 0.05, seed.is_multiple_of(2), seed).unwrap();
+                closeranks_graph::makers::random::erdos_renyi(count, 0.05, seed.is_multiple_of(2), seed)
+                    .unwrap();
             let points = positions(&graph, NodeSet::first(count / 3), NodeSet::EMPTY);
             assert!(points.iter().flatten().all(|coordinate| coordinate.abs() < 1e3), "{points:?}");
         }

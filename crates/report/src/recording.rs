@@ -27,6 +27,9 @@ pub enum ReadError {
     /// Not Parquet, or broken.
     #[error("not a whole Parquet file")]
     Parquet(#[from] ParquetError),
+    /// Parquet, but it contradicts itself.
+    #[error("not a whole Parquet file: it contradicts itself")]
+    Broken,
     /// There is no such column, or it is of another type.
     #[error("no column {0} as `closeranks run` writes it")]
     Column(String),
@@ -68,8 +71,18 @@ impl Recording {
 }
 
 /// Reads the whole file.
+///
+/// The library that decodes Parquet panics on some broken files; such a panic is an error here.
 pub fn read(file: Vec<u8>) -> Result<Recording, ReadError> {
+    std::panic::catch_unwind(|| decode(file)).unwrap_or(Err(ReadError::Broken))
+}
+
+fn decode(file: Vec<u8>) -> Result<Recording, ReadError> {
+    let length = file.len();
     let reader = SerializedFileReader::new(Bytes::from(file))?;
+    if !is_inside(&reader, length) {
+        return Err(ReadError::Broken);
+    }
     let metadata = reader.metadata().file_metadata();
     let rows = usize::try_from(metadata.num_rows()).unwrap_or(0);
     if rows == 0 || rows as u64 > ROWS_MAX {
@@ -86,6 +99,17 @@ pub fn read(file: Vec<u8>) -> Result<Recording, ReadError> {
     let z = if spatial { axes(AXES[2])? } else { vec![0.0; rows] };
     let positions_m = x.into_iter().zip(y).zip(z).map(|((x, y), z)| [x, y, z]).collect();
     Ok(Recording { scenario: scenario.ok_or(ReadError::Scenario)?, robots: count, positions_m })
+}
+
+/// Whether every column lies inside of the file: the decoder takes that for granted.
+fn is_inside(reader: &SerializedFileReader<Bytes>, length: usize) -> bool {
+    let columns = reader.metadata().row_groups().iter().flat_map(|group| group.columns());
+    let most = i64::try_from(length).unwrap_or(i64::MAX);
+    columns.into_iter().all(|column| {
+        let start = column.dictionary_page_offset().unwrap_or_else(|| column.data_page_offset());
+        let size = column.compressed_size();
+        start >= 0 && size >= 0 && start.checked_add(size).is_some_and(|end| end <= most)
+    })
 }
 
 /// n, if every row is where it should be.

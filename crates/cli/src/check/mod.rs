@@ -77,6 +77,7 @@ impl Format {
 
 /// What is asked of which graph.
 #[derive(Args, Debug)]
+#[expect(clippy::struct_excessive_bools, reason = "each is a flag of the command line")]
 pub(crate) struct Check {
     /// Graph or recorded run (Parquet); `-` reads standard input.
     #[arg(value_name = "GRAPH")]
