@@ -112,19 +112,18 @@ fn the_verdict_is_one_sentence_with_a_witness() {
     assert_eq!(code, Some(0));
     assert_eq!(
         told,
-        "Agrees if nobody lies: (1,1)-robust, proved by exhaustive search of 4 sets; not any single liar: not
+        "Agrees if nobody lies: (1,1)-robust, proved by exhaustive search of 1 set; not any single liar: not
 (2,2)-robust.
 4 robots, 3 links, undirected; degrees 1 to 2, connectivity 1
 
 r  largest s  proved by
------------------------------------------
-1          2  exhaustive search of 4 sets
+----------------------------------------
+1          2  exhaustive search of 1 set
 2          0  a witness
 
 The degree condition (every honest robot hears F + floor(n/2) = F + 2 or more) promises nothing here.
-Robots tom and bob hear at most 1 robot outside {tom, bob}, and robots ann and eve hear at most 1 robot
-outside {ann, eve}. A robot that discards the highest and the lowest value keeps none of these, so the two
-sides never agree.
+Robot tom hears 1 robot outside {tom}, and robots ann and eve hear at most 1 robot outside {ann, eve}. A robot
+that discards the highest and the lowest value keeps none of these, so the two sides never agree.
 "
     );
 }
@@ -140,7 +139,7 @@ fn questions_are_answered_by_sentence_and_exit_code() {
         (&["--F", "2", "--additions"], "Add 2 edges, as few as can be, and it is (3,3)-robust:", 0),
         (&["--F", "1", "--additions"], "Nothing to add: it is (2,2)-robust.", 0),
         (&["--F", "5", "--additions"], "No edges will do: even the complete graph is not 6-robust.", 1),
-        (&["--local"], "Agrees if nobody lies; not if robots hear a single liar each.", 0),
+        (&["--local"], "Survives liars of which no robot hears more than 1, and not more than 2.", 0),
         (&["--local", "--F", "0"], "Yes: survives liars of which no robot hears more than 0", 0),
         (&["--local", "--F", "2"], "No: does not survive liars of which no robot hears more than 2", 1),
         (&["--leaders", "0,1,2"], "Strongly 3-robust with respect to robots 0, 1 and 2", 0),
@@ -193,7 +192,7 @@ fn bad_graphs_are_refused_with_their_place() {
             "{\"nodes\": [1],\n\"edges\": [{\"source\": 1, \"target\": 3}]}",
             "error: no node is named \"3\"\n",
         ),
-        ("a.edges", &many, "error: more than 128 nodes\n --> a.edges:129:1\n"),
+        ("a.edges", &many, "error: more than 128 nodes\n   --> a.edges:129:1\n"),
         ("a.txt", "", "error: a.txt:1: no node, at least one is needed\n"),
     ];
     for (name, graph, message) in cases {
@@ -238,7 +237,11 @@ fn bad_arguments_are_refused() {
 #[test]
 fn the_folder_has_picture_and_page() {
     let folder = tempfile::tempdir().unwrap();
-    let output = closeranks(folder.path(), &["check", "-", "-o", "out"], b"<a> \x1b[31m\n<a> c\n");
+    let output = closeranks(
+        folder.path(),
+        &["check", "-", "--format", "edges", "-o", "out"],
+        b"<a> \x1b[31m\n<a> c\n",
+    );
     assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
     assert!(!text(&output.stdout).contains('\u{1b}'), "names cannot steer the terminal");
     let file = |name: &str| fs::read(folder.path().join("out").join(name)).unwrap();
