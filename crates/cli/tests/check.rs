@@ -142,7 +142,11 @@ fn questions_are_answered_by_sentence_and_exit_code() {
         (&["--local"], "Survives liars of which no robot hears more than 1, and not more than 2.", 0),
         (&["--local", "--F", "0"], "Yes: survives liars of which no robot hears more than 0", 0),
         (&["--local", "--F", "2"], "No: does not survive liars of which no robot hears more than 2", 1),
-        (&["--leaders", "0,1,2"], "Strongly 3-robust with respect to robots 0, 1 and 2", 0),
+        (
+            &["--leaders", "0,1,2"],
+            "Strongly 2-robust with respect to robots 0, 1 and 2, and for no larger r.",
+            0,
+        ),
         (&["--leaders", "0,1", "--r", "3"], "No: not strongly 3-robust with respect to robots 0 and 1", 1),
     ];
     for (arguments, sentence, code) in cases {

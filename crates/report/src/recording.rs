@@ -3,6 +3,7 @@
 use ::parquet::column::reader::{ColumnReader, ColumnReaderImpl};
 use ::parquet::data_type::DataType;
 use ::parquet::errors::ParquetError;
+use ::parquet::file::metadata::RowGroupMetaData;
 use ::parquet::file::reader::{FileReader, RowGroupReader, SerializedFileReader};
 use bytes::Bytes;
 use closeranks_graph::set::NODE_LIMIT;
@@ -103,9 +104,9 @@ fn decode(file: Vec<u8>) -> Result<Recording, ReadError> {
 
 /// Whether every column lies inside of the file: the decoder takes that for granted.
 fn is_inside(reader: &SerializedFileReader<Bytes>, length: usize) -> bool {
-    let columns = reader.metadata().row_groups().iter().flat_map(|group| group.columns());
+    let mut columns = reader.metadata().row_groups().iter().flat_map(RowGroupMetaData::columns);
     let most = i64::try_from(length).unwrap_or(i64::MAX);
-    columns.into_iter().all(|column| {
+    columns.all(|column| {
         let start = column.dictionary_page_offset().unwrap_or_else(|| column.data_page_offset());
         let size = column.compressed_size();
         start >= 0 && size >= 0 && start.checked_add(size).is_some_and(|end| end <= most)
