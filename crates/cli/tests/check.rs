@@ -1,4 +1,5 @@
 //! `closeranks check` and `closeranks graph` as their user meets them.
+#![expect(clippy::unwrap_used, clippy::format_push_string, reason = "helpers of tests")]
 
 use std::fs;
 use std::io::Write as _;

@@ -1,5 +1,4 @@
 //! Pictures of graphs, and recordings read back.
-#![expect(clippy::unwrap_used, reason = "helpers of tests")]
 
 use closeranks_graph::makers::fixed::{k_circulant, tight};
 use closeranks_graph::set::NodeSet;

@@ -9,7 +9,7 @@ use closeranks_report::content::Table;
 use closeranks_report::table;
 use serde_json::{Map, Value, json};
 
-use super::{Check, analysis, question, words};
+use super::{Check, analysis, mend, question, words};
 use crate::progress::Watch;
 
 /// The answer to a task.
@@ -144,7 +144,7 @@ impl<'a> Task<'a> {
             Kind::Leaders { leaders, r } => question::leaders(named, *leaders, *r),
             Kind::Local { faults: Some(faults) } => question::local(named, *faults, limit, meter),
             Kind::Local { faults: None } => question::local_largest(named, limit, meter),
-            Kind::Additions { r, s } => question::additions(named, (*r, *s), limit, meter),
+            Kind::Additions { r, s } => mend::additions(named, (*r, *s), limit, meter),
         }
     }
 }

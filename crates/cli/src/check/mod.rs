@@ -3,6 +3,7 @@
 mod analysis;
 mod answer;
 mod input;
+mod mend;
 mod question;
 mod recording;
 mod save;
