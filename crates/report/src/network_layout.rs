@@ -116,7 +116,7 @@ mod tests {
 
     #[test]
     fn every_graph_has_finite_positions() {
-        for seed in 0..40 {
+        for seed in 0..40_u64 {
             let count = 1 + usize::try_from(seed).unwrap() * 127 / 39;
             let graph =
                 closeranks_graph::makers::random::erdos_renyi(count, 0.05, seed.is_multiple_of(2), seed)
