@@ -2,8 +2,10 @@
 //!
 //! Exit codes: 0 fine, 1 a law that was expected to hold was broken, 2 bad input.
 
+mod check;
 mod folder;
 mod json;
+mod maker;
 mod output;
 mod paper;
 mod progress;
@@ -59,6 +61,12 @@ enum Command {
     /// Run one scenario from a TOML file.
     #[command(after_long_help = RUN_HELP)]
     Run(Run),
+    /// Say how many liars a network survives, exactly, with a witness.
+    #[command(after_long_help = check::HELP)]
+    Check(check::Check),
+    /// Write a graph by name to standard output.
+    #[command(after_long_help = maker::HELP, after_help = "Examples: closeranks graph --help")]
+    Graph(maker::Make),
 }
 
 #[derive(Args, Debug)]
@@ -100,6 +108,8 @@ fn main() -> ExitCode {
     let done = match Arguments::parse().command {
         Command::Paper(arguments) => paper::paper(&arguments),
         Command::Run(arguments) => single::run(&arguments),
+        Command::Check(arguments) => check::check(&arguments),
+        Command::Graph(arguments) => maker::make(&arguments),
     };
     match done {
         Ok(true) => ExitCode::SUCCESS,

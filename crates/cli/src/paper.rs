@@ -9,7 +9,7 @@ use closeranks_report::figure::{Case, figure1, figure2};
 use closeranks_report::html::html;
 use closeranks_report::parquet::{Metadata, write};
 use closeranks_report::png::{SCALE_200_DPI, png};
-use closeranks_report::robustness::{Survey, robustness, write_rounds};
+use closeranks_report::robustness::{Survey, points, robustness, write_rounds};
 use closeranks_report::table::{Line, table, text};
 use closeranks_sim::parse;
 use closeranks_sim::scenario::{Controller, Scenario};
@@ -147,7 +147,7 @@ fn surveys(start: &Start) -> Vec<Survey<'_>> {
 }
 
 fn survey<'a>(done: &'a Done, title: &'a str) -> Survey<'a> {
-    Survey { title, faults: done.scenario.faults, tick_s: done.scenario.tick_s(), rounds: &done.run.rounds }
+    Survey { title, faults: done.scenario.faults, points: points(&done.run.rounds, done.scenario.tick_s()) }
 }
 
 fn data(starts: &[Start], seed: u64, folder: &mut Folder, bar: &ProgressBar) -> Result<()> {
@@ -158,7 +158,7 @@ fn data(starts: &[Start], seed: u64, folder: &mut Folder, bar: &ProgressBar) -> 
         let metadata = Metadata { scenario: done.text, seed, version, commit };
         let (mut bytes, mut rounds) = (Vec::new(), Vec::new());
         write(record, &metadata, &mut bytes)?;
-        write_rounds(&survey(done, &done.scenario.name), &metadata, &mut rounds)?;
+        write_rounds(&done.run.rounds, done.scenario.tick_s(), &metadata, &mut rounds)?;
         folder.add(format!("{}.parquet", done.scenario.name), bytes);
         folder.add(format!("{}-rounds.parquet", done.scenario.name), rounds);
         bar.inc(1);
@@ -180,16 +180,16 @@ fn lines<'a>(starts: impl Iterator<Item = &'a Start>) -> Vec<Line<'a>> {
 fn told(starts: &[Start]) -> String {
     let mut out = text(&table(&lines(starts.iter())));
     for start in starts {
-        let _ = write!(out, "\nSection V from the start `{}`\n{}\n", start.name, start_story(start));
+        let _ = writeln!(out, "\nSection V from the start `{}`\n{}", start.name, start_story(start));
         for claim in &start.claims {
             let verdict = if claim.holds { "holds              " } else { "does not hold here " };
-            let _ = write!(out, "  {verdict} {}\n  {:19} {}\n", claim.sentence, "", claim.numbers);
+            let _ = writeln!(out, "  {verdict} {}\n  {:19} {}", claim.sentence, "", claim.numbers);
         }
     }
     for done in starts.iter().flat_map(|start| &start.runs) {
         for verdict in done.run.summary.failures(&done.scenario) {
             let what = story::violation(&done.scenario, verdict);
-            let _ = write!(out, "\n{}: {}: BROKEN: {what}\n", done.scenario.name, verdict.law.name());
+            let _ = writeln!(out, "\n{}: {}: BROKEN: {what}", done.scenario.name, verdict.law.name());
         }
     }
     out

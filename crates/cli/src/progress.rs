@@ -1,9 +1,11 @@
-//! Progress on standard error, for people only.
+//! Progress on standard error, for people only, and the clock of `--time-limit`.
 
+use core::ops::ControlFlow;
 use core::time::Duration;
 use std::time::Instant;
 
-use indicatif::{ProgressBar, ProgressStyle};
+use closeranks_graph::budget::Progress;
+use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 
 /// A bar of `length` steps; nothing is drawn when quiet or when standard error is not a terminal.
 pub(crate) fn bar(length: u64, quiet: bool) -> ProgressBar {
@@ -22,4 +24,62 @@ pub(crate) fn timed<T>(work: impl FnOnce() -> T) -> (T, Duration) {
     let start = Instant::now();
     let result = work();
     (result, start.elapsed())
+}
+
+/// Searches shorter than this show no bar.
+const PATIENCE: Duration = Duration::from_secs(1);
+
+/// Watches a search of unknown length: stops it at the time limit, and shows how much of the time is spent.
+#[derive(Debug)]
+pub(crate) struct Watch {
+    start: Instant,
+    limit_s: f64,
+    quiet: bool,
+    bar: Option<ProgressBar>,
+}
+
+impl Watch {
+    /// Starts now and ends after `limit_s` seconds.
+    pub(crate) fn new(limit_s: f64, quiet: bool) -> Self {
+        #[expect(
+            clippy::disallowed_methods,
+            reason = "the time limit decides how much is proved, never what"
+        )]
+        let start = Instant::now();
+        Self { start, limit_s, quiet, bar: None }
+    }
+
+    /// The limit, s.
+    pub(crate) fn limit_s(&self) -> f64 {
+        self.limit_s
+    }
+
+    /// To be called every few milliseconds; `Break` when the time is up.
+    pub(crate) fn look(&mut self, progress: &Progress) -> ControlFlow<()> {
+        let spent = self.start.elapsed();
+        if spent > PATIENCE && !self.quiet {
+            self.show(spent, progress);
+        }
+        if spent.as_secs_f64() >= self.limit_s { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+    }
+
+    fn show(&mut self, spent: Duration, progress: &Progress) {
+        let limit_ms = Duration::try_from_secs_f64(self.limit_s).unwrap_or(Duration::MAX).as_millis();
+        let limit_ms = u64::try_from(limit_ms).unwrap_or(u64::MAX);
+        let bar = self.bar.get_or_insert_with(|| {
+            let bar = ProgressBar::with_draw_target(Some(limit_ms), ProgressDrawTarget::stderr());
+            let style = ProgressStyle::with_template("{msg:44} [{bar:24}] {elapsed} of the time limit");
+            bar.set_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()).progress_chars("=> "));
+            bar
+        });
+        bar.set_message(format!("({},{})-robust? {} sets tried", progress.r, progress.s, progress.nodes));
+        bar.set_position(u64::try_from(spent.as_millis()).unwrap_or(u64::MAX).min(limit_ms));
+    }
+
+    /// Takes the bar away.
+    pub(crate) fn finish(self) {
+        if let Some(bar) = self.bar {
+            bar.finish_and_clear();
+        }
+    }
 }

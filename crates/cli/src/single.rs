@@ -6,7 +6,7 @@ use closeranks_report::figure::{Case, overview};
 use closeranks_report::html::html;
 use closeranks_report::parquet::{Metadata, write};
 use closeranks_report::png::{SCALE_200_DPI, png};
-use closeranks_report::robustness::{Survey, robustness, write_rounds};
+use closeranks_report::robustness::{Survey, points, robustness, write_rounds};
 use closeranks_report::table::{Line, table, text};
 use closeranks_sim::scenario::Scenario;
 use closeranks_sim::world::{self, Options, Run};
@@ -65,11 +65,10 @@ fn save(mut folder: Folder, scenario: &Scenario, source: &str, run: &Run, time_s
     let mut parquet = Vec::new();
     write(record, &metadata, &mut parquet)?;
     folder.add("run.parquet", parquet);
-    let survey = survey(scenario, run);
     let mut rounds = Vec::new();
-    write_rounds(&survey, &metadata, &mut rounds)?;
+    write_rounds(&run.rounds, scenario.tick_s(), &metadata, &mut rounds)?;
     folder.add("rounds.parquet", rounds);
-    folder.add("robustness.svg", robustness(&[survey]));
+    folder.add("robustness.svg", robustness(&[survey(scenario, run)]));
     folder.add("report.html", html(&page(scenario, source, run, time_s, svg.clone())));
     folder.add("overview.svg", svg);
     folder.write()
@@ -80,7 +79,7 @@ fn figure(caption: &str, svg: String) -> Figure {
 }
 
 fn survey<'a>(scenario: &'a Scenario, run: &'a Run) -> Survey<'a> {
-    Survey { title: &scenario.name, faults: scenario.faults, tick_s: scenario.tick_s(), rounds: &run.rounds }
+    Survey { title: &scenario.name, faults: scenario.faults, points: points(&run.rounds, scenario.tick_s()) }
 }
 
 fn page(scenario: &Scenario, source: &str, run: &Run, time_s: f64, svg: String) -> Page {

@@ -1,4 +1,4 @@
-//! Scenario files: read with a bound, and refused with the line underlined.
+//! Files of users: read with a bound; scenarios refused with the line underlined.
 
 use core::fmt::{self, Write as _};
 use std::fs::File;
@@ -10,9 +10,16 @@ use anyhow::{Context, Result, bail};
 use closeranks_sim::parse::{self, Problem, TEXT_MAX};
 use closeranks_sim::scenario::Scenario;
 
-/// A scenario file that was refused, with a picture of every mistake.
+/// A file that was refused, with a picture of every mistake.
 #[derive(Debug)]
 pub(crate) struct Refused(String);
+
+impl Refused {
+    /// Draws the mistakes.
+    pub(crate) fn new(report: &[Group<'_>]) -> Self {
+        Self(renderer().render(report) + "\n")
+    }
+}
 
 impl fmt::Display for Refused {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
@@ -24,40 +31,58 @@ impl core::error::Error for Refused {}
 
 /// Reads and checks a scenario; gives its text too.
 pub(crate) fn scenario(file: &Path) -> Result<(Scenario, String)> {
-    let name = if file == Path::new("-") { "standard input".to_owned() } else { file.display().to_string() };
-    let text = read(file, &name)?;
+    let text = text(file, "scenario", TEXT_MAX)?;
     match parse::scenario(&text) {
         Ok(scenario) => Ok((scenario, text)),
-        Err(problems) => bail!(Refused(picture(&name, &text, &problems))),
+        Err(problems) => bail!(Refused(picture(&name(file), &text, &problems))),
     }
 }
 
-/// At most one byte more than allowed is read, from a file or from standard input.
-fn read(file: &Path, name: &str) -> Result<String> {
-    let limit = TEXT_MAX as u64 + 1;
+/// What messages call a file.
+pub(crate) fn name(file: &Path) -> String {
+    if file == Path::new("-") { "standard input".to_owned() } else { file.display().to_string() }
+}
+
+/// A `what` (scenario, graph) of at most `most` bytes from a file or from standard input, as text.
+pub(crate) fn text(file: &Path, what: &str, most: usize) -> Result<String> {
+    decode(bytes(file, what, most)?, what, &name(file))
+}
+
+/// Bytes as text.
+pub(crate) fn decode(bytes: Vec<u8>, what: &str, name: &str) -> Result<String> {
+    String::from_utf8(bytes).map_err(|error| {
+        let at = error.utf8_error().valid_up_to();
+        anyhow::anyhow!("the {what} `{name}` is not text: byte {at} is not UTF-8")
+    })
+}
+
+/// At most one byte more than allowed is read.
+pub(crate) fn bytes(file: &Path, what: &str, most: usize) -> Result<Vec<u8>> {
+    let name = name(file);
+    let limit = most as u64 + 1;
     let mut bytes = Vec::new();
     let read = if file == Path::new("-") {
         std::io::stdin().lock().take(limit).read_to_end(&mut bytes)
     } else {
-        let opened = File::open(file).with_context(|| format!("cannot read the scenario `{name}`"))?;
+        let opened = File::open(file).with_context(|| format!("cannot read the {what} `{name}`"))?;
         opened.take(limit).read_to_end(&mut bytes)
     };
-    read.with_context(|| format!("cannot read the scenario `{name}`"))?;
-    if bytes.len() > TEXT_MAX {
-        bail!("the scenario `{name}` is too long: allowed is at most {TEXT_MAX} bytes");
+    read.with_context(|| format!("cannot read the {what} `{name}`"))?;
+    if bytes.len() > most {
+        bail!("the {what} `{name}` is too long: allowed is at most {most} bytes");
     }
-    String::from_utf8(bytes).map_err(|error| {
-        let at = error.utf8_error().valid_up_to();
-        anyhow::anyhow!("the scenario `{name}` is not text: byte {at} is not UTF-8")
-    })
+    Ok(bytes)
+}
+
+fn renderer() -> Renderer {
+    if std::io::stderr().is_terminal() { Renderer::styled() } else { Renderer::plain() }
 }
 
 /// Mistakes shown; a file with more has other troubles.
 const SHOWN: usize = 20;
 
 fn picture(name: &str, text: &str, problems: &[Problem]) -> String {
-    let styled = std::io::stderr().is_terminal();
-    let renderer = if styled { Renderer::styled() } else { Renderer::plain() };
+    let renderer = renderer();
     let mut out = String::new();
     for problem in problems.iter().take(SHOWN) {
         if !out.is_empty() {

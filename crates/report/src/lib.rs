@@ -5,6 +5,8 @@
 //! | what | where |
 //! | --- | --- |
 //! | the paper's figures, and one for a single run | [`figure`] |
+//! | a graph with its witness | [`network`] |
+//! | robustness over time, and the recording it comes from | [`robustness`], [`recording`] |
 //! | one self-contained page, and what is on it | [`html`], [`content`] |
 //! | SVG to PNG | [`png`] |
 //! | the table of runs, and the paper's sentences held against them | [`table`], [`claims`] |
@@ -15,8 +17,10 @@ pub mod claims;
 pub mod content;
 pub mod figure;
 pub mod html;
+pub mod network;
 pub mod parquet;
 pub mod png;
+pub mod recording;
 pub mod robustness;
 pub mod table;
 
@@ -26,6 +30,8 @@ mod formation;
 mod layout;
 mod legend;
 mod links;
+mod network_layout;
+mod network_mark;
 mod palette;
 mod path;
 mod series;

@@ -22,17 +22,37 @@ use crate::svg::{Element, Piece, Svg};
 use crate::ticks::Range;
 use crate::title::{Title, fold};
 
-/// Rounds of one run.
-#[derive(Clone, Copy, Debug)]
+/// One moment. Of numbers that are not known exactly, the proved least.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Point {
+    /// When, s.
+    pub time_s: f64,
+    /// Largest r.
+    pub r_max: i32,
+    /// Largest F, −1 if there is none.
+    pub f_max: i32,
+}
+
+/// One run.
+#[derive(Clone, Debug)]
 pub struct Survey<'a> {
     /// Its name in titles.
     pub title: &'a str,
     /// F, which the network should survive.
     pub faults: u16,
-    /// Length of a tick, s.
-    pub tick_s: f64,
     /// What was found, in order.
-    pub rounds: &'a [Round],
+    pub points: Vec<Point>,
+}
+
+/// The points of recorded rounds, for ticks of `tick_s`.
+#[must_use]
+pub fn points(rounds: &[Round], tick_s: f64) -> Vec<Point> {
+    let point = |round: &Round| Point {
+        time_s: f64::from(round.tick) * tick_s,
+        r_max: round.r_max.least,
+        f_max: round.f_max.least,
+    };
+    rounds.iter().map(point).collect()
 }
 
 const GAP: f64 = 14.0;
@@ -68,33 +88,27 @@ pub fn robustness(surveys: &[Survey<'_>]) -> String {
     svg.finish()
 }
 
-impl Survey<'_> {
-    fn time_s(&self, round: &Round) -> f64 {
-        f64::from(round.tick) * self.tick_s
-    }
-}
-
 fn times(surveys: &[Survey<'_>]) -> Range {
-    let times = surveys.iter().flat_map(|survey| survey.rounds.iter().map(|round| survey.time_s(round)));
+    let times = surveys.iter().flat_map(|survey| &survey.points).map(|point| point.time_s);
     Range::of(times.chain([0.0]))
 }
 
 fn heights(surveys: &[Survey<'_>]) -> Range {
-    let rounds = surveys.iter().flat_map(|survey| survey.rounds);
-    let found = rounds.flat_map(|round| [round.r_max.least, round.f_max.least]).map(f64::from);
+    let points = surveys.iter().flat_map(|survey| &survey.points);
+    let found = points.flat_map(|point| [point.r_max, point.f_max]).map(f64::from);
     let needed = surveys.iter().map(|survey| f64::from(survey.faults));
     Range::of(found.chain(needed).chain([0.0])).padded(0.1)
 }
 
 fn draw(svg: &mut Svg, axes: &Axes, survey: &Survey<'_>) {
-    let line = |height: &dyn Fn(&Round) -> f64| {
-        let points = survey.rounds.iter().map(|round| axes.at_cut([survey.time_s(round), height(round)]));
+    let line = |height: &dyn Fn(&Point) -> f64| {
+        let points = survey.points.iter().map(|point| axes.at_cut([point.time_s, height(point)]));
         steps(&points.collect::<Vec<_>>())
     };
     let faults = f64::from(survey.faults);
     svg.add(needed(path(&line(&|_| faults))));
-    svg.add(largest_r(path(&line(&|round| f64::from(round.r_max.least)))));
-    svg.add(largest_f(path(&line(&|round| f64::from(round.f_max.least)))));
+    svg.add(largest_r(path(&line(&|point| f64::from(point.r_max)))));
+    svg.add(largest_f(path(&line(&|point| f64::from(point.f_max)))));
 }
 
 fn path(points: &[[f64; 2]]) -> Element {
@@ -123,16 +137,16 @@ pub(crate) fn needed(line: Element) -> Element {
 /// A whole number of a round, given its place in the run.
 type Whole = fn(usize, &Round) -> i32;
 
-/// Writes one row a round: `round`, `tick` (u32), `time_s`, `r_max`, `r_max_most`, `f_max`, `f_max_most` (i32; the two
+/// Writes one row a round, for ticks of `tick_s`: `round`, `tick` (u32), `time_s`, `r_max`, `r_max_most`, `f_max`, `f_max_most` (i32; the two
 /// differ where the search ran out of its budget), `degree` (i32, least of normal robots), `spread` (of normal values).
 pub fn write_rounds<W: Write + Send>(
-    survey: &Survey<'_>,
+    rounds: &[Round],
+    tick_s: f64,
     metadata: &Metadata<'_>,
     sink: W,
 ) -> Result<(), WriteError> {
     let mut writer = SerializedFileWriter::new(sink, schema()?, properties(metadata))?;
     let mut group = writer.next_row_group()?;
-    let rounds = survey.rounds;
     let whole: [Whole; 7] = [
         |index, _| i32::try_from(index).unwrap_or(i32::MAX),
         |_, round| round.tick.cast_signed(),
@@ -147,7 +161,7 @@ pub fn write_rounds<W: Write + Send>(
         put::<Int32Type>(&mut column, rounds.iter().enumerate().map(|(index, round)| number(index, round)))?;
         column.close()?;
     }
-    let times = rounds.iter().map(|round| survey.time_s(round)).collect();
+    let times = rounds.iter().map(|round| f64::from(round.tick) * tick_s).collect();
     let spreads = rounds.iter().map(|round| round.spread).collect();
     for numbers in [times, spreads] as [Vec<f64>; 2] {
         let Some(mut column) = group.next_column()? else { return Err(WriteError::Ragged) };
@@ -189,8 +203,7 @@ mod tests {
     #[test]
     fn every_round_is_a_row() {
         let (rounds, mut file) = (rounds(), Vec::new());
-        let survey = Survey { title: "x", faults: 2, tick_s: 0.005, rounds: &rounds };
-        write_rounds(&survey, &Metadata::default(), &mut file).unwrap();
+        write_rounds(&rounds, 0.005, &Metadata::default(), &mut file).unwrap();
         let reader = SerializedFileReader::new(bytes::Bytes::from(file)).unwrap();
         let rows: Vec<String> =
             reader.get_row_iter(None).unwrap().map(|row| row.unwrap().to_string()).collect();
@@ -204,9 +217,8 @@ mod tests {
 
     #[test]
     fn the_figure_has_a_panel_a_run_and_three_lines_each() {
-        let rounds = rounds();
-        let survey = Survey { title: "one", faults: 2, tick_s: 0.005, rounds: &rounds };
-        let svg = robustness(&[survey, Survey { title: "none", rounds: &[], ..survey }]);
+        let survey = Survey { title: "one", faults: 2, points: points(&rounds(), 0.005) };
+        let svg = robustness(&[survey, Survey { title: "none", faults: 0, points: Vec::new() }]);
         assert!(svg.contains("(a) one") && svg.contains("(b) none") && svg.contains("time (s)"));
         assert!(crate::png::png(&svg, 1.0).is_ok());
         assert!(crate::png::png(&robustness(&[]), 1.0).is_ok());

@@ -98,7 +98,8 @@ pub fn number(value: f64, digits: usize) -> String {
     if plain.parse() == Ok(0.0) { format!("{:.digits$}", 0.0) } else { plain }
 }
 
-/// The table as text for a terminal: columns aligned, the first to the left, others to the right.
+/// The table as text for a terminal: columns aligned, the first to the left, others to the right; the last to the left if it
+/// has words only.
 #[must_use]
 pub fn text(table: &Table) -> String {
     let heads: Vec<Vec<&str>> = table.heads.iter().map(|head| head.split('\n').collect()).collect();
@@ -117,9 +118,13 @@ pub fn text(table: &Table) -> String {
                 .unwrap_or(0)
         })
         .collect();
+    let is_number =
+        |cell: &str| cell.starts_with(|first: char| first.is_ascii_digit() || "+-".contains(first));
+    let words = heads.len() > 1
+        && !lines.iter().filter_map(|line| line.get(heads.len() - 1)).any(|cell| is_number(cell));
     let mut out = String::new();
     for (index, line) in lines.iter().enumerate() {
-        push_line(&mut out, line, &widths);
+        push_line(&mut out, line, &widths, words);
         if index + 1 == height {
             out.push_str(&"-".repeat(widths.iter().sum::<usize>() + 2 * widths.len().saturating_sub(1)));
             out.push('\n');
@@ -128,12 +133,13 @@ pub fn text(table: &Table) -> String {
     out
 }
 
-fn push_line(out: &mut String, cells: &[&str], widths: &[usize]) {
+fn push_line(out: &mut String, cells: &[&str], widths: &[usize], words: bool) {
     let mut line = String::new();
     for (column, (cell, width)) in cells.iter().zip(widths).enumerate() {
         let gap = if column == 0 { "" } else { "  " };
+        let left = column == 0 || (words && column + 1 == widths.len());
         let written =
-            if column == 0 { write!(line, "{cell:<width$}") } else { write!(line, "{gap}{cell:>width$}") };
+            if left { write!(line, "{gap}{cell:<width$}") } else { write!(line, "{gap}{cell:>width$}") };
         debug_assert!(written.is_ok(), "writing to a string does not fail");
     }
     out.push_str(line.trim_end());

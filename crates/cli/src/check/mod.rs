@@ -1,0 +1,165 @@
+//! `closeranks check GRAPH`: how many liars a network survives, exactly.
+
+mod analysis;
+mod answer;
+mod input;
+mod mend;
+mod question;
+mod recording;
+mod save;
+mod words;
+
+use std::path::PathBuf;
+
+use anyhow::{Result, bail};
+use clap::{Args, ValueEnum};
+use closeranks_graph::formats;
+
+use crate::folder::Folder;
+use crate::output;
+use crate::progress::Watch;
+use answer::{Answer, Task};
+use input::{Input, Source};
+
+/// Shown by `closeranks check --help`.
+pub(crate) const HELP: &str = "\
+A graph is a file in one of six formats, told by its ending or by its content; `-` reads standard input.
+A directed edge u -> v means that v hears u.
+
+    closeranks check team.edges                  # how many liars it survives, the table of (r, s), a witness
+    closeranks check team.edges --F 2            # one question: any 2 liars? Exit code 0 yes, 1 no or undecided
+    closeranks check team.edges --r 3 --s 2      # is it (3,2)-robust?
+    closeranks check team.edges -o out           # and a picture of the two sets that never agree
+    closeranks check team.edges --F 2 --additions   # which edges to add
+    closeranks check team.edges --local          # liars few in every neighbourhood instead of few in all
+    closeranks check team.edges --leaders 1,2 --r 3 # do all follow robots 1 and 2?
+    closeranks check out/run.parquet             # a recorded run: robustness at every consensus round
+    closeranks graph petersen | closeranks check -
+
+What the words mean, with pictures: docs/robustness.md.
+
+--json prints {n, directed, r_max, f_max, s_max: {\"1\": ..}, proved, witness: {r, s, S1, S2, exempt}}. Robots have the
+names of the file, as numbers if all are numbers. A number that was not settled within --time-limit is [least, most],
+and `proved` is then \"bounds\" instead of \"exactly\". An answer to a question is
+{n, directed, question, answer: \"yes\" | \"no\" | \"undecided\", ..}.
+
+Exit codes: 0 fine, 1 the answer is no or was not found within the time limit, 2 bad input.";
+
+/// How graphs are written down.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(crate) enum Format {
+    /// One edge `u v` a line.
+    Edges,
+    /// Rows of 0 and 1.
+    Matrix,
+    /// graph6 and digraph6 of nauty and networkx.
+    Graph6,
+    /// GraphML.
+    Graphml,
+    /// DOT of Graphviz.
+    Dot,
+    /// JSON as networkx writes it (node-link).
+    Json,
+}
+
+impl Format {
+    /// The format of the library.
+    pub(crate) fn of_library(self) -> formats::Format {
+        match self {
+            Self::Edges => formats::Format::EdgeList,
+            Self::Matrix => formats::Format::Matrix,
+            Self::Graph6 => formats::Format::Graph6,
+            Self::Graphml => formats::Format::GraphMl,
+            Self::Dot => formats::Format::Dot,
+            Self::Json => formats::Format::Json,
+        }
+    }
+}
+
+/// What is asked of which graph.
+#[derive(Args, Debug)]
+#[expect(clippy::struct_excessive_bools, reason = "each is a flag of the command line")]
+pub(crate) struct Check {
+    /// Graph or recorded run (Parquet); `-` reads standard input.
+    #[arg(value_name = "GRAPH")]
+    file: PathBuf,
+    /// How it is written down; told by the ending of its name or by its content if left out.
+    #[arg(long, value_enum)]
+    format: Option<Format>,
+    /// Edges of an edge list or matrix have a direction: in `u v`, v hears u.
+    #[arg(long)]
+    directed: bool,
+    /// Ask whether the graph is (r,s)-robust.
+    #[arg(long, value_name = "R", value_parser = clap::value_parser!(u8).range(1..=128))]
+    r: Option<u8>,
+    /// The s of (r,s).
+    #[arg(long, value_name = "S", requires = "r", value_parser = clap::value_parser!(u8).range(1..=128))]
+    s: Option<u8>,
+    /// Ask whether it survives any F liars: (F+1,F+1)-robust.
+    #[arg(long = "F", value_name = "F", conflicts_with_all = ["r", "s"], value_parser = clap::value_parser!(u8).range(0..=127))]
+    faults: Option<u8>,
+    /// Strong r-robustness with respect to these robots, names with commas between; with --F, r = 2F + 1.
+    #[arg(long, value_name = "NAMES", value_delimiter = ',', conflicts_with_all = ["s", "local", "additions"])]
+    leaders: Vec<String>,
+    /// Liars that are at most F in every neighbourhood (F-local), however many in all.
+    #[arg(long, conflicts_with_all = ["r", "s", "additions"])]
+    local: bool,
+    /// Which edges to add, as few as can be, until --F or --r and --s hold.
+    #[arg(long)]
+    additions: bool,
+    /// Of a recorded run, look at every K-th tick; every consensus round if left out.
+    #[arg(long, value_name = "K", value_parser = clap::value_parser!(u32).range(1..))]
+    every: Option<u32>,
+    /// Stop after so many seconds and say what is proved by then.
+    #[arg(long, value_name = "SECONDS", default_value_t = 60.0, value_parser = seconds)]
+    time_limit: f64,
+    /// Folder for a picture (SVG, PNG) and a page.
+    #[arg(short, long, value_name = "DIR")]
+    output: Option<PathBuf>,
+    /// Print the numbers as JSON.
+    #[arg(long)]
+    json: bool,
+    /// Print nothing but errors.
+    #[arg(short, long)]
+    quiet: bool,
+}
+
+fn seconds(text: &str) -> Result<f64, String> {
+    let number = text.parse::<f64>().ok().filter(|number| (0.0..=1e9).contains(number));
+    number.ok_or_else(|| "allowed is 0 to 1e9 seconds".to_owned())
+}
+
+/// Answers; false when the answer is no or was not found within the time limit.
+pub(crate) fn check(arguments: &Check) -> Result<bool> {
+    let folder = arguments.output.as_deref().map(Folder::new).transpose()?;
+    match input::read(arguments)? {
+        Source::Graph(input) => graph(arguments, &input, folder),
+        Source::Recording(name, file) => recording::check(arguments, &name, file, folder),
+    }
+}
+
+fn graph(arguments: &Check, input: &Input, folder: Option<Folder>) -> Result<bool> {
+    if arguments.every.is_some() {
+        bail!("--every is for recorded runs (Parquet files of `closeranks run`)");
+    }
+    let mut watch = Watch::new(arguments.time_limit, arguments.quiet);
+    let task = Task::new(&input.named, arguments)?;
+    let answer = task.answer(&mut watch);
+    watch.finish();
+    if let Some(folder) = folder {
+        save::save(folder, input, &answer)?;
+    }
+    tell(arguments, &answer, "report.html, graph.svg, graph.png");
+    Ok(answer.holds)
+}
+
+fn tell(arguments: &Check, answer: &Answer, files: &str) {
+    if arguments.json {
+        output::say(&crate::json::text(&answer.numbers));
+    } else if !arguments.quiet {
+        output::say(&answer.text());
+        if let Some(target) = &arguments.output {
+            output::say(&format!("\nwritten to {}: {files}\n", target.display()));
+        }
+    }
+}

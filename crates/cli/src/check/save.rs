@@ -1,0 +1,59 @@
+//! The folder of `closeranks check -o`: picture and page.
+
+use anyhow::Result;
+use closeranks_report::content::{Figure, Page, Section};
+use closeranks_report::html::html;
+use closeranks_report::network::{Network, network};
+use closeranks_report::png::{SCALE_200_DPI, png};
+
+use super::answer::Answer;
+use super::input::Input;
+use crate::folder::Folder;
+
+/// Writes `graph.svg`, `graph.png` and `report.html`.
+pub(super) fn save(mut folder: Folder, input: &Input, answer: &Answer) -> Result<()> {
+    let [first, second, exempt] = answer.sets;
+    let svg = network(&Network {
+        graph: &input.named.graph,
+        names: &input.named.names,
+        title: &answer.caption,
+        first,
+        second,
+        exempt,
+        labels: answer.labels,
+    });
+    folder.add("graph.png", png(&svg, SCALE_200_DPI)?);
+    folder.add("report.html", html(&page(input, answer, svg.clone())));
+    folder.add("graph.svg", svg);
+    folder.write()
+}
+
+fn page(input: &Input, answer: &Answer, svg: String) -> Page {
+    let section = Section {
+        title: "How many liars it survives".to_owned(),
+        paragraphs: [&answer.graph].into_iter().chain(&answer.why).cloned().collect(),
+        tables: answer.table.iter().map(|table| (TABLE.to_owned(), table.clone())).collect(),
+        figures: vec![Figure { caption: caption(answer), svg }],
+        ..Section::default()
+    };
+    Page {
+        title: format!("Robustness of {}", input.name),
+        lead: answer.sentence.clone(),
+        sections: vec![section],
+        footer: format!(
+            "closeranks {}, commit {}: closeranks check",
+            env!("CARGO_PKG_VERSION"),
+            env!("CLOSERANKS_COMMIT")
+        ),
+    }
+}
+
+const TABLE: &str = "For each r the largest s with (r,s)-robustness. Any F liars are survived if row F + 1 has s of F + 1 or more.";
+
+fn caption(answer: &Answer) -> String {
+    let [first, second, exempt] = answer.labels;
+    let shapes = [(first, "blue circles"), (second, "orange diamonds"), (exempt, "red squares")];
+    let said = shapes.iter().zip(answer.sets).filter(|(_, set)| !set.is_empty());
+    let said: Vec<String> = said.map(|((label, shape), _)| format!("{label}: {shape}")).collect();
+    format!("{}. {}", answer.caption, said.join("; "))
+}

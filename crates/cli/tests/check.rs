@@ -1,0 +1,301 @@
+//! `closeranks check` and `closeranks graph` as their user meets them.
+#![expect(clippy::unwrap_used, clippy::format_push_string, reason = "helpers of tests")]
+
+use std::fs;
+use std::io::Write as _;
+use std::path::Path;
+use std::process::{Command, Output, Stdio};
+
+use serde_json::{Value, json};
+
+fn closeranks(folder: &Path, arguments: &[&str], input: &[u8]) -> Output {
+    let mut program = Command::new(env!("CARGO_BIN_EXE_closeranks"));
+    let program = program.current_dir(folder).args(arguments);
+    let piped = program.stdin(Stdio::piped()).stdout(Stdio::piped()).stderr(Stdio::piped());
+    let mut child = piped.spawn().unwrap();
+    // The program may refuse its arguments before it reads.
+    let _ = child.stdin.take().unwrap().write_all(input);
+    child.wait_with_output().unwrap()
+}
+
+fn text(bytes: &[u8]) -> String {
+    String::from_utf8(bytes.to_vec()).unwrap()
+}
+
+/// What `check - ARGUMENTS` says of a graph in a pipe, and its exit code.
+fn check(graph: &[u8], arguments: &[&str]) -> (String, Option<i32>) {
+    let output = closeranks(Path::new("."), &[&["check", "-"], arguments].concat(), graph);
+    assert!(output.stderr.is_empty(), "{}", text(&output.stderr));
+    (text(&output.stdout), output.status.code())
+}
+
+fn make(arguments: &[&str]) -> Vec<u8> {
+    let output = closeranks(Path::new("."), &[&["graph"], arguments].concat(), b"");
+    assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
+    output.stdout
+}
+
+fn golden() -> Vec<Value> {
+    let file = include_str!("../../graph/tests/golden/robustness.json");
+    let file: Value = serde_json::from_str(file).unwrap();
+    file["graphs"].as_array().unwrap().clone()
+}
+
+fn edge_list(entry: &Value) -> String {
+    let mut list = String::from(if entry["directed"] == true { "directed\n" } else { "undirected\n" });
+    (0..entry["n"].as_u64().unwrap()).for_each(|node| list += &format!("{node}\n"));
+    for edge in entry["edges"].as_array().unwrap() {
+        list += &format!("{} {}\n", edge[0], edge[1]);
+    }
+    list
+}
+
+/// The witness breaks the definition, counted here once more.
+fn is_witness(entry: &Value, witness: &Value) -> bool {
+    let set = |key: &str| witness[key].as_array().unwrap().clone();
+    let heard = |robot: &Value, set: &[Value]| {
+        let edges = entry["edges"].as_array().unwrap().iter();
+        let both = entry["directed"] == false;
+        let outside = |from: &Value, to: &Value| to == robot && !set.contains(from);
+        edges.filter(|edge| outside(&edge[0], &edge[1]) || (both && outside(&edge[1], &edge[0]))).count()
+    };
+    let r = usize::try_from(witness["r"].as_u64().unwrap()).unwrap();
+    let exempt = |set: &[Value]| set.iter().filter(|robot| heard(robot, set) >= r).count();
+    let (first, second) = (set("S1"), set("S2"));
+    let counts = [exempt(&first), exempt(&second)];
+    let disjoint =
+        !first.is_empty() && !second.is_empty() && first.iter().all(|robot| !second.contains(robot));
+    disjoint
+        && counts[0] < first.len()
+        && counts[1] < second.len()
+        && ((counts[0] + counts[1]) as u64) < witness["s"].as_u64().unwrap()
+}
+
+#[test]
+fn json_has_the_golden_numbers() {
+    for entry in golden() {
+        let (told, code) = check(edge_list(&entry).as_bytes(), &["--json"]);
+        let mut found: Value = serde_json::from_str(&told).unwrap();
+        let witness = found.as_object_mut().unwrap().remove("witness").unwrap();
+        let expected = json!({
+            "n": entry["n"],
+            "directed": entry["directed"],
+            "r_max": entry["r_robustness"],
+            "f_max": entry["F_max"],
+            "s_max": entry["s_max_by_r"],
+            "proved": "exactly",
+        });
+        assert_eq!((found, code), (expected, Some(0)), "{}", entry["name"]);
+        assert!(is_witness(&entry, &witness), "{} {witness}", entry["name"]);
+    }
+}
+
+#[test]
+fn every_format_gives_the_same_answer() {
+    let makers: [&[&str]; 3] = [
+        &["petersen"],
+        &["k-circulant", "10", "4", "--directed"],
+        &["geometric", "11", "0.5", "--seed", "3"],
+    ];
+    for maker in makers {
+        let expected = check(&make(maker), &["--json"]);
+        for format in ["edges", "matrix", "graph6", "graphml", "dot", "json"] {
+            let graph = make(&[maker, &["--format", format]].concat());
+            assert_eq!(check(&graph, &["--json"]), expected, "{format} guessed");
+            assert_eq!(check(&graph, &["--json", "--format", format]), expected, "{format} asked for");
+        }
+    }
+}
+
+#[test]
+fn the_verdict_is_one_sentence_with_a_witness() {
+    let (told, code) = check(b"tom bob\nbob ann\nann eve\n", &[]);
+    assert_eq!(code, Some(0));
+    assert_eq!(
+        told,
+        "Agrees if nobody lies: (1,1)-robust, proved by exhaustive search of 1 set; not any single liar: not
+(2,2)-robust.
+4 robots, 3 links, undirected; degrees 1 to 2, connectivity 1
+
+r  largest s  proved by
+----------------------------------------
+1          2  exhaustive search of 1 set
+2          0  a witness
+
+The degree condition (every honest robot hears F + floor(n/2) = F + 2 or more) promises nothing here.
+Robot tom hears 1 robot outside {tom}, and robots ann and eve hear at most 1 robot outside {ann, eve}. A robot
+that discards the highest and the lowest value keeps none of these, so the two sides never agree.
+"
+    );
+}
+
+#[test]
+fn questions_are_answered_by_sentence_and_exit_code() {
+    let tight = make(&["tight", "10", "2"]);
+    let cases: [(&[&str], &str, i32); 12] = [
+        (&["--F", "1"], "Yes: survives any single liar: (2,2)-robust, proved by", 0),
+        (&["--F", "2"], "No: does not survive any 2 liars: not (3,3)-robust, proved by a witness.", 1),
+        (&["--r", "2"], "Yes: (2,1)-robust, proved by", 0),
+        (&["--r", "3", "--s", "1"], "No: not (3,1)-robust, proved by a witness.", 1),
+        (&["--F", "2", "--additions"], "Add 2 edges, as few as can be, and it is (3,3)-robust:", 0),
+        (&["--F", "1", "--additions"], "Nothing to add: it is (2,2)-robust.", 0),
+        (&["--F", "5", "--additions"], "No edges will do: even the complete graph is not 6-robust.", 1),
+        (&["--local"], "Survives liars of which no robot hears more than 1, and not more than 2.", 0),
+        (&["--local", "--F", "0"], "Yes: survives liars of which no robot hears more than 0", 0),
+        (&["--local", "--F", "2"], "No: does not survive liars of which no robot hears more than 2", 1),
+        (
+            &["--leaders", "0,1,2"],
+            "Strongly 2-robust with respect to robots 0, 1 and 2, and for no larger r.",
+            0,
+        ),
+        (&["--leaders", "0,1", "--r", "3"], "No: not strongly 3-robust with respect to robots 0 and 1", 1),
+    ];
+    for (arguments, sentence, code) in cases {
+        let (told, found) = check(&tight, arguments);
+        let told = told.replace('\n', " ");
+        assert!(told.starts_with(sentence), "{arguments:?}: {told}");
+        assert_eq!(found, Some(code), "{arguments:?}: {told}");
+    }
+}
+
+#[test]
+fn what_is_not_settled_in_time_is_said_to_be_open() {
+    let graph = make(&["erdos-renyi", "60", "0.7", "--seed", "2"]);
+    let (told, code) = check(&graph, &["--F", "12", "--time-limit", "0.05"]);
+    assert!(told.starts_with("Undecided within 0.05 s: whether it is (13,13)-robust"), "{told}");
+    assert_eq!(code, Some(1));
+    let (told, code) = check(&graph, &["--json", "--time-limit", "0.05"]);
+    let found: Value = serde_json::from_str(&told).unwrap();
+    assert_eq!((&found["proved"], code), (&json!("bounds"), Some(1)));
+    assert!(found["r_max"][0].as_i64().unwrap() < found["r_max"][1].as_i64().unwrap(), "{told}");
+}
+
+#[test]
+fn bad_graphs_are_refused_with_their_place() {
+    let folder = tempfile::tempdir().unwrap();
+    let many: String = (0..129).fold(String::new(), |list, node| list + &format!("n{node}\n"));
+    let cases = [
+        (
+            "a.edges",
+            "a b\nb b\n",
+            "error: loop: \"b\" would hear itself\n --> a.edges:2:1\n  |\n2 | b b\n  | ^^^\n",
+        ),
+        ("a.edges", "a b\n\nb a\n", "error: edge from \"b\" to \"a\" appears twice\n --> a.edges:3:1\n"),
+        ("a.csv", "0,1\n0,0\n", "error: row 0 column 1 is 1 but row 1 column 0 is not"),
+        (
+            "a.csv",
+            "0,7\n7,0\n",
+            "error: found \"7\", expected 0 or 1\n --> a.csv:1:3\n  |\n1 | 0,7\n  |   ^\n",
+        ),
+        (
+            "a.dot",
+            "graph {\n a -> b }",
+            "error: found \"->\", expected -> in a digraph, -- in a graph\n --> a.dot:2:4\n",
+        ),
+        (
+            "a.json",
+            "{\"nodes\": [1],\n\"edges\": [{\"source\": 1, \"target\": 3}]}",
+            "error: no node is named \"3\"\n",
+        ),
+        ("a.edges", &many, "error: more than 128 nodes\n   --> a.edges:129:1\n"),
+        ("a.txt", "", "error: a.txt:1: no node, at least one is needed\n"),
+    ];
+    for (name, graph, message) in cases {
+        fs::write(folder.path().join(name), graph).unwrap();
+        let output = closeranks(folder.path(), &["check", name, "-o", "out"], b"");
+        assert!(text(&output.stderr).starts_with(message), "{}", text(&output.stderr));
+        assert_eq!(output.status.code(), Some(2));
+        assert!(output.stdout.is_empty() && !folder.path().join("out").exists());
+    }
+}
+
+#[test]
+fn bad_arguments_are_refused() {
+    let long = " ".repeat(5 << 20);
+    let cases: [(&[&str], &[u8], &str); 9] = [
+        (
+            &["check", "-", "--leaders", "x"],
+            b"a b",
+            "--leaders names \"x\", which is no robot of the graph; allowed are {a, b}",
+        ),
+        (&["check", "-", "--additions"], b"a b", "--additions to what end?"),
+        (&["check", "-", "--directed"], b"digraph { a -> b }", "DOT says itself what its edges are"),
+        (&["check", "-", "--every", "3"], b"a b", "--every is for recorded runs"),
+        (&["check", "-"], &[0xff, 0xfe], "is not text: byte 0 is not UTF-8"),
+        (&["check", "-"], b"PAR1", "the recording `standard input` cannot be read"),
+        (&["check", "-"], long.as_bytes(), "is too long: allowed is at most 4194304 bytes"),
+        (&["check", "missing"], b"", "cannot read the graph `missing`"),
+        (&["graph", "tight", "4", "9"], b"", "no such graph: f must be floor((n - 1)/2) or less"),
+    ];
+    for (arguments, input, message) in cases {
+        let output = closeranks(Path::new("."), arguments, input);
+        assert!(text(&output.stderr).contains(message), "{arguments:?}: {}", text(&output.stderr));
+        assert_eq!(output.status.code(), Some(2), "{arguments:?}");
+    }
+    for arguments in [["--F", "128"], ["--s", "2"], ["--time-limit", "-1"], ["--r", "0"], ["--format", "png"]]
+    {
+        let output = closeranks(Path::new("."), &[&["check", "-"], &arguments[..]].concat(), b"a b");
+        assert_eq!(output.status.code(), Some(2), "{arguments:?}");
+    }
+}
+
+#[test]
+fn the_folder_has_picture_and_page() {
+    let folder = tempfile::tempdir().unwrap();
+    let output = closeranks(
+        folder.path(),
+        &["check", "-", "--format", "edges", "-o", "out"],
+        b"<a> \x1b[31m\n<a> c\n",
+    );
+    assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
+    assert!(!text(&output.stdout).contains('\u{1b}'), "names cannot steer the terminal");
+    let file = |name: &str| fs::read(folder.path().join("out").join(name)).unwrap();
+    assert!(file("graph.png").starts_with(b"\x89PNG"));
+    assert!(text(&file("graph.svg")).contains("&lt;a&gt;"));
+    let page = text(&file("report.html"));
+    assert!(page.contains("Agrees if nobody lies") && page.contains("<svg") && page.contains("largest s"));
+}
+
+#[test]
+fn a_recorded_run_has_its_robustness_over_time() {
+    let folder = tempfile::tempdir().unwrap();
+    fs::write(
+        folder.path().join("free.toml"),
+        "duration_s = 3\nexpect = []\n[controller]\nkind = \"none\"\n",
+    )
+    .unwrap();
+    let run = closeranks(folder.path(), &["run", "free.toml", "-q", "-o", "run"], b"");
+    assert_eq!(run.status.code(), Some(0), "{}", text(&run.stderr));
+    let check = |arguments: &[&str]| {
+        closeranks(folder.path(), &[&["check", "run/run.parquet"], arguments].concat(), b"")
+    };
+    let output = check(&["-o", "out"]);
+    assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
+    assert!(text(&output.stdout).starts_with("Survives any 2 liars in 19 of 31 rounds (61.2 %); least F -1"));
+    assert_eq!(fs::read_to_string(folder.path().join("out/robustness.csv")).unwrap().lines().count(), 32);
+    assert!(fs::read(folder.path().join("out/robustness.png")).unwrap().starts_with(b"\x89PNG"));
+    let output = check(&["--F", "2", "--every", "100", "--json"]);
+    assert_eq!(output.status.code(), Some(1), "asked and not always so");
+    let found: Value = serde_json::from_slice(&output.stdout).unwrap();
+    assert_eq!(found["rounds"].as_array().unwrap().len(), 7);
+    assert_eq!(found["rounds"][0], json!({ "tick": 0, "time_s": 0.0, "r_max": 6, "f_max": 5 }));
+    assert_eq!(check(&["--r", "2"]).status.code(), Some(2));
+    let whole = fs::read(folder.path().join("run/run.parquet")).unwrap();
+    for length in (4..whole.len()).step_by(whole.len() / 7) {
+        let output = closeranks(folder.path(), &["check", "-"], &whole[..length]);
+        assert_eq!(output.status.code(), Some(2), "cut at {length}");
+    }
+}
+
+#[test]
+fn every_example_of_the_help_makes_a_graph() {
+    let help = text(&closeranks(Path::new("."), &["graph", "--help"], b"").stdout);
+    let examples = help.lines().filter_map(|line| line.trim().strip_prefix("closeranks graph "));
+    let mut count = 0;
+    for example in examples.filter(|example| !example.contains('|')) {
+        let arguments = example.split("  ").next().unwrap().split(' ');
+        assert!(!make(&arguments.collect::<Vec<&str>>()).is_empty(), "{example}");
+        count += 1;
+    }
+    assert_eq!(count, 17, "{help}");
+}
