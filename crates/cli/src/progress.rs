@@ -68,6 +68,7 @@ impl Watch {
         let limit_ms = u64::try_from(limit_ms).unwrap_or(u64::MAX);
         let bar = self.bar.get_or_insert_with(|| {
             let bar = ProgressBar::with_draw_target(Some(limit_ms), ProgressDrawTarget::stderr());
+            let bar = bar.with_elapsed(spent);
             let style = ProgressStyle::with_template("{msg:44} [{bar:24}] {elapsed} of the time limit");
             bar.set_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()).progress_chars("=> "));
             bar

@@ -1,4 +1,5 @@
 //! A run is a pure function of scenario, seed and commit: a mixed scenario has a committed digest.
+#![expect(clippy::unwrap_used, reason = "helpers of tests")]
 
 #![expect(clippy::unwrap_used, reason = "helpers of tests")]
 

@@ -1,4 +1,5 @@
 //! The team computed at once and robots one by one, with every message as bytes, give the same bits.
+#![expect(clippy::unwrap_used, reason = "helpers of tests")]
 
 #![expect(clippy::unwrap_used, reason = "helpers of tests")]
 

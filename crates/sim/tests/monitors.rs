@@ -1,4 +1,5 @@
 //! Every law can be broken, and is then named with tick, robots and amount.
+#![expect(clippy::unwrap_used, reason = "helpers of tests")]
 
 #![expect(clippy::unwrap_used, reason = "helpers of tests")]
 
