@@ -1,6 +1,5 @@
 //! The program as its user meets it: files, exit codes, messages, folders.
 #![expect(clippy::unwrap_used, reason = "helpers of tests")]
-#![expect(clippy::unwrap_used, reason = "helpers of tests")]
 
 use std::fs;
 use std::path::Path;

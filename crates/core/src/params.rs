@@ -187,10 +187,10 @@ impl<const D: usize> Settings<D> {
             (Field::WR, self.w_r, positive),
             (Field::WC, self.w_c, positive),
             (Field::Alpha, self.alpha, positive),
-            (Field::Gamma, self.gamma(), Allowed::LeftOpen(0.0, 1.0)),
-            (Field::GammaC, self.gamma_c, Allowed::LeftOpen(0.0, 1.0)),
             (Field::LevelPeriod, self.level_period.as_secs_f64(), positive),
             (Field::ValuePeriod, self.value_period.as_secs_f64(), positive),
+            (Field::Gamma, self.gamma(), Allowed::LeftOpen(0.0, 1.0)),
+            (Field::GammaC, self.gamma_c, Allowed::LeftOpen(0.0, 1.0)),
         ];
         let failed = checks.into_iter().find(|(_, value, allowed)| !allowed.holds(*value));
         failed.map_or(Ok(()), |(field, value, allowed)| Err(ParamsError { field, value, allowed }))

@@ -82,6 +82,7 @@ fn check_row<const D: usize>(case: &Case<D>) {
             assert!(missing > 0.0, "{u:?} satisfies {case:?}");
             assert_eq!(u, case.furthest(), "the most of normal·u, then the closest, in {case:?}");
         }
+        Outcome::Recovering => panic!("not an outcome of this program: {case:?}"),
     }
 }
 

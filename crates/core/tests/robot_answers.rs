@@ -84,7 +84,7 @@ fn check_calls<const D: usize>(calls: &[Call<D>]) {
     lend_with(choices[calls.len() % choices.len()], |params, slots, values| {
         let nobody = Sighting { offset_m: [0.0; D], claim: None };
         // Every seventh time too little is lent.
-        let (sightings, rows) = if calls.len() % 7 == 0 { (2, 4) } else { (3, 13) };
+        let (sightings, rows) = if calls.len().is_multiple_of(7) { (2, 4) } else { (3, 13) };
         let (mut sightings, mut rows) = (vec![nobody; sightings], vec![Row::default(); rows]);
         let robot = Robot::new(params, ME, 1.0, &mut slots[..3], values).expect("memory and a value");
         let mut robot = robot.with_budget_memory(&mut sightings, &mut rows);

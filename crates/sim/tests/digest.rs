@@ -1,8 +1,6 @@
 //! A run is a pure function of scenario, seed and commit: a mixed scenario has a committed digest.
 #![expect(clippy::unwrap_used, reason = "helpers of tests")]
 
-#![expect(clippy::unwrap_used, reason = "helpers of tests")]
-
 use closeranks_core::composed::Share;
 use closeranks_sim::attack::LevelAttack;
 use closeranks_sim::scenario::Scenario;

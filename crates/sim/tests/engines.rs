@@ -1,8 +1,6 @@
 //! The team computed at once and robots one by one, with every message as bytes, give the same bits.
 #![expect(clippy::unwrap_used, reason = "helpers of tests")]
 
-#![expect(clippy::unwrap_used, reason = "helpers of tests")]
-
 use closeranks_core::composed::Share;
 use closeranks_sim::attack::{LevelAttack, ValueAttack};
 use closeranks_sim::record::Record;

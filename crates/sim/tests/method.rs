@@ -1,5 +1,4 @@
 //! What METHOD.md section 2 says does not hold as printed, shown in whole runs. 2.1, 2.3 and 2.5 are about single robots,
-#![expect(clippy::unwrap_used, reason = "helpers of tests")]
 //! sums and networks: `crates/core/tests/split.rs` and `consensus.rs`.
 
 #![expect(clippy::unwrap_used, reason = "helpers of tests")]

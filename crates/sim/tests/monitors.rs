@@ -1,8 +1,6 @@
 //! Every law can be broken, and is then named with tick, robots and amount.
 #![expect(clippy::unwrap_used, reason = "helpers of tests")]
 
-#![expect(clippy::unwrap_used, reason = "helpers of tests")]
-
 use core::time::Duration;
 
 use closeranks_core::program::Outcome;
