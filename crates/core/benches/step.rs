@@ -49,6 +49,13 @@ fn program_active(bencher: Bencher<'_, '_>) {
     bencher.bench(|| closest(black_box(&[0.8, 0.3]), black_box(&row), black_box(&BOX)));
 }
 
+/// The answer lies on an edge of the box, so the kinks are walked.
+#[divan::bench]
+fn program_active_at_an_edge(bencher: Bencher<'_, '_>) {
+    let row = Row { normal: [-0.9, 1.3], bound: 2.2 };
+    bencher.bench(|| closest(black_box(&[0.4, 0.9]), black_box(&row), black_box(&BOX)));
+}
+
 #[divan::bench]
 fn program_infeasible(bencher: Bencher<'_, '_>) {
     let row = Row { normal: [-1.3, 0.7], bound: 4.0 };

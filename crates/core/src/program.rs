@@ -1,6 +1,6 @@
 //! The exact program of one robot: the closest point of a box with one row.
 
-use crate::math::{Vector, dot};
+use crate::math::{Vector, add_scaled, dot};
 
 /// The input set U_i, a box that contains 0.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -88,6 +88,11 @@ pub fn closest<const D: usize>(desired: &Vector<D>, row: &Row<D>, input: &InputB
     if dot(&row.normal, &clipped) >= row.bound {
         return Solution { velocity_m_s: clipped, outcome: Outcome::Free };
     }
+    if clipped == *desired
+        && let Some(velocity_m_s) = foot(desired, row).filter(|foot| input.contains(foot))
+    {
+        return Solution { velocity_m_s, outcome: Outcome::Active };
+    }
     let furthest = input.furthest(&row.normal, desired);
     if dot(&row.normal, &furthest) < row.bound {
         return Solution { velocity_m_s: furthest, outcome: Outcome::Infeasible };
@@ -95,6 +100,14 @@ pub fn closest<const D: usize>(desired: &Vector<D>, row: &Row<D>, input: &InputB
     let ray = Ray::new(desired, row, input, clipped, furthest);
     let (before, after) = ray.bracket(row);
     Solution { velocity_m_s: input.clip(&between(&before, &after, row)), outcome: Outcome::Active }
+}
+
+/// The foot of the perpendicular from `desired` on the row: the answer if both lie in the box, as they mostly do.
+/// `None` for rows so small or large that their square is not an ordinary number.
+fn foot<const D: usize>(desired: &Vector<D>, row: &Row<D>) -> Option<Vector<D>> {
+    let square = dot(&row.normal, &row.normal);
+    let ordinary = 1e-200 < square && square < 1e200;
+    ordinary.then(|| add_scaled(desired, (row.bound - dot(&row.normal, desired)) / square, &row.normal))
 }
 
 /// u(λ): each component rests on the edge of the box nearest to the desired one until λ = `enter`, is free until
