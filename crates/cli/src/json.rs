@@ -1,7 +1,7 @@
 //! The numbers of the table for machines.
 
 use closeranks_report::content::Claim;
-use closeranks_sim::monitor::Verdict;
+use closeranks_sim::law::Verdict;
 use closeranks_sim::robustness::weakest;
 use closeranks_sim::scenario::Scenario;
 use closeranks_sim::world::Run;
@@ -37,8 +37,8 @@ pub(crate) fn run(scenario: &Scenario, run: &Run, time_s: f64) -> Value {
         "distance_to_malicious_m": summary.liar_distance_m,
         "rounds_to_agree": extremes.rounds_to_agree,
         "spread": extremes.spread,
-        "infeasible": summary.broken(closeranks_sim::monitor::Law::Feasible),
-        "phi_negative": summary.broken(closeranks_sim::monitor::Law::Shares),
+        "infeasible": summary.broken(closeranks_sim::law::Law::Feasible),
+        "phi_negative": summary.broken(closeranks_sim::law::Law::Shares),
         "phi_min": extremes.phi_min,
         "phi_global_min": extremes.phi_global_min,
         "r_max_least": run.rounds.iter().map(|round| round.r_max.least).min(),

@@ -3,7 +3,7 @@
 use core::fmt::Write as _;
 
 use closeranks_report::table::{number, telling};
-use closeranks_sim::monitor::{Law, Verdict};
+use closeranks_sim::law::{Law, Verdict};
 use closeranks_sim::scenario::{Controller, Scenario};
 use closeranks_sim::summary::Summary;
 

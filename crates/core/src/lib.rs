@@ -28,6 +28,7 @@
 #![no_std]
 
 mod allowance;
+pub mod allowed;
 pub mod barrier;
 pub mod budget;
 pub mod composed;
@@ -43,5 +44,6 @@ pub mod report;
 pub mod robot;
 mod round;
 pub mod scaled;
+mod slots;
 pub mod time;
 pub mod wmsr;

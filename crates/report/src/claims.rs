@@ -1,6 +1,6 @@
 //! The sentences of the paper's section V, each held against the runs.
 
-use closeranks_sim::monitor::Law;
+use closeranks_sim::law::Law;
 use closeranks_sim::summary::Summary;
 
 use crate::content::Claim;

@@ -3,7 +3,7 @@
 use core::fmt::Write as _;
 
 use closeranks_graph::verdict::Interval;
-use closeranks_sim::monitor::Law;
+use closeranks_sim::law::Law;
 use closeranks_sim::robustness::{Round, weakest};
 use closeranks_sim::scenario::Scenario;
 use closeranks_sim::summary::Summary;

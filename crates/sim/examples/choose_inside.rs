@@ -5,7 +5,7 @@
 
 use closeranks_core::composed::Share;
 use closeranks_sim::attack::LevelAttack;
-use closeranks_sim::monitor::Law;
+use closeranks_sim::law::Law;
 use closeranks_sim::random::{Random, Stream};
 use closeranks_sim::scenario::Scenario;
 use closeranks_sim::start::Start;

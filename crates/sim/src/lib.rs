@@ -12,11 +12,12 @@
 //! | where robots start and want to go | [`start`], [`motion`] |
 //! | what malicious robots tell | [`attack`] |
 //! | all robots of a tick, one by one or as a team | [`robots`], [`team`] |
-//! | the theorems as code, and exact robustness round by round | [`monitor`], [`robustness`] |
+//! | the theorems as code, and exact robustness round by round | [`law`], [`monitor`], [`robustness`] |
 //! | the run, its record and its table row | [`world`], [`record`], [`summary`] |
 
 pub mod attack;
 pub mod frame;
+pub mod law;
 pub mod monitor;
 pub mod motion;
 pub mod parse;
@@ -24,6 +25,7 @@ pub mod random;
 pub mod record;
 pub mod robots;
 pub mod robustness;
+mod scatter;
 pub mod scenario;
 pub mod start;
 pub mod summary;

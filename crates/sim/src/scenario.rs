@@ -2,13 +2,14 @@
 
 use core::time::Duration;
 
+use closeranks_core::allowed::ParamsError;
 use closeranks_core::budget::knowledge::{Assume, Trust};
 use closeranks_core::composed::Share;
-use closeranks_core::params::{self, Params, ParamsError, Settings};
+use closeranks_core::params::{self, Params, Settings};
 use closeranks_core::program::InputBox;
 
 use crate::attack::{LevelAttack, ValueAttack};
-use crate::monitor::Law;
+use crate::law::Law;
 use crate::motion::Motion;
 use crate::start::Start;
 

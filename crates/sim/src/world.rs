@@ -1,6 +1,7 @@
 //! The run: scenario in, record and summary out.
 
-use closeranks_core::params::{Params, ParamsError};
+use closeranks_core::allowed::ParamsError;
+use closeranks_core::params::Params;
 use closeranks_core::refusal::RobotError;
 
 use crate::attack::Liars;

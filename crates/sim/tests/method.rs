@@ -6,7 +6,7 @@
 use core::time::Duration;
 
 use closeranks_sim::attack::{LevelAttack, ValueAttack};
-use closeranks_sim::monitor::Law;
+use closeranks_sim::law::Law;
 use closeranks_sim::scenario::Scenario;
 use closeranks_sim::start::Start;
 use closeranks_sim::summary::Summary;

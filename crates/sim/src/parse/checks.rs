@@ -1,6 +1,6 @@
 //! What no single field can tell: ranges that depend on others, and whether the start exists.
 
-use closeranks_core::params::{Field, ParamsError};
+use closeranks_core::allowed::{Field, ParamsError};
 
 use super::ROWS_MAX;
 use super::reader::Reader;

@@ -2,14 +2,15 @@
 
 use core::time::Duration;
 
+use closeranks_core::allowed::Allowed;
 use closeranks_core::budget::knowledge::{Assume, Trust};
 use closeranks_core::composed::Share;
-use closeranks_core::params::{Allowed, MAGNITUDE_MAX, ROBOTS_MAX};
+use closeranks_core::params::{MAGNITUDE_MAX, ROBOTS_MAX};
 use toml::de::{DeTable, DeValue};
 
 use super::reader::{Reader, Section, number, whole};
 use crate::attack::{LevelAttack, ValueAttack};
-use crate::monitor::Law;
+use crate::law::Law;
 use crate::motion::Motion;
 use crate::scenario::{Controller, Scenario, Values};
 use crate::start::Start;

@@ -1,0 +1,74 @@
+//! What a setting may be, and the error that says so.
+
+/// The name of a setting in an error.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[expect(missing_docs, reason = "each names the field of Settings")]
+pub enum Field {
+    Robots,
+    Faults,
+    RadiusM,
+    DistanceMinM,
+    Epsilon,
+    Q2,
+    WR,
+    WC,
+    Alpha,
+    Gamma,
+    GammaC,
+    InputMinMS,
+    InputMaxMS,
+    LevelPeriod,
+    ValuePeriod,
+}
+
+/// A setting outside what is allowed.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ParamsError {
+    /// Which.
+    pub field: Field,
+    /// What it is (s for periods).
+    pub value: f64,
+    /// What is allowed.
+    pub allowed: Allowed,
+}
+
+/// A range of allowed numbers.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Allowed {
+    /// Both ends included.
+    Closed(f64, f64),
+    /// More than the first, less than the second.
+    Open(f64, f64),
+    /// More than the first, at most the second.
+    LeftOpen(f64, f64),
+}
+
+impl Allowed {
+    /// True when `value` is in the range.
+    #[must_use]
+    pub fn holds(self, value: f64) -> bool {
+        match self {
+            Self::Closed(low, high) => low <= value && value <= high,
+            Self::Open(low, high) => low < value && value < high,
+            Self::LeftOpen(low, high) => low < value && value <= high,
+        }
+    }
+}
+
+impl core::fmt::Display for Allowed {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        match self {
+            Self::Closed(low, high) => write!(f, "{low} to {high}"),
+            Self::Open(low, high) => write!(f, "more than {low} and less than {high}"),
+            Self::LeftOpen(low, high) => write!(f, "more than {low} and at most {high}"),
+        }
+    }
+}
+
+impl core::fmt::Display for ParamsError {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        write!(f, "{:?} is {}, allowed is {}", self.field, self.value, self.allowed)
+    }
+}
+
+impl core::error::Error for ParamsError {}

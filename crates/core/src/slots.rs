@@ -1,0 +1,46 @@
+//! Slots of neighbours in order of their number, in memory that is never more than was lent.
+
+use crate::neighbor::{RobotId, Slot};
+use crate::refusal::ObserveError;
+use crate::robot::Robot;
+
+impl<const D: usize> Robot<'_, D> {
+    /// The slot of `id`, made anew in its place in the order if it had none. When all are taken, one of a robot that was
+    /// not yet sensed in this tick is given up.
+    pub(crate) fn slot(&mut self, id: RobotId) -> Result<&mut Slot<D>, ObserveError> {
+        let found = self.neighbors().binary_search_by_key(&id, |slot| slot.id);
+        if let Ok(index) = found {
+            return Ok(&mut self.slots[index]);
+        }
+        if self.count == self.slots.len() {
+            let unsensed =
+                self.neighbors().iter().rposition(|slot| !slot.sensed).ok_or(ObserveError::Full)?;
+            self.slots.copy_within(unsensed + 1..self.count, unsensed);
+            self.count -= 1;
+        }
+        let index = self.neighbors().partition_point(|slot| slot.id < id);
+        self.slots.copy_within(index..self.count, index + 1);
+        self.slots[index] = Slot::default();
+        self.count += 1;
+        Ok(&mut self.slots[index])
+    }
+
+    /// A robot seen out of range is not a neighbour, whatever was observed before.
+    pub(crate) fn lose(&mut self, id: RobotId) {
+        if let Ok(index) = self.neighbors().binary_search_by_key(&id, |slot| slot.id) {
+            self.slots[index].sensed = false;
+        }
+    }
+
+    /// Frees the slots of robots that were not sensed in this tick.
+    pub(crate) fn forget_unsensed(&mut self) {
+        let mut kept = 0;
+        for index in 0..self.count {
+            if self.slots[index].sensed {
+                self.slots[kept] = self.slots[index];
+                kept += 1;
+            }
+        }
+        self.count = kept;
+    }
+}
