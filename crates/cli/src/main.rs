@@ -3,6 +3,7 @@
 //! Exit codes: 0 fine, 1 a law that was expected to hold was broken, 2 bad input.
 
 mod check;
+mod compare;
 mod folder;
 mod json;
 mod maker;
@@ -61,6 +62,8 @@ enum Command {
     /// Run one scenario from a TOML file.
     #[command(after_long_help = RUN_HELP)]
     Run(Run),
+    /// Run one scenario under several controllers, same seed, side by side.
+    Compare(Compare),
     /// Say how many liars a network survives, exactly, with a witness.
     #[command(after_long_help = check::HELP)]
     Check(check::Check),
@@ -104,10 +107,33 @@ struct Run {
     quiet: bool,
 }
 
+#[derive(Args, Debug)]
+struct Compare {
+    /// Scenario, a TOML file; `-` reads standard input. Its own controller is replaced.
+    #[arg(value_name = "FILE")]
+    file: PathBuf,
+    /// Which controllers, separated by commas.
+    #[arg(long, value_enum, value_delimiter = ',', default_value = "composed,budget")]
+    controllers: Vec<compare::Name>,
+    /// Folder for figures and page; without it only the table is printed.
+    #[arg(short, long, value_name = "DIR")]
+    output: Option<PathBuf>,
+    /// Use this seed instead of the file's.
+    #[arg(long)]
+    seed: Option<u64>,
+    /// Print the numbers as JSON instead of a table.
+    #[arg(long)]
+    json: bool,
+    /// Print nothing but errors.
+    #[arg(short, long)]
+    quiet: bool,
+}
+
 fn main() -> ExitCode {
     let done = match Arguments::parse().command {
         Command::Paper(arguments) => paper::paper(&arguments),
         Command::Run(arguments) => single::run(&arguments),
+        Command::Compare(arguments) => compare::compare(&arguments),
         Command::Check(arguments) => check::check(&arguments),
         Command::Graph(arguments) => maker::make(&arguments),
     };

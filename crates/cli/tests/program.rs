@@ -124,6 +124,33 @@ fn folders_of_others_are_left_alone() {
 }
 
 #[test]
+fn controllers_side_by_side() {
+    let folder = tempfile::tempdir().unwrap();
+    fs::write(folder.path().join("slow.toml"), "duration_s = 4\n[clock]\ntau_1_s = 0.05\n[link]\nq2 = 0.9\n")
+        .unwrap();
+    let compare = |more: &[&str]| closeranks(folder.path(), &[&["compare", "slow.toml"], more].concat());
+    let output = compare(&["--controllers", "budget,composed,none", "-o", "out"]);
+    assert!(output.status.success(), "{}", text(&output.stderr));
+    let told = text(&output.stdout);
+    assert!(
+        told.lines().nth(3).unwrap().starts_with("budget  ")
+            && told.lines().nth(5).unwrap().starts_with("none  ")
+    );
+    for file in ["formations.png", "formations.svg", "series.png", "series.svg", "report.html"] {
+        assert!(folder.path().join("out").join(file).is_file(), "{file}");
+    }
+    let json: serde_json::Value = serde_json::from_slice(&compare(&["--json"]).stdout).unwrap();
+    let broken = |run: usize, law: &str| json["runs"][run]["laws"][law]["broken"].as_u64().unwrap();
+    assert!(broken(0, "degree") + broken(0, "distance") > 0, "composed does not survive slow ticks");
+    assert_eq!(broken(1, "degree") + broken(1, "distance"), 0, "budget does");
+    for wrong in ["budget,budget", "brakes"] {
+        let output = compare(&["--controllers", wrong]);
+        assert_eq!(output.status.code(), Some(2), "{}", text(&output.stderr));
+        assert!(text(&output.stderr).contains("composed, budget, none"), "{}", text(&output.stderr));
+    }
+}
+
+#[test]
 fn the_paper_in_one_command() {
     let folder = tempfile::tempdir().unwrap();
     let output = closeranks(folder.path(), &["paper"]);
