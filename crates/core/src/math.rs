@@ -39,6 +39,12 @@ pub fn sqrt(x: f64) -> f64 {
     libm::sqrt(x)
 }
 
+/// Sine of an angle in radians, with the same bits on every target.
+#[must_use]
+pub fn sin(x: f64) -> f64 {
+    libm::sin(x)
+}
+
 /// Euclidean length ‖a‖, in the unit of `a`.
 #[must_use]
 pub fn length<const D: usize>(a: &Vector<D>) -> f64 {

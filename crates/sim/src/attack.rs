@@ -1,6 +1,6 @@
 //! What malicious robots tell instead of the truth. They wrap the network: a robot never knows that it lies.
 
-use closeranks_core::math::Vector;
+use closeranks_core::math::{Vector, sin};
 
 use crate::random::{Random, Stream};
 use crate::scenario::Scenario;
@@ -12,6 +12,27 @@ pub enum LevelAttack {
     None,
     /// The paper's understating (−2.5) and overstating (+3.5): a constant bias ε_i (thm:cbf-qp).
     Bias(f64),
+    /// The truth at first, then a bias: outside thm:cbf-qp (METHOD.md 2.6).
+    Step {
+        /// Added from then on.
+        bias: f64,
+        /// When it begins, s.
+        from_s: f64,
+    },
+    /// A bias that swings, `amplitude · sin(2π t/period)`: outside thm:cbf-qp.
+    Sine {
+        /// Greatest bias.
+        amplitude: f64,
+        /// s.
+        period_s: f64,
+    },
+    /// In place of the level, drawn evenly from the interval in every tick.
+    Random {
+        /// Least.
+        min: f64,
+        /// Greatest.
+        max: f64,
+    },
 }
 
 /// A lie about the value y_i.
@@ -36,6 +57,11 @@ pub struct Liars {
     malicious: Vec<bool>,
     random: Random,
     told_values: Vec<f64>,
+    level_random: Random,
+    /// What is added to the level in this tick.
+    bias: f64,
+    /// What is told in its place, if anything.
+    told_levels: Vec<Option<f64>>,
 }
 
 impl Liars {
@@ -48,15 +74,42 @@ impl Liars {
             malicious: scenario.malicious_mask(),
             random: Random::new(scenario.seed, Stream::Attack),
             told_values: vec![0.0; usize::from(scenario.robots)],
+            level_random: Random::new(scenario.seed, Stream::Levels),
+            bias: 0.0,
+            told_levels: vec![None; usize::from(scenario.robots)],
         }
     }
 
-    /// The level that robot `index` tells when its true one is `level`.
+    /// Decides what is told of levels in the tick at `time_s`; random levels are drawn in order of robot numbers.
+    pub fn begin_tick(&mut self, time_s: f64) {
+        self.bias = match self.level {
+            LevelAttack::None | LevelAttack::Random { .. } => 0.0,
+            LevelAttack::Bias(bias) => bias,
+            LevelAttack::Step { bias, from_s } => {
+                if time_s >= from_s {
+                    bias
+                } else {
+                    0.0
+                }
+            }
+            LevelAttack::Sine { amplitude, period_s } => {
+                amplitude * sin(2.0 * core::f64::consts::PI * (time_s / period_s))
+            }
+        };
+        let LevelAttack::Random { min, max } = self.level else { return };
+        for (told, _) in self.told_levels.iter_mut().zip(&self.malicious).filter(|(_, malicious)| **malicious)
+        {
+            *told = Some(self.level_random.uniform(min, max));
+        }
+    }
+
+    /// The level that robot `index` tells in this tick when its true one is `level`.
     #[must_use]
     pub fn level(&self, index: usize, level: f64) -> f64 {
-        match self.level {
-            LevelAttack::Bias(bias) if self.malicious[index] => level + bias,
-            _ => level,
+        match self.told_levels[index] {
+            Some(told) => told,
+            None if self.malicious[index] && self.bias != 0.0 => level + self.bias,
+            None => level,
         }
     }
 

@@ -12,6 +12,8 @@ pub enum Stream {
     Values = 2,
     /// Values told by malicious robots.
     Attack = 3,
+    /// Levels told by malicious robots.
+    Levels = 4,
 }
 
 /// A generator for one purpose.

@@ -55,7 +55,8 @@ pub struct Fleet<'memory, const D: usize> {
     robots: Vec<Robot<'memory, D>>,
     outbox: Vec<Option<Message>>,
     tick_nanos: u64,
-    tick: u64,
+    tick: u32,
+    tick_s: f64,
 }
 
 impl<'memory, const D: usize> Fleet<'memory, D> {
@@ -80,17 +81,19 @@ impl<'memory, const D: usize> Fleet<'memory, D> {
             outbox: vec![None; values.len()],
             tick_nanos: u64::try_from(params.settings().level_period.as_nanos()).unwrap_or(u64::MAX),
             tick: 0,
+            tick_s: params.settings().level_period.as_secs_f64(),
         })
     }
 
     /// One tick: fills everything in `frame` but positions and desired velocities.
     pub fn step(&mut self, frame: &mut Frame<D>, liars: &mut Liars) {
-        let now = Instant::from_nanos(self.tick.saturating_mul(self.tick_nanos));
+        let now = Instant::from_nanos(u64::from(self.tick).saturating_mul(self.tick_nanos));
         self.sense(now, frame);
+        liars.begin_tick(f64::from(self.tick) * self.tick_s);
         self.share(liars);
         self.deliver();
         self.control(frame, liars);
-        self.tick += 1;
+        self.tick = self.tick.saturating_add(1);
     }
 
     fn sense(&mut self, now: Instant, frame: &Frame<D>) {

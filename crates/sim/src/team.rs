@@ -104,6 +104,7 @@ impl<const D: usize> Team<D> {
     /// One tick: fills everything in `frame` but positions and desired velocities.
     pub fn step(&mut self, frame: &mut Frame<D>, liars: &mut Liars) {
         self.find_pairs(frame);
+        liars.begin_tick(f64::from(self.tick) * self.params.settings().level_period.as_secs_f64());
         for (index, level) in frame.levels.iter().enumerate() {
             frame.spares[index] = degree_barrier(*level, self.params.required_degree());
             frame.told[index] = liars.level(index, *level);

@@ -44,6 +44,18 @@ fn any_bias_is_survived() {
 }
 
 #[test]
+fn lies_that_change_with_time_are_survived() {
+    let step = LevelAttack::Step { bias: -6.0, from_s: 2.0 };
+    let sine = LevelAttack::Sine { amplitude: 10.0, period_s: 0.9 };
+    let random = LevelAttack::Random { min: -20.0, max: 20.0 };
+    for level_attack in [step, sine, random] {
+        for q2 in [0.1, 0.9] {
+            kept(&Scenario { level_attack, q2, ..budget() });
+        }
+    }
+}
+
+#[test]
 fn long_ticks_are_survived() {
     for (tick_ms, q2) in [(20, 0.9), (50, 0.1), (50, 0.3), (50, 0.9), (100, 0.3)] {
         let (tau_1, tau_2) = (Duration::from_millis(tick_ms), Duration::from_millis(100));

@@ -67,6 +67,16 @@ fn levels_and_radii_beyond_the_range_of_f64() {
 }
 
 #[test]
+fn attacks_that_change_with_time() {
+    let step = LevelAttack::Step { bias: -4.0, from_s: 1.0 };
+    let sine = LevelAttack::Sine { amplitude: 5.0, period_s: 0.9 };
+    let random = LevelAttack::Random { min: -20.0, max: 20.0 };
+    for level_attack in [step, sine, random] {
+        same_bits(&Scenario { level_attack, ..short("in time") });
+    }
+}
+
+#[test]
 fn teams_of_other_sizes_and_no_liars() {
     for (robots, faults) in [(2, 0), (3, 1), (5, 0), (30, 4)] {
         let start = Start::Hexagon { spacing_m: 0.5 };

@@ -104,6 +104,21 @@ fn the_papers_three_effects_show_from_our_start() {
     }
 }
 
+/// METHOD 2.6: a lie that begins later, or swings, breaks what a constant one does not.
+#[test]
+fn wider_lies_break_the_papers_controller() {
+    let step = LevelAttack::Step { bias: -4.0, from_s: 2.0 };
+    let crowded = summary(&Scenario { level_attack: step, q2: 0.1, alpha: 1.0, ..Scenario::default() });
+    assert!(
+        crowded.start.inside && crowded.extremes.distance_min_m < 0.1,
+        "{}",
+        crowded.extremes.distance_min_m
+    );
+    let sine = LevelAttack::Sine { amplitude: 5.0, period_s: 0.9 };
+    let torn = summary(&Scenario { level_attack: sine, q2: 0.1, alpha: 1.0, ..Scenario::default() });
+    assert!(torn.extremes.h_min < 0.0 || torn.extremes.distance_min_m < 0.1, "{:?}", torn.extremes);
+}
+
 /// The global φ of the true levels, which does hold in the nominal run, decays no faster than e^(−αt) from there on.
 //= paper eq:composition type=test
 #[test]

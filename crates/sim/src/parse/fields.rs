@@ -183,11 +183,35 @@ fn motion(reader: &mut Reader, section: &mut Section<'_>, scenario: &mut Scenari
     );
 }
 
+fn level_attack(reader: &mut Reader, level: &mut Section<'_>) -> LevelAttack {
+    let kinds = [("none", 0), ("bias", 1), ("step", 2), ("sine", 3), ("random", 4)];
+    let number = |reader: &mut Reader, level: &mut Section<'_>, key, allowed, default| {
+        reader.number(level, key, allowed).unwrap_or(default)
+    };
+    match reader.word(level, "kind", &kinds) {
+        Some(1) => LevelAttack::Bias(number(reader, level, "bias", ANY, 0.0)),
+        Some(2) => LevelAttack::Step {
+            bias: number(reader, level, "bias", ANY, 0.0),
+            from_s: number(reader, level, "from_s", Allowed::Closed(0.0, MAGNITUDE_MAX), 0.0),
+        },
+        Some(3) => LevelAttack::Sine {
+            amplitude: number(reader, level, "amplitude", ANY, 0.0),
+            period_s: number(reader, level, "period_s", Allowed::Closed(1e-3, MAGNITUDE_MAX), 1.0),
+        },
+        Some(4) => {
+            let min = number(reader, level, "min", ANY, -20.0);
+            LevelAttack::Random {
+                min,
+                max: number(reader, level, "max", Allowed::Closed(min, MAGNITUDE_MAX), min.max(20.0)),
+            }
+        }
+        _ => LevelAttack::None,
+    }
+}
+
 fn attack(reader: &mut Reader, section: &mut Section<'_>, scenario: &mut Scenario) {
     let mut level = reader.section(section, "level");
-    if reader.word(&mut level, "kind", &[("none", false), ("bias", true)]) == Some(true) {
-        scenario.level_attack = LevelAttack::Bias(reader.number(&mut level, "bias", ANY).unwrap_or(0.0));
-    }
+    scenario.level_attack = level_attack(reader, &mut level);
     reader.close(&level);
     let mut value = reader.section(section, "value");
     let random = reader.word(&mut value, "kind", &[("random", true), ("none", false)]);
