@@ -114,6 +114,22 @@ fn impossible_numbers_are_refused() {
 }
 
 #[test]
+fn budget_has_limits_of_its_own() {
+    refused(
+        "[team]\nrobots = 1001\n[controller]\nkind = \"budget\"",
+        "1001",
+        "`team.robots` is 1001, allowed is at most 1000 with controller.kind = \"budget\"",
+    );
+    refused(
+        "[controller]\nkind = \"budget\"\ngamma = 1.5",
+        "1.5",
+        "`controller.gamma` is 1.5, allowed is more than 0 and at most 1",
+    );
+    let fast = problems("[controller]\nkind = \"budget\"\ninput_max_m_s = [300, 300]");
+    assert!(fast[0].to_string().contains("two longest moves"), "{}", fast[0]);
+}
+
+#[test]
 fn impossible_teams_and_starts_are_refused() {
     refused(
         "[team]\nmalicious = [12]",

@@ -30,11 +30,18 @@ pub(super) fn check(reader: &mut Reader, scenario: &Scenario) {
 }
 
 fn team(reader: &mut Reader, scenario: &Scenario) {
+    if scenario.controller == Controller::Budget && scenario.robots > BUDGET_ROBOTS_MAX {
+        let allowed = format!("at most {BUDGET_ROBOTS_MAX} with controller.kind = \"budget\"");
+        reader.refuse("team.robots", scenario.robots.to_string(), allowed);
+    }
     let mut pairs = scenario.malicious.iter().zip(scenario.malicious.iter().skip(1));
     if let Some((robot, _)) = pairs.find(|(first, second)| first == second) {
         reader.refuse("team.malicious", format!("robot {robot} twice"), "each robot once");
     }
 }
+
+/// Robots of `budget` run one by one and each holds what it knows of all others: memory grows with the square.
+const BUDGET_ROBOTS_MAX: u16 = 1_000;
 
 fn boxes(reader: &mut Reader, scenario: &Scenario) {
     let corners = [
