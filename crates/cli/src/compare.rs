@@ -59,7 +59,8 @@ pub(crate) fn compare(arguments: &crate::Compare) -> Result<bool> {
         bail!("`--controllers` names one twice; allowed is each of composed, budget, none once");
     }
     let folder = arguments.output.as_deref().map(Folder::new).transpose()?;
-    let bar = progress::bar(arguments.controllers.len() as u64, arguments.quiet || arguments.json);
+    let bar =
+        progress::bar(arguments.controllers.len() as u64, arguments.speech.quiet || arguments.speech.json);
     let runs = arguments.controllers.par_iter().map(|name| {
         let done = done(&scenario, *name, folder.is_some());
         bar.inc(1);
@@ -94,10 +95,10 @@ fn lines(runs: &[Done]) -> Vec<Line<'_>> {
 }
 
 fn tell(arguments: &crate::Compare, runs: &[Done]) {
-    if arguments.json {
+    if arguments.speech.json {
         let all: Vec<_> = runs.iter().map(|done| json::run(&done.scenario, &done.run, done.time_s)).collect();
         output::say(&json::text(&serde_json::json!({ "runs": all })));
-    } else if !arguments.quiet {
+    } else if !arguments.speech.quiet {
         output::say(&text(&table(&lines(runs))));
         for done in runs {
             let laws = story::laws(&done.scenario, &done.run.summary);
@@ -138,7 +139,7 @@ fn save(mut folder: Folder, scenario: &Scenario, arguments: &crate::Compare, run
     };
     folder.add("report.html", html(&page));
     folder.write()?;
-    if let (false, false, Some(target)) = (arguments.quiet, arguments.json, &arguments.output) {
+    if let (false, false, Some(target)) = (arguments.speech.quiet, arguments.speech.json, &arguments.output) {
         output::say(&format!(
             "\nwritten to {}: report.html, formations and series (SVG, PNG)\n",
             target.display()

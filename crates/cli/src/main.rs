@@ -72,6 +72,17 @@ enum Command {
     Graph(maker::Make),
 }
 
+/// What is said on standard output.
+#[derive(Args, Clone, Copy, Debug)]
+struct Speech {
+    /// Print the numbers as JSON instead of a table.
+    #[arg(long)]
+    json: bool,
+    /// Print nothing but errors.
+    #[arg(short, long)]
+    quiet: bool,
+}
+
 #[derive(Args, Debug)]
 struct Paper {
     /// Folder to write to; if it exists, it may hold only what an earlier run of closeranks wrote.
@@ -80,12 +91,8 @@ struct Paper {
     /// Seed of initial values and of what liars say.
     #[arg(long, default_value_t = 1)]
     seed: u64,
-    /// Print the numbers as JSON instead of tables.
-    #[arg(long)]
-    json: bool,
-    /// Print nothing but errors.
-    #[arg(short, long)]
-    quiet: bool,
+    #[command(flatten)]
+    speech: Speech,
 }
 
 #[derive(Args, Debug)]
@@ -99,12 +106,8 @@ struct Run {
     /// Use this seed instead of the file's.
     #[arg(long)]
     seed: Option<u64>,
-    /// Print the numbers as JSON instead of a table.
-    #[arg(long)]
-    json: bool,
-    /// Print nothing but errors.
-    #[arg(short, long)]
-    quiet: bool,
+    #[command(flatten)]
+    speech: Speech,
 }
 
 #[derive(Args, Debug)]
@@ -121,12 +124,8 @@ struct Compare {
     /// Use this seed instead of the file's.
     #[arg(long)]
     seed: Option<u64>,
-    /// Print the numbers as JSON instead of a table.
-    #[arg(long)]
-    json: bool,
-    /// Print nothing but errors.
-    #[arg(short, long)]
-    quiet: bool,
+    #[command(flatten)]
+    speech: Speech,
 }
 
 fn main() -> ExitCode {

@@ -61,7 +61,7 @@ struct Start {
 /// Runs everything; false when a law that a scenario expects was broken.
 pub(crate) fn paper(arguments: &crate::Paper) -> Result<bool> {
     let mut folder = Folder::new(&arguments.output)?;
-    let bar = progress::bar(24, arguments.quiet || arguments.json);
+    let bar = progress::bar(24, arguments.speech.quiet || arguments.speech.json);
     let starts = STARTS.iter().map(|(name, texts)| start(name, texts, arguments.seed, &bar));
     let starts: Vec<Start> = starts.collect::<Result<_>>()?;
     let figures = figures(&starts, &mut folder, &bar)?;
@@ -69,9 +69,9 @@ pub(crate) fn paper(arguments: &crate::Paper) -> Result<bool> {
     folder.add("report.html", html(&page(&starts, figures)));
     folder.write()?;
     bar.finish_and_clear();
-    if arguments.json {
+    if arguments.speech.json {
         output::say(&json::text(&numbers(&starts)));
-    } else if !arguments.quiet {
+    } else if !arguments.speech.quiet {
         output::say(&told(&starts));
         output::say(&format!("\nwritten to {0}: open {0}/report.html\n", arguments.output.display()));
     }

@@ -19,7 +19,7 @@ pub(crate) fn run(arguments: &crate::Run) -> Result<bool> {
     let (mut scenario, source) = source::scenario(&arguments.file)?;
     scenario.seed = arguments.seed.unwrap_or(scenario.seed);
     let folder = arguments.output.as_deref().map(Folder::new).transpose()?;
-    let bar = progress::bar(u64::from(scenario.ticks()), arguments.quiet);
+    let bar = progress::bar(u64::from(scenario.ticks()), arguments.speech.quiet);
     bar.set_message(scenario.name.clone());
     let options = Options { record: folder.is_some(), robustness: true, ..Options::default() };
     let (run, time) =
@@ -27,14 +27,14 @@ pub(crate) fn run(arguments: &crate::Run) -> Result<bool> {
     bar.finish_and_clear();
     let run = run?;
     let time_s = time.as_secs_f64();
-    if arguments.json {
+    if arguments.speech.json {
         output::say(&json::text(&json::run(&scenario, &run, time_s)));
-    } else if !arguments.quiet {
+    } else if !arguments.speech.quiet {
         output::say(&told(&scenario, &run, time_s));
     }
     if let (Some(folder), Some(target)) = (folder, &arguments.output) {
         save(folder, &scenario, &source, &run, time_s)?;
-        if !arguments.quiet && !arguments.json {
+        if !arguments.speech.quiet && !arguments.speech.json {
             output::say(&format!(
                 "written to {}: report.html, overview.svg, overview.png, robustness.svg, run.parquet, rounds.parquet\n",
                 target.display()

@@ -53,8 +53,9 @@ pub struct RoundReport {
 /// What a robot can promise for its answer.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Mode {
-    /// All assumptions of THEORY.md B that a robot can check hold. `composed` never says so: its theorem needs continuous
-    /// time.
+    /// All assumptions of THEORY.md B that a robot can check hold. It cannot check that positions are exact, that all
+    /// robots have the same settings, and that messages were not delayed on their way (docs/budget.md). `composed`
+    /// never says so: its theorem needs continuous time.
     Guaranteed,
     /// The answer is used, but an assumption does not hold.
     Degraded(Reason),

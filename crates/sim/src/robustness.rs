@@ -2,15 +2,13 @@
 
 use core::ops::ControlFlow;
 
-use closeranks_core::math::Vector;
 use closeranks_graph::budget::{Budget, Meter};
 use closeranks_graph::decide::Robustness;
 use closeranks_graph::graph::Graph;
-use closeranks_graph::set::NODE_LIMIT;
+use closeranks_graph::makers::random::geometric;
 use closeranks_graph::verdict::Interval;
 
 use crate::frame::Frame;
-use crate::start::squared_distance;
 
 /// Nodes of the search that one round may cost, of order a microsecond each. Teams of eleven need some tens.
 const NODES: u64 = 20_000;
@@ -38,10 +36,10 @@ pub struct Watcher {
 }
 
 impl Watcher {
-    /// Adds the round of `frame`; teams of more than [`NODE_LIMIT`] robots are left out.
+    /// Adds the round of `frame`; teams of more robots than the search takes (128) are left out.
     //= paper def:robustness
     pub fn watch<const D: usize>(&mut self, tick: u32, frame: &Frame<D>, radius_m: f64, malicious: &[bool]) {
-        let Some(graph) = network(&frame.positions_m, radius_m) else { return };
+        let Ok(graph) = geometric(&frame.positions_m, radius_m) else { return };
         let (r_max, f_max) = match self.last.take() {
             Some((last, r_max, f_max)) if last == graph => (r_max, f_max),
             _ => largest(&graph),
@@ -58,22 +56,6 @@ impl Watcher {
     pub fn finish(self) -> Vec<Round> {
         self.rounds
     }
-}
-
-/// The proximity graph; `None` for more robots than the search takes.
-fn network<const D: usize>(positions: &[Vector<D>], radius_m: f64) -> Option<Graph> {
-    if positions.len() > NODE_LIMIT {
-        return None;
-    }
-    let mut graph = Graph::empty(positions.len(), false).ok()?;
-    for (second, x) in positions.iter().enumerate() {
-        for (first, y) in positions[..second].iter().enumerate() {
-            if squared_distance(x, y) <= radius_m * radius_m {
-                graph.add_edge(first, second).ok()?;
-            }
-        }
-    }
-    Some(graph)
 }
 
 /// Largest r and largest F, exactly or as far as the budget goes.
@@ -99,6 +81,7 @@ pub fn weakest(rounds: &[Round]) -> Option<&Round> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use closeranks_core::math::Vector;
 
     fn watched(positions: Vec<Vector<2>>) -> Round {
         let robots = positions.len();
