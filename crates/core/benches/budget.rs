@@ -4,6 +4,7 @@
 
 use closeranks_core::budget::curvature::Curvature;
 use closeranks_core::budget::knowledge::{Assume, Claim, Sighting, Trust};
+use closeranks_core::budget::margin::Margin;
 use closeranks_core::budget::reach::Reach;
 use closeranks_core::budget::row::Row;
 use closeranks_core::budget::rows::Memory;
@@ -46,6 +47,7 @@ fn scene<const D: usize>(period_s: f64, assume: Assume, form: Form) -> (Budget, 
         trust: Trust::ToldOrSeen,
         assume,
         form,
+        margin: Margin::NONE,
     };
     let claim = Some(Claim { level: 7.05, age_ticks: 1 });
     let sightings =

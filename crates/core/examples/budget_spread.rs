@@ -7,6 +7,7 @@
 
 use closeranks_core::budget::curvature::Curvature;
 use closeranks_core::budget::knowledge::{Assume, Claim, Sighting, Trust};
+use closeranks_core::budget::margin::Margin;
 use closeranks_core::budget::reach::Reach;
 use closeranks_core::budget::row::Row;
 use closeranks_core::budget::rows::Memory;
@@ -67,6 +68,7 @@ fn settings(gamma: f64, period_s: f64, form: Form, assume: Assume) -> Budget {
         trust: Trust::ToldOrSeen,
         assume,
         form,
+        margin: Margin::NONE,
     }
 }
 

@@ -19,6 +19,11 @@ pub enum Field {
     InputMaxMS,
     LevelPeriod,
     ValuePeriod,
+    HoldMax,
+    ToldMax,
+    ClockError,
+    PositionErrorM,
+    TrackingErrorM,
 }
 
 /// A setting outside what is allowed.

@@ -29,6 +29,7 @@
 
 mod allowance;
 pub mod allowed;
+mod assurance;
 pub mod barrier;
 pub mod budget;
 pub mod composed;
@@ -44,6 +45,7 @@ pub mod report;
 pub mod robot;
 mod round;
 pub mod scaled;
+pub mod settings;
 mod slots;
 pub mod time;
 pub mod wmsr;

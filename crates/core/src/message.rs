@@ -1,15 +1,17 @@
 //! What a robot tells: one fixed-size message, parsed or rejected.
 //!
 //! ```text
-//! byte   0    2        3      4         8      16     24
-//!        "CR" version  flags  sequence  level  value        all little-endian
+//! byte   0    2        3      4         8      16     24     32
+//!        "CR" version  flags  sequence  stamp  level  value        all little-endian
 //! ```
 
+use crate::time::Instant;
+
 /// Bytes of an encoded message.
-pub const MESSAGE_BYTES: usize = 24;
+pub const MESSAGE_BYTES: usize = 32;
 
 const MAGIC: [u8; 2] = *b"CR";
-const VERSION: u8 = 1;
+const VERSION: u8 = 2;
 const HAS_VALUE: u8 = 1;
 
 /// Greatest magnitude of a told value: a mean of the largest team's values cannot overflow.
@@ -19,6 +21,7 @@ pub const VALUE_MAX: f64 = 1e300;
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Message {
     sequence: u32,
+    stamp: Instant,
     level: f64,
     value: Option<f64>,
 }
@@ -41,21 +44,34 @@ pub enum MessageError {
 }
 
 impl Message {
-    /// A message with connectivity level `c_i` (finite) and, in a consensus round, value `y_i` (at most [`VALUE_MAX`]).
-    pub fn new(sequence: u32, level: f64, value: Option<f64>) -> Result<Self, MessageError> {
+    /// A message with connectivity level `c_i` (finite), sensed at `stamp` on the sender's clock, and, in a consensus round,
+    /// value `y_i` (at most [`VALUE_MAX`]).
+    pub fn new(
+        sequence: u32,
+        stamp: Instant,
+        level: f64,
+        value: Option<f64>,
+    ) -> Result<Self, MessageError> {
         if !level.is_finite() {
             return Err(MessageError::Level);
         }
         if value.is_some_and(|value| !(-VALUE_MAX..=VALUE_MAX).contains(&value)) {
             return Err(MessageError::Value);
         }
-        Ok(Self { sequence, level, value })
+        Ok(Self { sequence, stamp, level, value })
     }
 
     /// Number of the message among those of its sender; strictly increasing.
     #[must_use]
     pub fn sequence(&self) -> u32 {
         self.sequence
+    }
+
+    /// When, on its sender's clock, the level was sensed. Not trusted more than the level: whoever says that it was later
+    /// than it was says that its level is worth more.
+    #[must_use]
+    pub fn stamp(&self) -> Instant {
+        self.stamp
     }
 
     /// Told connectivity level `c_i`, dimensionless, finite, of any size.
@@ -78,8 +94,9 @@ impl Message {
         bytes[2] = VERSION;
         bytes[3] = if self.value.is_some() { HAS_VALUE } else { 0 };
         bytes[4..8].copy_from_slice(&self.sequence.to_le_bytes());
-        bytes[8..16].copy_from_slice(&self.level.to_le_bytes());
-        bytes[16..].copy_from_slice(&self.value.unwrap_or(0.0).to_le_bytes());
+        bytes[8..16].copy_from_slice(&self.stamp.as_nanos().to_le_bytes());
+        bytes[16..24].copy_from_slice(&self.level.to_le_bytes());
+        bytes[24..].copy_from_slice(&self.value.unwrap_or(0.0).to_le_bytes());
         bytes
     }
 
@@ -94,17 +111,18 @@ impl Message {
         if version != VERSION {
             return Err(MessageError::Version(version));
         }
-        let value_bytes = u64::from_le_bytes(half(&numbers, 8));
+        let value_bytes = u64::from_le_bytes(part(&numbers, 16));
         if flags > HAS_VALUE || (flags == 0 && value_bytes != 0) {
             return Err(MessageError::Flags(flags));
         }
-        let level = f64::from_le_bytes(half(&numbers, 0));
+        let stamp = Instant::from_nanos(u64::from_le_bytes(part(&numbers, 0)));
+        let level = f64::from_le_bytes(part(&numbers, 8));
         let value = (flags == HAS_VALUE).then_some(f64::from_bits(value_bytes));
-        Self::new(u32::from_le_bytes([s0, s1, s2, s3]), level, value)
+        Self::new(u32::from_le_bytes([s0, s1, s2, s3]), stamp, level, value)
     }
 }
 
-fn half(numbers: &[u8; 16], start: usize) -> [u8; 8] {
+fn part(numbers: &[u8; 24], start: usize) -> [u8; 8] {
     core::array::from_fn(|index| numbers[start + index])
 }
 
@@ -132,7 +150,7 @@ mod tests {
     #[test]
     fn what_is_encoded_is_parsed_again() {
         for value in [None, Some(-0.0), Some(499.5)] {
-            let message = Message::new(7, -2.5, value).unwrap();
+            let message = Message::new(7, Instant::from_nanos(u64::MAX), -2.5, value).unwrap();
             assert_eq!(Message::parse(&message.encode()), Ok(message));
         }
     }
@@ -149,7 +167,7 @@ mod tests {
 
     #[test]
     fn not_finite_wrong_version_and_stray_bytes_are_rejected() {
-        let bytes = Message::new(1, 2.0, Some(3.0)).unwrap().encode();
+        let bytes = Message::new(1, Instant::START, 2.0, Some(3.0)).unwrap().encode();
         let with = |at: usize, patch: &[u8]| {
             let mut changed = bytes;
             changed[at..at + patch.len()].copy_from_slice(patch);
@@ -158,13 +176,13 @@ mod tests {
         assert_eq!(with(2, &[9]), Err(MessageError::Version(9)));
         assert_eq!(with(3, &[2]), Err(MessageError::Flags(2)));
         assert_eq!(with(3, &[0]), Err(MessageError::Flags(0)));
-        assert_eq!(with(8, &f64::NAN.to_le_bytes()), Err(MessageError::Level));
-        assert_eq!(with(16, &f64::INFINITY.to_le_bytes()), Err(MessageError::Value));
+        assert_eq!(with(16, &f64::NAN.to_le_bytes()), Err(MessageError::Level));
+        assert_eq!(with(24, &f64::INFINITY.to_le_bytes()), Err(MessageError::Value));
     }
 
     #[test]
     fn any_single_byte_change_gives_a_message_or_an_error() {
-        let bytes = Message::new(1, 2.0, Some(3.0)).unwrap().encode();
+        let bytes = Message::new(1, Instant::START, 2.0, Some(3.0)).unwrap().encode();
         for at in 0..MESSAGE_BYTES {
             for byte in 0..=255 {
                 let mut changed = bytes;

@@ -8,6 +8,9 @@ use crate::math::Vector;
 use crate::scaled::Scaled;
 use crate::time::Instant;
 
+/// Of a robot that is out of range.
+pub(crate) const NO_LINK: Link = Link { weight: 0.0, slope: Scaled::ZERO };
+
 /// Number of a robot in its team; the paper counts from 1.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct RobotId(pub u16);
@@ -16,9 +19,12 @@ pub struct RobotId(pub u16);
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Told {
     pub(crate) sequence: u32,
+    /// When it was sensed, by its sender's clock.
+    pub(crate) stamp: Instant,
     pub(crate) level: f64,
     /// Ê_j of that level.
     pub(crate) term: Scaled,
+    /// When it was received, by the own clock.
     pub(crate) at: Instant,
     /// y_j of the consensus round that is on, if told.
     pub(crate) value: Option<f64>,
@@ -31,8 +37,12 @@ pub struct Slot<const D: usize> {
     pub(crate) id: RobotId,
     /// Sensed in this tick.
     pub(crate) sensed: bool,
+    /// Sensed in the tick before and not yet in this one.
+    pub(crate) seen_before: bool,
     pub(crate) offset_m: Vector<D>,
     pub(crate) link: Link,
+    /// Within R as sensed; false for a robot that only the margin of `budget` brings into view.
+    pub(crate) linked: bool,
     pub(crate) collision: Scaled,
     pub(crate) told: Option<Told>,
     pub(crate) discarded: bool,
@@ -43,8 +53,10 @@ impl<const D: usize> Default for Slot<D> {
         Self {
             id: RobotId(0),
             sensed: false,
+            seen_before: false,
             offset_m: [0.0; D],
-            link: Link { weight: 0.0, slope: Scaled::ZERO },
+            link: NO_LINK,
+            linked: false,
             collision: Scaled::ZERO,
             told: None,
             discarded: false,
@@ -77,7 +89,7 @@ impl<const D: usize> Slot<D> {
         self.told.map(|told| told.level)
     }
 
-    /// How old that is at `now`.
+    /// How long ago, at `now`, that was received.
     #[must_use]
     pub fn told_age(&self, now: Instant) -> Option<Duration> {
         self.told.map(|told| now.since(told.at))

@@ -1,74 +1,19 @@
 //! What a robot is told once, at construction: checked here and constant from then on.
 
-use core::time::Duration;
-
 use crate::allowed::{Allowed, Field, ParamsError};
 use crate::barrier::required_degree;
 use crate::budget::curvature::Curvature;
-use crate::budget::knowledge::{Assume, Trust};
 use crate::budget::reach::Reach;
-use crate::budget::settings::{Budget, Form, share_of_rate};
-use crate::composed::{Composed, Share};
+use crate::budget::settings::{Budget, Form};
+use crate::composed::Composed;
 use crate::link::LinkShape;
 use crate::math::is_finite;
-use crate::program::InputBox;
+pub use crate::settings::{Controller, Settings};
 
 /// Greatest number of robots in a team.
 pub const ROBOTS_MAX: u16 = 10_000;
 /// Greatest magnitude of any length, weight or speed: far outside use, far inside `f64`.
 pub const MAGNITUDE_MAX: f64 = 1e6;
-
-/// Which controller a robot runs.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Controller {
-    /// The paper's, as printed ([`crate::composed`]).
-    Composed,
-    /// Ours ([`crate::budget`]): a guarantee in discrete time, for any lie and any loss of told levels.
-    Budget,
-}
-
-/// Everything the paper leaves as a parameter, unchecked. `Default` holds the paper's values and, where it prints
-/// none, ours (METHOD.md section 1).
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Settings<const D: usize> {
-    /// n, 2 to [`ROBOTS_MAX`].
-    pub robots: u16,
-    /// F, with 2F + 1 ≤ n.
-    pub faults: u16,
-    /// R, m.
-    pub radius_m: f64,
-    /// Δ_d, m, less than R.
-    pub distance_min_m: f64,
-    /// ε of q₁ = 2 + ε, with 0 < ε < 1/(n−1); `None` for 1/(n−1) − 0.001, and half of 1/(n−1) where that is not positive.
-    pub epsilon: Option<f64>,
-    /// q₂, 1/m⁴.
-    pub q2: f64,
-    /// w_r.
-    pub w_r: f64,
-    /// w_c, 1/m².
-    pub w_c: f64,
-    /// α(s) = alpha·s, 1/s.
-    pub alpha: f64,
-    /// Which φ_i.
-    pub share: Share,
-    /// Which controller.
-    pub controller: Controller,
-    /// γ of `budget`: the share of h_k that may be lost in a tick, in (0, 1]; `None` for a rate of 2/s, which lets robots
-    /// get farther than METHOD.md's 0.2 a tick ([`share_of_rate`]).
-    pub gamma: Option<f64>,
-    /// γ_c of `budget`: the share of D − Δ_d² that may be lost in a tick, in (0, 1].
-    pub gamma_c: f64,
-    /// What `budget` believes of levels.
-    pub trust: Trust,
-    /// What `budget` assumes of malicious robots.
-    pub assume: Assume,
-    /// U_i.
-    pub input: InputBox<D>,
-    /// τ₁: how often the level is shared.
-    pub level_period: Duration,
-    /// τ₂: how often the value is shared and updated.
-    pub value_period: Duration,
-}
 
 /// Checked settings.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -78,55 +23,22 @@ pub struct Params<const D: usize> {
     composed: Composed,
     budget: Budget,
     reach: Reach<D>,
-}
-
-impl<const D: usize> Default for Settings<D> {
-    fn default() -> Self {
-        Self {
-            robots: 11,
-            faults: 2,
-            radius_m: 3.0,
-            distance_min_m: 0.3,
-            epsilon: None,
-            q2: 0.3,
-            w_r: 15.0,
-            w_c: 25.0,
-            alpha: 0.1,
-            share: Share::Neighbours,
-            controller: Controller::Composed,
-            gamma: None,
-            gamma_c: 0.2,
-            trust: Trust::ToldOrSeen,
-            assume: Assume::Obedient,
-            input: InputBox { min_m_s: [-1.5; D], max_m_s: [1.5; D] },
-            level_period: Duration::from_millis(5),
-            value_period: Duration::from_millis(100),
-        }
-    }
+    sight_m2: f64,
 }
 
 impl<const D: usize> Settings<D> {
-    /// ε: the one given, or the default for this n.
-    #[must_use]
-    pub fn epsilon(&self) -> f64 {
-        let limit = 1.0 / (f64::from(self.robots) - 1.0);
-        self.epsilon.unwrap_or(if limit > 0.001 { limit - 0.001 } else { limit / 2.0 })
-    }
-
-    /// γ: the one given, or the share of a rate of 2/s for this tick.
-    #[must_use]
-    pub fn gamma(&self) -> f64 {
-        self.gamma.unwrap_or_else(|| share_of_rate(2.0, self.level_period.as_secs_f64()))
-    }
-
     fn check(&self) -> Result<(), ParamsError> {
         let positive = Allowed::LeftOpen(0.0, MAGNITUDE_MAX);
         let (n, radius) = (f64::from(self.robots), self.radius_m);
         let faults_max = f64::from(self.robots.saturating_sub(1) / 2);
+        let period_s = self.level_period.as_secs_f64();
+        let error = Allowed::Closed(0.0, MAGNITUDE_MAX);
         let checks = [
             (Field::Robots, n, Allowed::Closed(2.0, f64::from(ROBOTS_MAX))),
             (Field::Faults, f64::from(self.faults), Allowed::Closed(0.0, faults_max)),
             (Field::RadiusM, radius, positive),
+            (Field::PositionErrorM, self.position_error_m, error),
+            (Field::TrackingErrorM, self.tracking_error_m, error),
             (Field::DistanceMinM, self.distance_min_m, Allowed::Open(0.0, self.distance_limit())),
             (Field::Epsilon, self.epsilon(), Allowed::Open(0.0, 1.0 / (n - 1.0))),
             (Field::Q2, self.q2, positive),
@@ -137,36 +49,44 @@ impl<const D: usize> Settings<D> {
             (Field::ValuePeriod, self.value_period.as_secs_f64(), positive),
             (Field::Gamma, self.gamma(), Allowed::LeftOpen(0.0, 1.0)),
             (Field::GammaC, self.gamma_c, Allowed::LeftOpen(0.0, 1.0)),
+            (Field::HoldMax, self.hold_max().as_secs_f64(), Allowed::Closed(period_s, MAGNITUDE_MAX)),
+            (Field::ToldMax, self.told_max.as_secs_f64(), positive),
+            (Field::ClockError, self.clock_error.as_secs_f64(), Allowed::Closed(0.0, MAGNITUDE_MAX)),
         ];
         let failed = checks.into_iter().find(|(_, value, allowed)| !allowed.holds(*value));
         failed.map_or(Ok(()), |(field, value, allowed)| Err(ParamsError { field, value, allowed }))
     }
 
-    /// Δ_d must be below R, and with `budget` below R − 2ρ: robots that are not linked have no row for their distance.
+    /// Δ_d must be below R, and with `budget` below R − 2ρ − 4A: robots that are not linked have no row for their distance.
     fn distance_limit(&self) -> f64 {
         match self.controller {
             Controller::Composed => self.radius_m,
-            Controller::Budget => self.radius_m - 2.0 * self.reach().longest_m(),
+            Controller::Budget => {
+                self.radius_m - 2.0 * self.reach().longest_m() - 4.0 * self.margin().away_m
+            }
         }
     }
 
-    /// `T U_i`, T = τ₁.
+    /// `T U_i`, T the longest that a velocity is held.
     fn reach(&self) -> Reach<D> {
-        Reach::new(&self.input, self.level_period.as_secs_f64())
+        Reach::new(&self.input, self.hold_max().as_secs_f64())
     }
 
     fn budget(&self, link: LinkShape) -> Budget {
+        let margin = self.margin();
+        let link = LinkShape { radius_m: link.radius_m - 2.0 * margin.away_m, ..link };
         Budget {
             curvature: Curvature::new(link),
             robots: self.robots,
             faults: self.faults,
-            distance_min_m: self.distance_min_m,
+            distance_min_m: self.distance_min_m + 2.0 * margin.away_m,
             move_max_m: self.reach().longest_m(),
             gamma: self.gamma(),
             gamma_c: self.gamma_c,
             trust: self.trust,
             assume: self.assume,
             form: Form::Level,
+            margin,
         }
     }
 
@@ -200,7 +120,9 @@ impl<const D: usize> Params<D> {
             required: required_degree(settings.robots, settings.faults),
             distance_min_m: settings.distance_min_m,
         };
-        Ok(Self { settings, link, composed, budget: settings.budget(link), reach: settings.reach() })
+        let (budget, reach) = (settings.budget(link), settings.reach());
+        let sight_m = budget.curvature.link().radius_m + budget.margin.offset_m;
+        Ok(Self { settings, link, composed, budget, reach, sight_m2: sight_m * sight_m })
     }
 
     /// The settings as they were given.
@@ -233,6 +155,12 @@ impl<const D: usize> Params<D> {
         &self.reach
     }
 
+    /// Square of the distance up to which sensed robots matter, m²: R, and the margin of `budget`.
+    #[must_use]
+    pub fn sight_m2(&self) -> f64 {
+        self.sight_m2
+    }
+
     /// F′.
     #[must_use]
     pub fn required_degree(&self) -> u16 {
@@ -242,6 +170,8 @@ impl<const D: usize> Params<D> {
 
 #[cfg(test)]
 mod tests {
+    use core::time::Duration;
+
     use super::*;
 
     type Change = fn(&mut Settings<2>);

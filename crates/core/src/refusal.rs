@@ -7,6 +7,8 @@ use core::fmt;
 pub enum Observed {
     /// Within R: a neighbour.
     Neighbor,
+    /// Farther away than R as sensed, but perhaps not in truth: the margin of `budget` reckons with it.
+    InView,
     /// Farther away than R.
     OutOfRange,
 }

@@ -17,13 +17,13 @@ pub struct Output<const D: usize> {
 /// State of one robot after a tick, from what it knows itself.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Report {
-    /// δ_i, neighbours sensed within R.
+    /// δ_i, neighbours sensed within R, whatever the margin.
     pub degree: u16,
     /// δ_i − F′; negative when the condition of thm:rs_robust does not hold here.
     pub margin: i32,
     /// c_i as sensed at the last update, before any restatement.
     pub level: f64,
-    /// h_i = c_i − F′ (eq:h_i); under `budget` with free liars T_i − θ.
+    /// h_i = c_i − F′ (eq:h_i); under `budget` with free liars T_i − θ, with a margin the least that it can be.
     pub h: f64,
     /// φ_i (eq:phi_i), whatever the controller. May be negative while all is well (METHOD.md 2.2).
     pub phi: f64,
@@ -31,9 +31,9 @@ pub struct Report {
     pub outcome: Outcome,
     /// What the answer is worth.
     pub mode: Mode,
-    /// Neighbours that have told no level yet; their terms are left out.
+    /// Neighbours that have told no level yet; `composed` leaves their terms out.
     pub untold: u16,
-    /// Age of the oldest told level in use.
+    /// Time since the oldest told level in use was received.
     pub told_age_max: Duration,
     /// The consensus round of this tick, if one was on.
     pub round: Option<RoundReport>,
@@ -75,8 +75,15 @@ pub enum Reason {
     /// `composed`: φ_i < 0, outside Z_i (thm:cbf-qp). `budget`: h_i < 0, a neighbour's h certainly negative, or a pair too
     /// close.
     OutsideSafeSet,
-    /// More than τ₁ has passed since the last tick: the velocity was held for longer than the rows allow for.
+    /// More time than a velocity may be held has passed since the last tick. Said for
+    /// [`told_max`](crate::settings::Settings::told_max) more: until then a level told before may be worth less than it says.
     Late,
+    /// The robot, or under [`Assume::Obedient`](crate::budget::knowledge::Assume::Obedient) a neighbour, is not where the
+    /// stated errors and the input box allow it to be: sensing or tracking is worse than stated. Said for as long.
+    Moved,
+    /// `budget` with a margin: h_i or a distance is not certain to be safe, and was not since the start or since the last
+    /// broken assumption.
+    Uncertain,
     /// A neighbour has told no level.
     Untold,
     /// thm:cbf-qp needs continuous time and a constant bias; a robot that ticks cannot have the first.

@@ -3,11 +3,12 @@
 use core::time::Duration;
 
 use crate::barrier::degree_barrier;
+use crate::assurance::{Assurance, watches};
 use crate::budget::knowledge::Sighting;
 use crate::budget::row::Row;
 use crate::math::{Vector, dot, is_finite, subtract};
 use crate::message::{Message, VALUE_MAX};
-use crate::neighbor::{RobotId, Slot, Told};
+use crate::neighbor::{NO_LINK, RobotId, Slot, Told};
 use crate::params::{Controller, Params};
 use crate::program::{Outcome, closest};
 use crate::refusal::{ObserveError, Observed, ReceiveError, RobotError, SenseError};
@@ -41,16 +42,19 @@ pub struct Robot<'memory, const D: usize> {
     pub(crate) count: usize,
     pub(crate) now: Instant,
     position: Option<Vector<D>>,
-    pub(crate) last_tick: Option<Instant>,
+    pub(crate) assurance: Assurance<D>,
     level_timer: Timer,
     value_timer: Timer,
     sequence: u32,
     /// c_i as sensed, and as told: the same for whoever follows eq:connectivity.
     level: f64,
+    level_at: Instant,
     told_level: f64,
     pub(crate) value: f64,
     pub(crate) next_value: f64,
-    pub(crate) round_on: bool,
+    /// When the consensus round began, and whether a value came since the last tick.
+    pub(crate) round: Option<Instant>,
+    pub(crate) round_news: bool,
 }
 
 impl<'memory, const D: usize> Robot<'memory, D> {
@@ -80,20 +84,22 @@ impl<'memory, const D: usize> Robot<'memory, D> {
             count: 0,
             now: Instant::START,
             position: None,
-            last_tick: None,
+            assurance: Assurance::NEW,
             level_timer: Timer::new(Instant::START, params.settings().level_period),
             value_timer: Timer::new(Instant::START, params.settings().value_period),
             sequence: 0,
             level: 0.0,
+            level_at: Instant::START,
             told_level: 0.0,
             value,
             next_value: value,
-            round_on: false,
+            round: None,
+            round_news: false,
         })
     }
 
     /// Lends what [`Controller::Budget`] needs besides: as many `sightings` as slots, and `2·D + 2·N + 1` `rows` for N of
-    /// them. With N² `values` it is faster than with N. With too little of it the robot stands still.
+    /// them, with a margin for errors `2·D + 2ᴰ (2·N + 1)`. With N² `values` it is faster than with N. With too little of it the robot stands still.
     #[must_use]
     pub fn with_budget_memory(
         mut self,
@@ -108,6 +114,7 @@ impl<'memory, const D: usize> Robot<'memory, D> {
     pub fn sense(&mut self, now: Instant, position: Vector<D>) -> Result<(), SenseError> {
         self.position = None;
         for slot in &mut self.slots[..self.count] {
+            slot.seen_before = slot.sensed;
             slot.sensed = false;
         }
         if now < self.now {
@@ -117,7 +124,10 @@ impl<'memory, const D: usize> Robot<'memory, D> {
         if !is_finite(&position) {
             return Err(SenseError::NotFinite);
         }
-        self.position = Some(position);
+        self.position = Some(match watches(&self.params) {
+            true => self.assurance.place(&self.params, now, position),
+            false => position,
+        });
         Ok(())
     }
 
@@ -132,14 +142,22 @@ impl<'memory, const D: usize> Robot<'memory, D> {
         }
         let offset_m = subtract(&own, &position);
         let distance_m2 = dot(&offset_m, &offset_m);
-        let Some(link) = self.params.link().link_at(distance_m2) else {
+        let link = self.params.link().link_at(distance_m2);
+        if link.is_none() && distance_m2 > self.params.sight_m2() {
             self.lose(id);
             return Ok(Observed::OutOfRange);
-        };
+        }
         let collision = self.params.composed().collision_term(distance_m2);
+        let (params, now, mut assurance) = (self.params, self.now, self.assurance);
         let slot = self.slot(id)?;
-        *slot = Slot { id, sensed: true, offset_m, link, collision, ..*slot };
-        Ok(Observed::Neighbor)
+        if slot.seen_before && watches(&params) {
+            assurance.watch(&params, now, slot, &offset_m);
+        }
+        let linked = link.is_some();
+        let link = link.unwrap_or(NO_LINK);
+        *slot = Slot { id, sensed: true, seen_before: false, offset_m, link, linked, collision, ..*slot };
+        self.assurance = assurance;
+        Ok(if linked { Observed::Neighbor } else { Observed::InView })
     }
 
     /// What to tell now: the level when τ₁ has passed, with the value when τ₂ has.
@@ -153,6 +171,7 @@ impl<'memory, const D: usize> Robot<'memory, D> {
         let value_due = self.value_timer.fires(self.now);
         if level_due {
             self.level = self.own_level();
+            self.level_at = self.now;
             self.told_level = self.level;
         }
         if value_due {
@@ -162,24 +181,27 @@ impl<'memory, const D: usize> Robot<'memory, D> {
             return None;
         }
         self.sequence = self.sequence.saturating_add(1);
-        Message::new(self.sequence, self.told_level, value_due.then_some(self.value)).ok()
+        Message::new(self.sequence, self.level_at, self.told_level, value_due.then_some(self.value)).ok()
     }
 
     /// Takes a message that arrived from `sender`.
     pub fn receive(&mut self, sender: RobotId, message: &Message) -> Result<(), ReceiveError> {
-        let (now, round_on) = (self.now, self.round_on);
+        let (now, stamp) = (self.now, message.stamp());
+        let in_round = self.in_round(stamp);
         let term = self.params.composed().degree_term(message.level());
         let found = self.neighbors().binary_search_by_key(&sender, |slot| slot.id);
         let slot = &mut self.slots[found.map_err(|_| ReceiveError::NotNeighbor)?];
         if !slot.sensed {
             return Err(ReceiveError::NotNeighbor);
         }
-        if slot.told.is_some_and(|told| message.sequence() <= told.sequence) {
+        let sequence = message.sequence();
+        if slot.told.is_some_and(|told| (stamp, sequence) <= (told.stamp, told.sequence)) {
             return Err(ReceiveError::Stale);
         }
         let earlier = slot.told.and_then(|told| told.value);
-        let value = if round_on { message.value().or(earlier) } else { None };
-        slot.told = Some(Told { sequence: message.sequence(), level: message.level(), term, at: now, value });
+        let value = earlier.or(message.value().filter(|_| in_round));
+        slot.told = Some(Told { sequence, stamp, level: message.level(), term, at: now, value });
+        self.round_news |= value != earlier;
         Ok(())
     }
 
@@ -196,14 +218,15 @@ impl<'memory, const D: usize> Robot<'memory, D> {
     /// Ends the tick: the velocity closest to `desired` (m/s) that satisfies the robot's row, and W-MSR if a round is on.
     pub fn tick(&mut self, desired: Vector<D>) -> Output<D> {
         let round = self.end_round();
-        if self.position.is_none() {
+        let Some(position) = self.position else {
+            self.assurance.lose(self.now);
             return self.stopped(round);
-        }
+        };
         let known = is_finite(&desired);
         let desired = if known { desired } else { [0.0; D] };
         let composed = self.params.composed();
         let own = composed.degree_term(self.told_level);
-        let composition = composed.compose(own, self.sensed().map(Slot::term));
+        let composition = composed.compose(own, self.linked().map(Slot::term));
         let (velocity_m_s, outcome) = match self.params.settings().controller {
             Controller::Composed => {
                 let solution = closest(&desired, &composition.row, &self.params.settings().input);
@@ -215,7 +238,7 @@ impl<'memory, const D: usize> Robot<'memory, D> {
         if !known {
             report.mode = Mode::Hold;
         }
-        self.last_tick = Some(self.now);
+        self.assurance.moved(self.now, position, velocity_m_s);
         Output { velocity_m_s, report }
     }
 
@@ -253,14 +276,20 @@ impl<'memory, const D: usize> Robot<'memory, D> {
         self.neighbors().iter().filter(|slot| slot.sensed)
     }
 
+    /// Those of them within R as sensed: all of them unless there is a margin.
+    pub(crate) fn linked(&self) -> impl Iterator<Item = &Slot<D>> + Clone {
+        self.sensed().filter(|slot| slot.linked)
+    }
+
     fn report(&self, phi: f64, outcome: Outcome, round: Option<RoundReport>) -> Report {
-        let degree = small(self.sensed().count());
-        let untold = small(self.sensed().filter(|slot| slot.told.is_none()).count());
+        let degree = small(self.linked().count());
+        let untold = small(self.linked().filter(|slot| slot.told.is_none()).count());
         let required = self.required();
         let h = degree_barrier(self.level, required);
         let mode = match self.params.settings().controller {
             Controller::Composed => Mode::Degraded(composed_reason(degree < required, outcome, phi, untold)),
-            Controller::Budget => self.budget_mode(degree < required, outcome, h),
+            // With a margin, whoever is in view may be a neighbour.
+            Controller::Budget => self.budget_mode(small(self.sensed().count()) < required),
         };
         Report {
             degree,

@@ -1,24 +1,34 @@
-//! A consensus round as the robot lives it: values told since it began, W-MSR at its end.
+//! A consensus round as the robot lives it: values told since it began, W-MSR as soon as they are there.
 
 use crate::neighbor::{Slot, Told};
 use crate::report::RoundReport;
 use crate::robot::{Robot, small};
+use crate::time::Instant;
 use crate::wmsr;
 
 impl<const D: usize> Robot<'_, D> {
     /// Takes up the value of the last round and forgets what was told in it.
     pub(crate) fn begin_round(&mut self) {
         self.value = self.next_value;
-        self.round_on = true;
+        (self.round, self.round_news) = (Some(self.now), true);
         for slot in &mut self.slots[..self.count] {
             slot.discarded = false;
             slot.told = slot.told.map(|told| Told { value: None, ..told });
         }
     }
 
-    /// Runs W-MSR on what was told since the round began.
+    /// True for a value told since the round began, as far as clocks agree. A value is told with the last level, which may
+    /// be τ₁ older.
+    pub(crate) fn in_round(&self, stamp: Instant) -> bool {
+        let settings = self.params.settings();
+        let latest = stamp.after(settings.clock_error).after(settings.level_period);
+        self.round.is_some_and(|began| latest > began)
+    }
+
+    /// Runs W-MSR on what was told since the round began; again when more of it came late. What comes after the next round
+    /// began is not used.
     pub(crate) fn end_round(&mut self) -> Option<RoundReport> {
-        if !core::mem::take(&mut self.round_on) {
+        if !core::mem::take(&mut self.round_news) {
             return None;
         }
         let mut heard = 0;

@@ -106,13 +106,13 @@ fn rows<const D: usize>(mutant: Mutant, budget: &Budget, sightings: &[Sighting<D
         let distance_m = length(offset_m);
         if budget.form == Form::Level {
             let gradient = shape.link(offset_m).map_or([0.0; D], |link: Link<f64>| link.gradient(offset_m));
-            let bend = mutant.square * budget.curvature.bend_max(distance_m, move_m);
+            let bend = mutant.square * budget.curvature.bend_max(distance_m, move_m, 0.0);
             let share = mutant.degree.unwrap_or(known.degree_max + 1.0);
             rows.push(Row::far_level(&gradient, bend, mutant.factor * budget.gamma * known.budget / share));
             own_gradient = add_scaled(&own_gradient, 1.0, &gradient);
             own_bend += bend;
         } else {
-            let slope = budget.curvature.slope_max(distance_m, move_m);
+            let slope = budget.curvature.slope_max(distance_m, move_m, 0.0);
             let share = mutant.degree.unwrap_or(known.degree_max);
             let beta = mutant.factor * budget.beta_m2(slope, own_h / degree, known.budget / share);
             rows.push(Row::new(*offset_m, mutant.square, beta));

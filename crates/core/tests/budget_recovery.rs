@@ -2,6 +2,7 @@
 
 use closeranks_core::budget::curvature::Curvature;
 use closeranks_core::budget::knowledge::{Assume, Claim, Sighting, Trust};
+use closeranks_core::budget::margin::Margin;
 use closeranks_core::budget::reach::Reach;
 use closeranks_core::budget::row::Row;
 use closeranks_core::budget::rows::Memory;
@@ -41,6 +42,7 @@ fn budget(form: Form) -> (Budget, Reach<2>) {
         trust: Trust::ToldOrSeen,
         assume: Assume::Obedient,
         form,
+        margin: Margin::NONE,
     };
     (budget, reach)
 }

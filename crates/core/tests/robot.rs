@@ -10,7 +10,7 @@ use closeranks_core::program::Outcome;
 use closeranks_core::refusal::{ObserveError, Observed, ReceiveError, RobotError, SenseError};
 use closeranks_core::report::{Mode, Output, Reason};
 use closeranks_core::robot::Robot;
-use scene::{ME, Scene, at, lend, lend_with, message};
+use scene::{ME, Scene, at, lend, lend_with, message, message_at};
 use seeded::Seeded;
 
 mod scene;
@@ -27,7 +27,7 @@ fn levels_are_held_between_updates() {
             robot.observe(RobotId(1), [x, 0.0]).unwrap();
             let shared = robot.share();
             if let Some(level) = told {
-                robot.receive(RobotId(1), &message(u32::try_from(ms).unwrap() + 1, level, None)).unwrap();
+                robot.receive(RobotId(1), &message_at(at(ms), u32::try_from(ms).unwrap() + 1, level, None)).unwrap();
             }
             (robot.tick([0.0, 0.0]).report, shared, robot.neighbors()[0].told_level())
         };
@@ -62,7 +62,7 @@ fn values_are_exchanged_in_rounds_and_taken_up_at_the_next() {
             let shared = robot.share();
             sequence += 1;
             for (id, value) in (1..).zip(told) {
-                robot.receive(RobotId(id), &message(sequence, 7.0, Some(value))).unwrap();
+                robot.receive(RobotId(id), &message_at(at(ms), sequence, 7.0, Some(value))).unwrap();
             }
             let round = robot.tick([0.0; 3]).report.round;
             (
@@ -184,7 +184,7 @@ fn a_value_is_marked_as_discarded_in_its_own_round_only() {
             robot.sense(at(ms), [0.0; 2]).unwrap();
             robot.observe(RobotId(1), [1.0, 0.0]).unwrap();
             let _ = robot.share();
-            robot.receive(RobotId(1), &message(u32::try_from(ms).unwrap() + 1, 7.0, told)).unwrap();
+            robot.receive(RobotId(1), &message_at(at(ms), u32::try_from(ms).unwrap() + 1, 7.0, told)).unwrap();
             let round = robot.tick([0.0; 2]).report.round;
             (robot.neighbors()[0].discarded(), round.map(|round| (round.discarded, round.silent)))
         };
@@ -229,7 +229,7 @@ fn the_gravest_reason_is_named() {
             if let Some(level) = told {
                 for (id, _) in (1..).zip(near) {
                     robot
-                        .receive(RobotId(id), &message(u32::try_from(ms).unwrap() + 1, level, None))
+                        .receive(RobotId(id), &message_at(at(ms), u32::try_from(ms).unwrap() + 1, level, None))
                         .unwrap();
                 }
             }

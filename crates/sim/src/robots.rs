@@ -121,7 +121,7 @@ impl<'memory, const D: usize> Fleet<'memory, D> {
             let level = liars.level(index, message.level());
             robot.restate(level);
             let value = message.value().map(|value| liars.value(index, value));
-            *slot = Message::new(message.sequence(), level, value).ok();
+            *slot = Message::new(message.sequence(), message.stamp(), level, value).ok();
         }
     }
 

@@ -198,6 +198,7 @@ impl Scenario {
             input: InputBox { min_m_s: corner(&self.input_min_m_s), max_m_s: corner(&self.input_max_m_s) },
             level_period: self.tau_1,
             value_period: self.tau_2,
+            ..Settings::default()
         })
     }
 }

@@ -59,37 +59,62 @@ impl Curvature {
         &self.link
     }
 
-    /// `L`, 1/m²: the largest |da/dΔ²| while a pair at `distance_m` moves apart, each by at most `move_max_m`.
+    /// `L`, 1/m²: the largest |da/dΔ²| while a pair at `distance_m`, known to `error_m`, moves apart, each by at most
+    /// `move_max_m`.
     ///
     /// Not negative; 0 for a pair at R or farther. NaN in, NaN out.
     //= theory B
     #[must_use]
-    pub fn slope_max(&self, distance_m: f64, move_max_m: f64) -> f64 {
-        let (low, high) = self.slacks(distance_m, distance_m + 2.0 * move_max_m);
+    pub fn slope_max(&self, distance_m: f64, move_max_m: f64, error_m: f64) -> f64 {
+        let (low, high) = self.slacks(distance_m - error_m, distance_m + (2.0 * move_max_m + error_m));
         if high <= 0.0 {
             return 0.0;
         }
         RAISE * slope(&self.link, closest(self.steepest_m2, low, high))
     }
 
-    /// `κ`, 1/m²: the largest negative curvature of `r → a(|r|)` for |r| within two longest moves of `distance_m`.
+    /// `κ`, 1/m²: the largest negative curvature of `r → a(|r|)` for |r| within two longest moves of `distance_m`, which is
+    /// known to `error_m`.
     ///
     /// `a(r + e) ≥ a(r) + ∇a·e − κ/2 |e|²` for |e| up to twice `move_max_m`, across the rim as well: there the gradient
     /// is continuous and the weight convex. Not negative. NaN in, NaN out.
     //= method far-prime
     #[must_use]
-    pub fn bend_max(&self, distance_m: f64, move_max_m: f64) -> f64 {
-        let nearest_m = distance_m - 2.0 * move_max_m;
-        let nearest_m = if nearest_m < 0.0 { 0.0 } else { nearest_m };
-        let (low, high) = self.slacks(nearest_m, distance_m + 2.0 * move_max_m);
+    pub fn bend_max(&self, distance_m: f64, move_max_m: f64, error_m: f64) -> f64 {
+        let reach_m = 2.0 * move_max_m + error_m;
+        let (low, high) = self.slacks(distance_m - reach_m, distance_m + reach_m);
         if high <= 0.0 {
             return 0.0;
         }
         RAISE * bend(&self.link, closest(self.sharpest_m2, low, high))
     }
 
-    /// s at the farther distance, at least 0, and at the nearer one.
+    /// Bound of the error of the gradient of `r → a(|r|)`, 1/m, at `distance_m` when r is wrong by at most `error_m`.
+    ///
+    /// `M · error`, M the largest |eigenvalue| of the Hessian in reach: K, or near the rim, where the weight is convex, the
+    /// radial one `4 (R² − s) f′(s) − 2 f(s)`, which falls with s as long as it is positive.
+    //= method margins
+    #[must_use]
+    pub fn gradient_error(&self, distance_m: f64, error_m: f64) -> f64 {
+        let (low, high) = self.slacks(distance_m - error_m, distance_m + error_m);
+        if error_m == 0.0 || high <= 0.0 {
+            return 0.0;
+        }
+        let sharpest = bend(&self.link, closest(self.sharpest_m2, low, high));
+        RAISE * sharpest.max(swell(&self.link, low)) * error_m
+    }
+
+    /// Bound of how fast the weight falls with the distance, 1/m: `2 R f(s)` at the peak of f.
+    #[must_use]
+    pub fn fall_max(&self) -> f64 {
+        let radius_m = self.link.radius_m;
+        let steepest_m2 = if self.steepest_m2 < radius_m * radius_m { self.steepest_m2 } else { radius_m * radius_m };
+        RAISE * 2.0 * radius_m * slope(&self.link, steepest_m2)
+    }
+
+    /// s at the farther distance, at least 0, and at the nearer one, which is at least 0 itself.
     fn slacks(&self, nearer_m: f64, farther_m: f64) -> (f64, f64) {
+        let nearer_m = if nearer_m < 0.0 { 0.0 } else { nearer_m };
         let radius_m2 = self.link.radius_m * self.link.radius_m;
         let low = radius_m2 - farther_m * farther_m;
         (if low < 0.0 { 0.0 } else { low }, radius_m2 - nearer_m * nearer_m)
@@ -124,6 +149,13 @@ fn bend(link: &LinkShape, slack_m2: f64) -> f64 {
     let (factor, turn) = tail(link, slack_m2);
     let distance_m2 = link.radius_m * link.radius_m - slack_m2;
     2.0 * factor * (slack_m2 + 2.0 * distance_m2 * (turn - 1.0).max(0.0))
+}
+
+/// Radial eigenvalue of the Hessian where it is positive, 1/m².
+fn swell(link: &LinkShape, slack_m2: f64) -> f64 {
+    let (factor, turn) = tail(link, slack_m2);
+    let distance_m2 = link.radius_m * link.radius_m - slack_m2;
+    2.0 * factor * (2.0 * distance_m2 * (1.0 - turn) - slack_m2)
 }
 
 /// True where K still rises, for s at or above the peak of f.
@@ -179,7 +211,7 @@ mod tests {
             for (k, move_m) in (0..60).zip([0.0, 0.003, 0.01, 0.1, 0.4].into_iter().cycle()) {
                 let distance = shape.radius_m * f64::from(k) / 59.0;
                 let sampled = most(distance, distance + 2.0 * move_m, |r| rate(&shape, r));
-                let bound = curvature.slope_max(distance, move_m);
+                let bound = curvature.slope_max(distance, move_m, 0.0);
                 assert!(sampled <= bound, "{sampled} above {bound} at {distance} of {shape:?}");
                 let blur = 1e-3 * bound + 1e-12;
                 assert!(bound <= sampled + blur, "{bound} far above {sampled} at {distance} of {shape:?}");
@@ -196,9 +228,9 @@ mod tests {
                 let distance = shape.radius_m * f64::from(k) / 60.0;
                 let low = (distance - 2.0 * move_m).max(0.0);
                 let sampled = most(low, distance + 2.0 * move_m, |r| sampled_bend(&shape, r));
-                let bound = curvature.bend_max(distance, move_m);
+                let bound = curvature.bend_max(distance, move_m, 0.0);
                 // the differences are good to 1e-6 of the sharpest bend; the samples miss a peak by less than 1 %
-                let most = curvature.bend_max(0.0, shape.radius_m);
+                let most = curvature.bend_max(0.0, shape.radius_m, 0.0);
                 let blur = 1e-2 * most;
                 assert!(sampled <= bound + 1e-6 * most, "{sampled} above {bound} at {distance} of {shape:?}");
                 assert!(bound <= sampled + blur, "{bound} far above {sampled} at {distance} of {shape:?}");
@@ -221,7 +253,7 @@ mod tests {
                     let move_m = 0.02 + 0.04 * f64::from(turn % 5);
                     let e = [2.0 * move_m * libm::cos(angle), 2.0 * move_m * libm::sin(angle)];
                     let linear = weight(&shape, &r) + gradient[0] * e[0] + gradient[1] * e[1];
-                    let parabola = linear - 2.0 * curvature.bend_max(r[0], move_m) * move_m * move_m;
+                    let parabola = linear - 2.0 * curvature.bend_max(r[0], move_m, 0.0) * move_m * move_m;
                     let moved = weight(&shape, &[r[0] + e[0], e[1]]);
                     assert!(moved >= parabola - 1e-14, "{moved} < {parabola} at {} of {shape:?}", r[0]);
                 }
@@ -232,10 +264,10 @@ mod tests {
     #[test]
     fn beyond_the_rim_and_for_no_number() {
         let curvature = Curvature::new(LinkShape { radius_m: 3.0, q1: 2.099, q2: 0.3 });
-        assert_eq!(curvature.slope_max(3.0, 0.1), 0.0);
-        assert_eq!(curvature.bend_max(3.3, 0.1), 0.0);
-        assert!(curvature.bend_max(3.1, 0.1) > 0.0, "it may come into range");
-        assert!(curvature.slope_max(f64::NAN, 0.1).is_nan() && curvature.bend_max(1.0, f64::NAN).is_nan());
+        assert_eq!(curvature.slope_max(3.0, 0.1, 0.0), 0.0);
+        assert_eq!(curvature.bend_max(3.3, 0.1, 0.0), 0.0);
+        assert!(curvature.bend_max(3.1, 0.1, 0.0) > 0.0, "it may come into range");
+        assert!(curvature.slope_max(f64::NAN, 0.1, 0.0).is_nan() && curvature.bend_max(1.0, f64::NAN, 0.0).is_nan());
         assert_eq!(Curvature::new(LinkShape { radius_m: 0.1, q1: 2.1, q2: 0.3 }).sharpest_m2, 0.1 * 0.1);
     }
 }

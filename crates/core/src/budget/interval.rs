@@ -3,7 +3,7 @@
 use crate::budget::knowledge::{Assume, Sighting};
 use crate::budget::settings::Budget;
 use crate::link::Link;
-use crate::math::{Vector, dot, is_finite, subtract};
+use crate::math::{Vector, dot, is_finite, length, subtract};
 
 /// Bounds of the level of a neighbour, from positions alone.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -42,7 +42,8 @@ impl Budget {
     ///
     /// because |x_p − x_i| > R for a robot p out of sight, so Δ_jp > R − Δ_ij. Under [`Assume::Free`] the F largest of the
     /// same terms are left out; a trimmed sum falls when terms are taken away or made smaller, so both bounds remain.
-    /// A sighting that is not finite counts as out of sight. Too little scratch gives `low = high = 0`, which is safe.
+    /// With a margin 2E of offsets, low has every weight at `distance + 2E`, high at least those at `distance − 2E`. A sighting
+    /// that is not finite counts as out of sight. Too little scratch gives `low = high = 0`, which is safe.
     //= theory 2.7
     #[must_use]
     pub fn interval<const D: usize>(
@@ -89,11 +90,13 @@ impl Budget {
         unseen: usize,
     ) -> Interval {
         let degree = unseen.saturating_add(weights.iter().filter(|weight| **weight >= 0.0).count());
-        let nearest_m = (self.curvature.link().radius_m - crate::math::length(offset)).max(0.0);
+        let error_m = self.margin.offset_m;
+        let nearest_m = (self.curvature.link().radius_m - length(offset) - error_m).max(0.0);
         let low = self.total(weights, 0.0, 0);
-        let high = match unseen {
+        let blur = if error_m > 0.0 { number(degree) * self.weight_error() } else { 0.0 };
+        let high = blur + match unseen {
             0 => low,
-            _ => self.total(weights, self.entry(&[nearest_m]).max(0.0), unseen),
+            _ => self.total(weights, self.weight(&[nearest_m]), unseen),
         };
         Interval { low, high, degree_max: number(degree.max(1)) }
     }
@@ -112,9 +115,31 @@ impl Budget {
         self.curvature.link().link_at(dot(offset, offset))
     }
 
-    /// The weight of a link; −1 where there is none.
+    /// The least weight that a link may have; −1 where there is none for certain.
     fn entry<const D: usize>(&self, offset: &Vector<D>) -> f64 {
-        self.link(offset).map_or(-1.0, |link| link.weight)
+        let error_m = self.margin.offset_m;
+        if error_m == 0.0 {
+            return self.link(offset).map_or(-1.0, |link| link.weight);
+        }
+        let distance_m = length(offset);
+        let radius_m = self.curvature.link().radius_m;
+        if distance_m <= radius_m + error_m { self.weight(&[distance_m + error_m]) } else { -1.0 }
+    }
+
+    fn weight<const D: usize>(&self, offset: &Vector<D>) -> f64 {
+        self.link(offset).map_or(0.0, |link| link.weight)
+    }
+
+    /// How much more a weight may be than the least it may be.
+    pub(crate) fn weight_error(&self) -> f64 {
+        2.0 * self.margin.offset_m * self.curvature.fall_max()
+    }
+
+    /// True unless a robot at `offset` is out of range for certain.
+    pub(crate) fn in_range<const D: usize>(&self, offset: &Vector<D>) -> bool {
+        let (radius_m, error_m) = (self.curvature.link().radius_m, self.margin.offset_m);
+        let sight_m = radius_m + error_m;
+        sight_m * sight_m - dot(offset, offset) >= 0.0
     }
 
     /// Sum of the positive `weights` and `copies` more of size `extra`, without the F largest of them under [`Assume::Free`].

@@ -22,6 +22,7 @@
 //! | b_ij | [`knowledge`] |
 //! | one row, what "holds" means in floating point | [`row`] |
 //! | T U_i | [`reach`] |
+//! | what wrong positions and lag cost | [`margin`] |
 //! | all rows of a tick, recovery | [`rows`] |
 //! | the closest point | [`project`] |
 //! | γ, γ_c and the rest | [`settings`] |
@@ -30,6 +31,7 @@ pub mod curvature;
 mod flat;
 pub mod interval;
 pub mod knowledge;
+pub mod margin;
 pub mod project;
 pub mod reach;
 pub mod row;

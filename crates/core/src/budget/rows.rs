@@ -11,7 +11,7 @@ use crate::math::{Vector, add_scaled, dot, is_finite, length};
 /// Memory that the caller lends for one tick.
 #[derive(Debug)]
 pub struct Memory<'memory, const D: usize> {
-    /// `2·D + 2·N + 1` rows are always enough for N neighbours.
+    /// `2·D + 2·N + 1` rows are always enough for N neighbours, with a margin `2·D + 2ᴰ (2·N + 1)`.
     pub rows: &'memory mut [Row<D>],
     /// At least N numbers; with N² the weights between neighbours are computed once instead of twice.
     pub weights: &'memory mut [f64],
@@ -26,8 +26,10 @@ pub struct Rows<'memory, const D: usize> {
     pub desired_m: Vector<D>,
     /// Own h_i, of the level or of the trimmed one.
     pub h: f64,
-    /// What is known to be violated now: h_i < 0, h_j < 0 for certain, or a pair closer than Δ_d.
+    /// What is violated for certain: h_i < 0, h_j < 0, or a pair closer than Δ_d.
     pub broken: usize,
+    /// What may be violated, with a margin; without one the same as `broken`.
+    pub doubtful: usize,
 }
 
 /// Own state that every row of a tick needs.
@@ -38,6 +40,8 @@ struct Own<const D: usize> {
     gradient: Vector<D>,
     /// κ_ii.
     bend: f64,
+    /// Bound of the error of the gradient, 1/m.
+    wrong: f64,
 }
 
 impl<const D: usize> Rows<'_, D> {
@@ -47,9 +51,25 @@ impl<const D: usize> Rows<'_, D> {
         self.program.closest(&self.desired_m)
     }
 
+    /// Adds `row` of the vector that is known to `wrong`: once if that is 0, else for every corner of the cube around it.
+    //= method margins
+    fn push(&mut self, vector: &Vector<D>, wrong: f64, row: impl Fn(&Vector<D>) -> Row<D>) {
+        if wrong == 0.0 {
+            return self.program.push(row(vector));
+        }
+        for corner in 0..1_usize << D.min(8) {
+            let tilt = |d: usize| if corner >> d & 1 == 1 { wrong } else { -wrong };
+            self.program.push(row(&core::array::from_fn(|d| vector[d] + tilt(d))));
+        }
+    }
+
+    fn count(&mut self, certain: bool) {
+        self.doubtful += 1;
+        self.broken += usize::from(certain);
+    }
+
     /// Recovery: raises the desired displacement along `direction` to at least `wanted_m`.
     fn raise(&mut self, direction: &Vector<D>, wanted_m: f64) {
-        self.broken += 1;
         let size = length(direction);
         if size > 0.0 && size.is_finite() && wanted_m > 0.0 {
             let unit = direction.map(|component| component / size);
@@ -82,7 +102,7 @@ impl Budget {
         let Memory { rows, weights } = memory;
         let mut own = self.own(sightings, weights);
         let desired_m = desired_m.map(|component| if component.is_finite() { component } else { 0.0 });
-        let mut rows = Rows { program: Program::new(rows, reach), desired_m, h: own.h, broken: 0 };
+        let mut rows = Rows { program: Program::new(rows, reach), desired_m, h: own.h, broken: 0, doubtful: 0 };
         if weights.len() < sightings.len() {
             rows.program.push(stay());
         }
@@ -125,8 +145,8 @@ impl Budget {
     ) {
         if !is_finite(offset) {
             rows.program.push(stay());
-        } else if let Some(link) = self.link(offset) {
-            let gradient = link.gradient(offset);
+        } else if self.in_range(offset) {
+            let gradient = self.link(offset).map_or([0.0; D], |link| link.gradient(offset));
             own.gradient = add_scaled(&own.gradient, 1.0, &gradient);
             self.push_far(own, offset, &gradient, known, rows);
             self.push_near(offset, rows);
@@ -141,20 +161,24 @@ impl Budget {
         known: &Known,
         rows: &mut Rows<'_, D>,
     ) {
-        let distance_m = length(offset);
-        rows.program.push(match self.form() {
+        let (distance_m, error_m) = (length(offset), self.margin.offset_m);
+        match self.form() {
             Form::Link => {
-                let slope = self.curvature.slope_max(distance_m, self.move_max_m);
+                let slope = self.curvature.slope_max(distance_m, self.move_max_m, error_m);
                 let own_share = own.h.max(0.0) / own.degree.max(1.0);
-                Row::far(offset, self.beta_m2(slope, own_share, known.budget / known.degree_max))
+                let beta_m2 = self.beta_m2(slope, own_share, known.budget / known.degree_max);
+                rows.push(offset, error_m, |offset| Row::far(offset, beta_m2));
             }
             Form::Level => {
-                let bend = self.curvature.bend_max(distance_m, self.move_max_m);
-                own.bend += bend;
-                Row::far_level(gradient, bend, self.gamma * known.budget / (known.degree_max + 1.0))
+                let bend = self.curvature.bend_max(distance_m, self.move_max_m, error_m);
+                let wrong = self.curvature.gradient_error(distance_m, error_m);
+                (own.bend, own.wrong) = (own.bend + bend, own.wrong + wrong);
+                let spend = self.gamma * known.budget / (known.degree_max + 1.0);
+                rows.push(gradient, wrong, |gradient| Row::far_level(gradient, bend, spend));
             }
-        });
+        }
         if known.deficit > 0.0 {
+            rows.count(true);
             rows.raise(gradient, self.mend_m(known.deficit, gradient));
         }
     }
@@ -162,29 +186,43 @@ impl Budget {
     fn push_own<const D: usize>(&self, own: &Own<D>, rows: &mut Rows<'_, D>) {
         if self.form() == Form::Level {
             let spend = self.gamma * own.h.max(0.0) / (own.degree + 1.0);
-            rows.program.push(Row::far_level(&own.gradient, own.bend, spend));
+            rows.push(&own.gradient, own.wrong, |gradient| Row::far_level(gradient, own.bend, spend));
         }
         if own.h < 0.0 {
+            rows.count(own.h + own.degree * self.weight_error() < 0.0);
             rows.raise(&own.gradient, self.mend_m(-own.h, &own.gradient));
         }
     }
 
     fn push_near<const D: usize>(&self, offset: &Vector<D>, rows: &mut Rows<'_, D>) {
-        let spare_m2 = dot(offset, offset) - self.distance_min_m * self.distance_min_m;
-        rows.program.push(Row::near(offset, 0.5 * self.gamma_c * spare_m2.max(0.0)));
+        let error_m = self.margin.offset_m;
+        let spare_m2 = self.spare_m2(offset, -error_m);
+        let give_m2 = 0.5 * self.gamma_c * spare_m2.max(0.0);
+        rows.push(offset, error_m, |offset| Row::near(offset, give_m2));
         if spare_m2 < 0.0 {
-            let missing_m = self.distance_min_m - length(offset);
+            rows.count(self.spare_m2(offset, error_m) < 0.0);
+            let missing_m = self.distance_min_m + error_m - length(offset);
             rows.raise(offset, (0.5 * missing_m).min(self.move_max_m));
         }
+    }
+
+    /// `D − Δ_d²`, m², for an offset longer by `more_m`.
+    fn spare_m2<const D: usize>(&self, offset: &Vector<D>, more_m: f64) -> f64 {
+        let distance_m2 = match more_m {
+            0.0 => dot(offset, offset),
+            _ => {
+                let distance_m = (length(offset) + more_m).max(0.0);
+                distance_m * distance_m
+            }
+        };
+        distance_m2 - self.distance_min_m * self.distance_min_m
     }
 
     /// h_i and δ_i; the gradient and κ_ii are summed with the rows.
     fn own<const D: usize>(&self, sightings: &[Sighting<D>], weights: &mut [f64]) -> Own<D> {
         let h = self.level(sightings, weights) - f64::from(self.required());
-        let radius_m = self.curvature.link().radius_m;
-        let in_range = |offset: &Vector<D>| radius_m * radius_m - dot(offset, offset) >= 0.0;
-        let degree = sightings.iter().filter(|sighting| in_range(&sighting.offset_m)).count();
-        Own { h, degree: number(degree), gradient: [0.0; D], bend: 0.0 }
+        let degree = sightings.iter().filter(|sighting| self.in_range(&sighting.offset_m)).count();
+        Own { h, degree: number(degree), gradient: [0.0; D], bend: 0.0, wrong: 0.0 }
     }
 
     /// How far to go along `gradient` (1/m) to make up for `deficit`, m, at most ρ.

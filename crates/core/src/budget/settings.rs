@@ -2,6 +2,7 @@
 
 use crate::budget::curvature::Curvature;
 use crate::budget::knowledge::{Assume, Trust};
+use crate::budget::margin::Margin;
 use crate::math::exp;
 
 /// What bounds the loss of connectivity.
@@ -40,6 +41,8 @@ pub struct Budget {
     pub assume: Assume,
     /// Which rows bound the loss of connectivity.
     pub form: Form,
+    /// Errors of sensing and tracking; `curvature` and `distance_min_m` are those of the references.
+    pub margin: Margin,
 }
 
 /// Why the theorem would not hold with some settings.
@@ -123,6 +126,7 @@ mod tests {
             trust: Trust::ToldOrSeen,
             assume: Assume::Obedient,
             form: Form::Level,
+            margin: Margin::NONE,
         }
     }
 

@@ -50,7 +50,7 @@ impl<const D: usize> Team<D> {
         for j in (0..self.count()).filter(|&j| if i == k { self.in_range(i, j) && counts(j) } else { j == k })
         {
             let offset = subtract(&self.positions[i], &self.positions[j]);
-            let slope = self.budget.curvature.slope_max(length(&offset), 0.0);
+            let slope = self.budget.curvature.slope_max(length(&offset), 0.0, 0.0);
             sum = add_scaled(&sum, slope + 1e-9, &offset);
         }
         let size = length(&sum).max(1e-12);

@@ -4,6 +4,7 @@
 
 use closeranks_core::budget::curvature::Curvature;
 use closeranks_core::budget::knowledge::{Assume, Claim, Sighting, Trust};
+use closeranks_core::budget::margin::Margin;
 use closeranks_core::budget::reach::Reach;
 use closeranks_core::budget::row::Row;
 use closeranks_core::budget::rows::Memory;
@@ -69,6 +70,7 @@ impl<const D: usize> Team<D> {
             trust: [Trust::Told, Trust::ToldOrSeen, Trust::Seen][random.below(3)],
             assume,
             form,
+            margin: Margin::NONE,
         };
         let mut malicious = vec![false; count];
         for _ in 0..faults {

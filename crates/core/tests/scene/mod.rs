@@ -52,8 +52,9 @@ impl<const D: usize> Scene<D> {
         }
         let _ = robot.share();
         for (id, _, told) in &self.others {
-            let numbered = message(u32::try_from(ms).unwrap_or(0) + 1, told.level(), told.value());
-            let _ = robot.receive(*id, &numbered);
+            let sequence = u32::try_from(ms).unwrap_or(0) + 1;
+            let numbered = Message::new(sequence, at(ms), told.level(), told.value());
+            let _ = robot.receive(*id, &numbered.expect("finite numbers"));
         }
         robot.tick(self.desired)
     }
@@ -64,7 +65,11 @@ pub(crate) fn at(ms: u64) -> Instant {
 }
 
 pub(crate) fn message(sequence: u32, level: f64, value: Option<f64>) -> Message {
-    Message::new(sequence, level, value).expect("finite numbers")
+    message_at(Instant::START, sequence, level, value)
+}
+
+pub(crate) fn message_at(stamp: Instant, sequence: u32, level: f64, value: Option<f64>) -> Message {
+    Message::new(sequence, stamp, level, value).expect("finite numbers")
 }
 
 pub(crate) fn lend<const D: usize, R>(play: impl FnOnce(Params<D>, &mut [Slot<D>], &mut [f64]) -> R) -> R {

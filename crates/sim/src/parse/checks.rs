@@ -115,6 +115,11 @@ fn field_name(field: Field) -> &'static str {
         Field::InputMaxMS => "controller.input_max_m_s",
         Field::LevelPeriod => "clock.tau_1_s",
         Field::ValuePeriod => "clock.tau_2_s",
+        Field::HoldMax => "clock.hold_max_s",
+        Field::ToldMax => "clock.told_max_s",
+        Field::ClockError => "clock.error_s",
+        Field::PositionErrorM => "controller.position_error_m",
+        Field::TrackingErrorM => "controller.tracking_error_m",
     }
 }
 
