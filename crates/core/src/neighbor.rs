@@ -95,6 +95,12 @@ impl<const D: usize> Slot<D> {
         self.told.map(|told| now.since(told.at))
     }
 
+    /// The value it told in the consensus round that is on, if any.
+    #[must_use]
+    pub fn told_value(&self) -> Option<f64> {
+        self.told.and_then(|told| told.value)
+    }
+
     /// True if W-MSR discarded its value in the last consensus round.
     #[must_use]
     pub fn discarded(&self) -> bool {

@@ -2,8 +2,8 @@
 
 use core::time::Duration;
 
-use crate::barrier::degree_barrier;
 use crate::assurance::{Assurance, watches};
+use crate::barrier::degree_barrier;
 use crate::budget::knowledge::Sighting;
 use crate::budget::row::Row;
 use crate::math::{Vector, dot, is_finite, subtract};
@@ -108,6 +108,18 @@ impl<'memory, const D: usize> Robot<'memory, D> {
     ) -> Self {
         (self.sightings, self.rows) = (sightings, rows);
         self
+    }
+
+    /// Begins anew with `value`, as after a restart: neighbours, what they told and everything else is forgotten, but for
+    /// the clock, which must not fall.
+    pub fn restart(&mut self, value: f64) -> Result<(), RobotError> {
+        if !(-VALUE_MAX..=VALUE_MAX).contains(&value) {
+            return Err(RobotError::Value);
+        }
+        (self.count, self.position, self.sequence) = (0, None, 0);
+        (self.assurance, self.round, self.round_news) = (Assurance::NEW, None, false);
+        (self.level, self.told_level, self.value, self.next_value) = (0.0, 0.0, value, value);
+        Ok(())
     }
 
     /// Begins a tick at `now` with the robot's own position x_i, m.

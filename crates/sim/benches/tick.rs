@@ -3,8 +3,8 @@
 //! `cargo bench -p closeranks-sim`
 
 use closeranks_core::params::Params;
-use closeranks_sim::attack::Liars;
 use closeranks_sim::frame::Frame;
+use closeranks_sim::liars::Liars;
 use closeranks_sim::robots::{Fleet, Memory};
 use closeranks_sim::scenario::Scenario;
 use closeranks_sim::start::Start;
@@ -54,8 +54,9 @@ fn tick_of_a_team(bencher: Bencher<'_, '_>, robots: u16) {
 fn tick_of_single_robots(bencher: Bencher<'_, '_>, robots: u16) {
     let scenario = scenario(robots);
     let (params, mut frame, values) = world(&scenario);
-    let mut memory = Memory::new(usize::from(robots));
-    let mut fleet = Fleet::new(params, &values, &mut memory).expect("memory is enough");
+    let mut memory = Memory::new(usize::from(robots), false);
+    let mut fleet =
+        Fleet::new(&scenario, params, &frame.positions_m, &values, &mut memory).expect("memory is enough");
     let mut liars = Liars::new(&scenario);
     bencher.bench_local(|| {
         want(&scenario, &mut frame);

@@ -14,6 +14,18 @@ pub enum Stream {
     Attack = 3,
     /// Levels told by malicious robots.
     Levels = 4,
+    /// What the network does.
+    Network = 5,
+    /// Errors of sensed positions.
+    Sensing = 6,
+    /// Ticks that robots miss.
+    Plant = 7,
+    /// The robots' clocks.
+    Clocks = 8,
+    /// What malicious robots tell each neighbour on its own.
+    Faces = 9,
+    /// Where disobedient malicious robots go.
+    Motion = 10,
 }
 
 /// A generator for one purpose.
@@ -34,6 +46,11 @@ impl Random {
         #[expect(clippy::cast_precision_loss, reason = "53 bits fit")]
         let unit = (self.0.next_u64() >> 11) as f64 * (1.0 / 9_007_199_254_740_992.0);
         min + (max - min) * unit
+    }
+
+    /// True with `probability`.
+    pub fn chance(&mut self, probability: f64) -> bool {
+        self.uniform(0.0, 1.0) < probability
     }
 }
 

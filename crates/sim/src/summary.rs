@@ -2,9 +2,9 @@
 
 use closeranks_core::math::{Vector, sqrt};
 
-use crate::attack::mean_distance_to_liars;
 use crate::frame::Frame;
 use crate::law::{Law, Verdict};
+use crate::liars::mean_distance_to_liars;
 use crate::monitor::{Extremes, Monitors};
 use crate::scenario::{Controller, Scenario};
 use crate::start::squared_distance;

@@ -81,7 +81,8 @@ impl<const D: usize> Team<D> {
         let positions = scatter(count, &mut random);
         let heard = vec![vec![None; count]; count];
         let loss = [0.0, 0.5, 0.95][random.below(3)];
-        let mut team = Self { positions, malicious, budget, reach, heard, loss, error_m: 0.0, random: random.0 };
+        let mut team =
+            Self { positions, malicious, budget, reach, heard, loss, error_m: 0.0, random: random.0 };
         team.stretch(random.between(0.0, 0.3)).then_some(team)
     }
 
