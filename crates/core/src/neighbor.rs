@@ -33,6 +33,7 @@ pub(crate) struct Told {
 /// Memory for one neighbour. The owner of a [`Robot`](crate::robot::Robot) lends a slice of these, one for each
 /// neighbour it wants to be able to have.
 #[derive(Clone, Copy, Debug)]
+#[expect(clippy::struct_excessive_bools, reason = "four facts, each with its own life")]
 pub struct Slot<const D: usize> {
     pub(crate) id: RobotId,
     /// Sensed in this tick.

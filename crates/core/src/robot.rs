@@ -136,10 +136,9 @@ impl<'memory, const D: usize> Robot<'memory, D> {
         if !is_finite(&position) {
             return Err(SenseError::NotFinite);
         }
-        self.position = Some(match watches(&self.params) {
-            true => self.assurance.place(&self.params, now, position),
-            false => position,
-        });
+        let watches = watches(&self.params);
+        let place = if watches { self.assurance.place(&self.params, now, position) } else { position };
+        self.position = Some(place);
         Ok(())
     }
 

@@ -175,6 +175,9 @@ impl<const D: usize> Team<D> {
             *value = liars.value(index, self.next_values[index]);
         }
         self.linked.fill(&self.links, &self.last_link);
+        for (heard, degree) in frame.heard.iter_mut().zip(&frame.degrees) {
+            *heard = [*degree, 0];
+        }
         self.speakers.sort_unstable_by(|a, b| frame.values[*a].total_cmp(&frame.values[*b]).then(a.cmp(b)));
         let faults = self.params.settings().faults;
         for (index, own) in self.next_values.iter_mut().enumerate() {

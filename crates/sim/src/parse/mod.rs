@@ -1,9 +1,11 @@
 //! Scenarios written in TOML. Every field has a default; anything not understood is refused with its place.
 
+mod attacks;
 mod checks;
 mod fields;
 mod problem;
 mod reader;
+mod trouble;
 
 pub use problem::Problem;
 

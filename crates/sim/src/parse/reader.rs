@@ -35,8 +35,20 @@ impl<'text> Section<'text> {
         if self.path.is_empty() { key.to_owned() } else { format!("{}.{key}", self.path) }
     }
 
+    fn know(&mut self, key: &'static str) {
+        if !self.known.contains(&key) {
+            self.known.push(key);
+        }
+    }
+
+    /// True if the text has this field.
+    pub(crate) fn has(&mut self, key: &'static str) -> bool {
+        self.know(key);
+        self.entries.is_some_and(|entries| entries.contains_key(key))
+    }
+
     fn take(&mut self, key: &'static str) -> Option<&'text Spanned<DeValue<'text>>> {
-        self.known.push(key);
+        self.know(key);
         self.entries.and_then(|entries| entries.get(key))
     }
 }
