@@ -9,6 +9,7 @@
 //! | what | where |
 //! | --- | --- |
 //! | what to run, and the TOML it is written in | [`scenario`], [`parse`] |
+//! | many scenarios out of one text with draws | [`sweep`] |
 //! | where robots start and want to go | [`start`], [`motion`] |
 //! | what malicious robots tell | [`attack`] |
 //! | all robots of a tick, one by one or as a team | [`robots`], [`team`] |
@@ -29,5 +30,6 @@ mod scatter;
 pub mod scenario;
 pub mod start;
 pub mod summary;
+pub mod sweep;
 pub mod team;
 pub mod world;
