@@ -101,7 +101,10 @@ fn the_first_run_has_the_committed_draws() {
     let run = plan("[team]\nrobots = { draw = [4, 12] }\n[link]\nq2 = { draw = [0.1, 0.9], log = true }")
         .draw(1, 0)
         .unwrap();
-    assert_eq!(run.scenarios[0].1, "seed = 605878427163532\n\n[link]\nq2 = 0.2593223397664737\n\n[team]\nrobots = 4\n");
+    assert_eq!(
+        run.scenarios[0].1,
+        "seed = 605878427163532\n\n[link]\nq2 = 0.2593223397664737\n\n[team]\nrobots = 4\n"
+    );
 }
 
 #[test]

@@ -139,7 +139,9 @@ impl Plan {
                 Err(found) => problems = found,
             }
         }
-        problems.iter_mut().for_each(|problem| problem.span = self.place(&problem.field));
+        for problem in &mut problems {
+            problem.span = self.place(&problem.field);
+        }
         Err(problems)
     }
 

@@ -94,13 +94,11 @@ impl Reading {
     /// `{ draw = [least, greatest] }`, with `log = true` if wanted.
     fn range(&mut self, path: &str, table: &DeTable<'_>) -> Node {
         self.close(path, table, &["draw", "log"]);
-        let log = table.get("log").is_some_and(|log| match log.get_ref().as_bool() {
-            Some(log) => log,
-            None => {
-                self.refuse(&below(path, "log"), log, "true or false");
-                false
-            }
-        });
+        let log = table.get("log").map(|log| (log, log.get_ref().as_bool()));
+        if let Some((log, None)) = log {
+            self.refuse(&below(path, "log"), log, "true or false");
+        }
+        let log = log.is_some_and(|(_, log)| log == Some(true));
         let Some(ends) = table.get("draw") else { return Node::List(Vec::new()) };
         let read = ends.get_ref().as_array().and_then(|items| range(items, log));
         read.unwrap_or_else(|| {
