@@ -46,7 +46,7 @@ impl Manifest<'_> {
             match key {
                 _ if there == here => None,
                 "sweep" => Some(lines(there, &here)),
-                _ => Some(format!("its {key} is {there}, not {here}")),
+                _ => Some(format!("its `{key}` is {there}, not {here}")),
             }
         })
     }
@@ -81,11 +81,11 @@ mod tests {
         let file = mine.to_json();
         assert_eq!(mine.difference(&file), None);
         let says = |other: Manifest<'_>| other.difference(&file).unwrap();
-        assert_eq!(says(Manifest { seed: 8, ..mine.clone() }), "its seed is 7, not 8");
-        assert_eq!(says(Manifest { runs: 11, ..mine.clone() }), "its runs is 10, not 11");
+        assert_eq!(says(Manifest { seed: 8, ..mine.clone() }), "its `seed` is 7, not 8");
+        assert_eq!(says(Manifest { runs: 11, ..mine.clone() }), "its `runs` is 10, not 11");
         assert_eq!(
             says(Manifest { shard: Shard { index: 2, count: 2 }, ..mine.clone() }),
-            "its shard is 1/2, not 2/2"
+            "its `shard` is 1/2, not 2/2"
         );
         let other = Manifest { text: "seed = 1\nname = \"b\"\n", ..mine.clone() };
         assert_eq!(says(other), "line 2 of its file is `name = \"a\"`, not `name = \"b\"`");

@@ -7,8 +7,11 @@ use closeranks_sim::sweep::{Drawn, Field, violations};
 
 use super::rows::{Cell, Head, Kind};
 
+/// A column with a number of a run: its name, with the unit, and where it comes from.
+pub type Metric = (&'static str, fn(&Summary) -> Option<f64>);
+
 /// Numbers of a run, each a column. A new one is a line.
-pub const METRICS: &[(&str, fn(&Summary) -> Option<f64>)] = &[
+pub const METRICS: &[Metric] = &[
     ("gyration_m", |run| Some(run.gyration_m)),
     ("degree_min", |run| run.extremes.degree_min.map(f64::from)),
     ("degree_min_malicious", |run| run.extremes.malicious_degree_min.map(f64::from)),
@@ -89,7 +92,7 @@ impl Entry<'_> {
     pub fn cells(&self) -> Vec<Option<Cell>> {
         let mut cells = vec![
             whole(self.run),
-            text(self.scenario.controller.name()),
+            Some(text(self.scenario.controller.name())),
             whole(self.scenario.seed),
             whole(self.redraws.into()),
         ];
@@ -103,7 +106,7 @@ impl Entry<'_> {
     fn outcome(&self) -> Vec<Option<Cell>> {
         let violations = violations(self.summary, self.scenario);
         let names: Vec<&str> = violations.iter().map(|verdict| verdict.law.name()).collect();
-        let violated = (!names.is_empty()).then(|| Cell::Text(names.join(",")));
+        let violated = (!names.is_empty()).then(|| text(&names.join(",")));
         let sum = violations.iter().map(|verdict| verdict.count).sum();
         let mut cells = vec![whole(sum), violated];
         cells.extend(self.first(&violations));
@@ -115,7 +118,7 @@ impl Entry<'_> {
         let Some((law, first)) = firsts.min_by_key(|(_, first)| first.tick) else { return Vec::new() };
         let robot = |number: u16| if number > 0 { whole(number.into()) } else { None };
         vec![
-            text(law.name()),
+            Some(text(law.name())),
             Some(Cell::Number(f64::from(first.tick) * self.scenario.tick_s())),
             robot(first.robots[0]),
             robot(first.robots[1]),
@@ -129,8 +132,8 @@ fn whole(number: u64) -> Option<Cell> {
     i64::try_from(number).ok().map(Cell::Whole)
 }
 
-fn text(text: &str) -> Option<Cell> {
-    Some(Cell::Text(text.to_owned()))
+fn text(text: &str) -> Cell {
+    Cell::Text(text.to_owned())
 }
 
 fn cell(drawn: &Drawn) -> Cell {

@@ -22,7 +22,7 @@ const BETWEEN: f64 = 11.0;
 const TOP: f64 = 14.0;
 const BELOW: f64 = 70.0;
 /// Part of the panel that shows 0, left of the decades.
-const ZERO: f64 = 44.0;
+const ZERO: f64 = 60.0;
 /// Room for the words to the right.
 const RIGHT: f64 = 110.0;
 
@@ -130,8 +130,9 @@ pub fn gyrations(tally: &Tally, spread: &Spread) -> String {
     let grid = Grid { columns: 1, width: WIDTH, gap: 0.0, rows };
     let mut svg = grid.document("Distribution of the radius of gyration at the end of the runs");
     let x = Range::of(spread.range_m());
-    let axes =
-        Axes { place: grid.place(0, 0), x: x.padded(0.02 * x.width()), y: Range { min: 0.0, max: 1.0 } };
+    let wide = x.padded(0.02 * x.width());
+    let x = Range { min: wide.min.max(0.0), ..wide };
+    let axes = Axes { place: grid.place(0, 0), x, y: Range { min: 0.0, max: 1.02 } };
     for (name, curve) in spread.curves() {
         svg.add(style(name).line(&stairs(&axes, &curve)));
     }

@@ -1,7 +1,7 @@
 //! Rows as a Parquet file, written and read back in groups of bounded size.
 
+use core::panic::AssertUnwindSafe;
 use std::io::Write;
-use std::panic::AssertUnwindSafe;
 use std::sync::Arc;
 
 use ::parquet::basic::{Compression, LogicalType, Repetition, Type as Physical};

@@ -41,6 +41,7 @@ impl Spread {
 
     fn bin(&self, gyration_m: f64) -> usize {
         let [min, max] = self.range_m;
+        #[expect(clippy::cast_precision_loss, reason = "a few hundred bins")]
         let part = (gyration_m - min) / (max - min) * BINS as f64;
         #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "saturates; NaN is 0")]
         let bin = part as usize;
