@@ -46,7 +46,7 @@ pub(crate) fn run(scenario: &Scenario, run: &Run, time_s: f64) -> Value {
         "guaranteed_share": summary.guaranteed_share,
         "negative_share": summary.negative_share,
         "recovery_s": summary.recovery_s,
-        "violations": summary.violations(scenario),
+        "violations": summary.violations(scenario).map(|verdict| verdict.count).sum::<u64>(),
         "ticks": summary.ticks,
         "rounds": summary.rounds,
         "time_s": time_s,

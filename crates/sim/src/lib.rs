@@ -9,6 +9,7 @@
 //! | what | where |
 //! | --- | --- |
 //! | what to run, and the TOML it is written in | [`scenario`], [`parse`] |
+//! | many scenarios out of one text with draws | [`sweep`] |
 //! | where robots start and want to go | [`start`], [`motion`] |
 //! | what malicious robots tell | [`attack`], [`liars`] |
 //! | what goes wrong with messages, clocks, sensors and bodies | [`faults`] |
@@ -33,6 +34,7 @@ mod scatter;
 pub mod scenario;
 pub mod start;
 pub mod summary;
+pub mod sweep;
 pub mod team;
 mod truth;
 mod voices;

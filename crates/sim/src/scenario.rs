@@ -104,6 +104,21 @@ pub enum Controller {
     None,
 }
 
+impl Controller {
+    /// All, in the order of their names.
+    pub const ALL: [Self; 3] = [Self::Budget, Self::Composed, Self::None];
+
+    /// Its name in scenario files.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Composed => "composed",
+            Self::Budget => "budget",
+            Self::None => "none",
+        }
+    }
+}
+
 /// Initial values y_i(t₀).
 #[derive(Clone, Debug, PartialEq)]
 pub enum Values {

@@ -65,15 +65,13 @@ impl Summary {
         self.verdicts.of(law).count
     }
 
-    /// How often something was broken although everything held that it rests on: with `budget` any of
-    /// [`Law::PROMISED`], with others what the scenario expects. Each is a bug, or a hole in a theorem.
-    #[must_use]
-    pub fn violations(&self, scenario: &Scenario) -> u64 {
-        let counts = |law| match scenario.controller {
-            Controller::Budget => Law::PROMISED.contains(&law),
-            Controller::Composed | Controller::None => Law::EXPECTED.contains(&law),
-        };
-        self.verdicts.iter().filter(|verdict| counts(verdict.law)).map(|verdict| verdict.covered).sum()
+    /// What was broken although everything held that it rests on, counted and located so: with `budget` any of
+    /// [`Law::PROMISED`], with others of [`Law::EXPECTED`]. Each is a bug, or a hole in a theorem.
+    pub fn violations(&self, scenario: &Scenario) -> impl Iterator<Item = Verdict> {
+        let promised = scenario.controller == Controller::Budget;
+        let laws: &[Law] = if promised { &Law::PROMISED } else { &Law::EXPECTED };
+        let covered = self.verdicts.iter().filter(|verdict| verdict.covered > 0 && laws.contains(&verdict.law));
+        covered.map(|verdict| Verdict { count: verdict.covered, first: verdict.first_covered, ..*verdict })
     }
 
     /// Expected laws that were broken.
