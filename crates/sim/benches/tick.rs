@@ -41,7 +41,7 @@ fn tick_of_a_team(bencher: Bencher<'_, '_>, robots: u16) {
     let mut team = Team::new(&scenario, params, &values);
     let mut liars = Liars::new(&scenario);
     bencher.bench_local(|| {
-        want(&scenario, &mut frame);
+        want(&scenario, 0, &mut frame);
         team.step(&mut frame, &mut liars);
         frame.integrate(scenario.tick_s());
     });
@@ -59,7 +59,7 @@ fn tick_of_single_robots(bencher: Bencher<'_, '_>, robots: u16) {
         Fleet::new(&scenario, params, &frame.positions_m, &values, &mut memory).expect("memory is enough");
     let mut liars = Liars::new(&scenario);
     bencher.bench_local(|| {
-        want(&scenario, &mut frame);
+        want(&scenario, 0, &mut frame);
         fleet.step(&mut frame, &mut liars);
         frame.integrate(scenario.tick_s());
     });

@@ -125,7 +125,6 @@ impl<const D: usize> Monitors<D> {
         self.watch_degrees();
         if tick.is_multiple_of(self.ticks_per_round) {
             self.watch_values(tick, frame);
-            self.voices.begin_round();
         }
         self.voices.hear(frame);
         self.watch_composition(tick);
@@ -210,13 +209,14 @@ impl<const D: usize> Monitors<D> {
                 self.broke(Law::Interval, Violation { tick, robots, seen: value, demanded });
             }
         }
-        self.watch_spread(tick, (high - low).max(0.0), least.abs().max(most.abs()));
+        let suffice = self.voices.end_round(frame, &self.malicious);
+        self.watch_spread(tick, (high - low).max(0.0), least.abs().max(most.abs()), suffice);
     }
 
     //= paper thm:rs_robust
-    fn watch_spread(&mut self, tick: u32, spread: f64, magnitude: f64) {
+    fn watch_spread(&mut self, tick: u32, spread: f64, magnitude: f64, suffice: bool) {
         let beta = 1.0 / f64::from(self.params.settings().robots);
-        if let Some(before) = self.spread.filter(|_| self.voices.suffice(&self.malicious)) {
+        if let Some(before) = self.spread.filter(|_| suffice) {
             // A value is rounded a few times in a round: far less than this.
             let demanded = before * (1.0 - 0.5 * beta) + 1e-13 * magnitude;
             if spread > demanded {

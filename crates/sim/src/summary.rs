@@ -70,7 +70,8 @@ impl Summary {
     pub fn violations(&self, scenario: &Scenario) -> impl Iterator<Item = Verdict> {
         let promised = scenario.controller == Controller::Budget;
         let laws: &[Law] = if promised { &Law::PROMISED } else { &Law::EXPECTED };
-        let covered = self.verdicts.iter().filter(|verdict| verdict.covered > 0 && laws.contains(&verdict.law));
+        let covered =
+            self.verdicts.iter().filter(|verdict| verdict.covered > 0 && laws.contains(&verdict.law));
         covered.map(|verdict| Verdict { count: verdict.covered, first: verdict.first_covered, ..*verdict })
     }
 

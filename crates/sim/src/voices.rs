@@ -36,24 +36,21 @@ impl Voices {
         }
     }
 
-    /// A new round begins.
-    pub(crate) fn begin_round(&mut self) {
-        self.steady = true;
-    }
-
     /// Takes in a tick.
     pub(crate) fn hear<const D: usize>(&mut self, frame: &Frame<D>) {
         self.steady &= !frame.unsteady;
         self.heard.clone_from(&frame.heard);
     }
 
-    /// True when what was heard in the round that ends must bring values closer.
-    #[must_use]
-    pub(crate) fn suffice(&self, malicious: &[bool]) -> bool {
+    /// Ends a round with the tick in which the next one begins, and normal robots take up their new values. True when what
+    /// was heard must have brought values closer.
+    pub(crate) fn end_round<const D: usize>(&mut self, frame: &Frame<D>, malicious: &[bool]) -> bool {
         let enough = |&[all, normal]: &[u16; 2]| {
             (self.one_voice && all >= self.required) || normal >= self.required_normal
         };
         let mut normal = self.heard.iter().zip(malicious).filter(|(_, malicious)| !**malicious);
-        self.same_time && self.steady && normal.all(|(heard, _)| enough(heard))
+        let enough = normal.all(|(heard, _)| enough(heard));
+        let steady = core::mem::replace(&mut self.steady, true) && !frame.unsteady;
+        self.same_time && steady && enough
     }
 }

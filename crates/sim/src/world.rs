@@ -7,6 +7,7 @@ use closeranks_core::refusal::RobotError;
 use crate::frame::Frame;
 use crate::liars::Liars;
 use crate::monitor::Monitors;
+use crate::motion::Motion;
 use crate::random::{Random, Stream};
 use crate::record::Record;
 use crate::robots::{Fleet, Memory};
@@ -171,7 +172,7 @@ impl<'a, const D: usize> World<'a, D> {
         let last = self.scenario.ticks();
         for tick in 0..=last {
             progress(tick);
-            want(self.scenario, &mut self.frame);
+            want(self.scenario, tick, &mut self.frame);
             robots.step(&mut self.frame, &mut self.liars);
             self.monitors.watch(tick, &self.frame);
             self.collector.watch(self.scenario, &self.frame, &self.monitors);
@@ -196,10 +197,14 @@ impl<'a, const D: usize> World<'a, D> {
     }
 }
 
-/// Fills the desired velocities.
-pub fn want<const D: usize>(scenario: &Scenario, frame: &mut Frame<D>) {
+/// Fills the desired velocities of `tick`.
+pub fn want<const D: usize>(scenario: &Scenario, tick: u32, frame: &mut Frame<D>) {
+    let time_s = f64::from(tick) * scenario.tick_s();
     for (index, (desired, position)) in frame.desired_m_s.iter_mut().zip(&frame.positions_m).enumerate() {
         let number = u16::try_from(index + 1).unwrap_or(u16::MAX);
-        *desired = scenario.motion.desired(number, scenario.robots, position);
+        *desired = match scenario.motion {
+            Motion::Wander => Motion::wandering(scenario.seed, number, time_s),
+            motion => motion.desired(number, scenario.robots, position),
+        };
     }
 }

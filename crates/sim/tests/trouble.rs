@@ -52,7 +52,12 @@ fn nothing_is_broken_where_the_assumptions_hold() {
         for seed in 0..3 {
             let scenario = scenario(trouble, seed);
             let summary = summary(&scenario);
-            assert_eq!(summary.violations(&scenario).count(), 0, "{trouble}, seed {seed}: {:#?}", summary.verdicts);
+            assert_eq!(
+                summary.violations(&scenario).count(),
+                0,
+                "{trouble}, seed {seed}: {:#?}",
+                summary.verdicts
+            );
             if covered {
                 let broken: u64 = summary.failures(&scenario).map(|verdict| verdict.count).sum();
                 assert_eq!(broken, 0, "{trouble}, seed {seed}: {:#?}", summary.verdicts);

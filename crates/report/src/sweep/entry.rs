@@ -31,6 +31,9 @@ pub const METRICS: &[Metric] = &[
     ("speed_end_m_s", |run| Some(run.speed_end_m_s)),
     ("spreading_start_m_s", |run| Some(run.spreading_m_s[0])),
     ("spreading_end_m_s", |run| Some(run.spreading_m_s[1])),
+    ("guaranteed_share", |run| Some(run.guaranteed_share)),
+    ("negative_share", |run| Some(run.negative_share)),
+    ("recovery_s", |run| Some(run.recovery_s)),
     ("rounds", |run| Some(f64::from(run.rounds))),
     ("ticks", |run| Some(f64::from(run.ticks))),
 ];
@@ -67,7 +70,8 @@ pub struct Entry<'a> {
 }
 
 /// All columns of a sweep with these drawn fields: `run`, `controller`, `seed`, `redraws`; the fields by their names; every
-/// metric; `broken_<law>`, how often each law was broken; `violations`, the sum over the laws that count; `violated`, these
+/// metric; `broken_<law>`, how often each law was broken, whether or not what it rests on held; `violations`, how often those that count
+/// were broken although it held; `violated`, these
 /// laws separated by commas; `first_...`, the first violation. Cells are null where there is nothing to say.
 #[must_use]
 pub fn heads(fields: &[Field]) -> Vec<Head> {

@@ -187,7 +187,8 @@ mod tests {
     fn delays_reorder_and_duplicates_come_twice() {
         let arrived = arrivals(Network { delay_max_s: 0.05, duplicate: 0.5, ..Network::default() }).concat();
         assert!(!arrived.is_sorted());
-        let twice = (0..180).filter(|tick| arrived.iter().copied().filter(|at| at == tick).count() == 2).count();
+        let twice =
+            (0..180).filter(|tick| arrived.iter().copied().filter(|at| at == tick).count() == 2).count();
         assert!((50..130).contains(&twice), "{twice}");
     }
 

@@ -195,6 +195,15 @@ pub(super) fn interval(reader: &mut Reader, section: &mut Section<'_>) -> [f64; 
 fn motion(reader: &mut Reader, section: &mut Section<'_>, scenario: &mut Scenario) {
     set(
         &mut scenario.motion,
-        reader.word(section, "kind", &[("paper", Motion::Paper), ("hold", Motion::Hold)]),
+        reader.word(
+            section,
+            "kind",
+            &[
+                ("paper", Motion::Paper),
+                ("hold", Motion::Hold),
+                ("gather", Motion::Gather),
+                ("wander", Motion::Wander),
+            ],
+        ),
     );
 }
