@@ -17,7 +17,9 @@ pub fn scenario(bytes: &[u8]) {
         Ok(scenario) => is_runnable(&scenario),
         Err(problems) => {
             assert!(!problems.is_empty());
-            problems.iter().for_each(|problem| is_placed(problem, &text));
+            for problem in &problems {
+                is_placed(problem, &text);
+            }
         }
     }
 }

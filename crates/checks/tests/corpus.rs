@@ -86,5 +86,5 @@ fn any_calls_of_a_robot_give_a_safe_answer() {
 #[cfg(feature = "recording")]
 #[test]
 fn any_bytes_are_a_recording_or_an_error() {
-    replay("recording", closeranks_checks::recording, 500);
+    replay("recording", closeranks_checks::recording, 5_000);
 }
