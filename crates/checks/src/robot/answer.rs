@@ -1,6 +1,7 @@
 //! What every answer of a robot must keep.
 
 use closeranks_core::math::{Vector, is_finite};
+use closeranks_core::program::Outcome;
 use closeranks_core::report::{Mode, Output, Report};
 
 use super::calls::Play;
@@ -30,8 +31,11 @@ impl<const D: usize> Play<'_, D> {
         if !self.placed {
             assert_eq!((report.mode, *velocity_m_s), (Mode::Stopped, [0.0; D]));
         }
+        if !is_finite(desired) {
+            assert!(matches!(report.mode, Mode::Hold | Mode::Stopped), "{report:?}");
+            assert!(report.outcome != Outcome::Free || *velocity_m_s == [0.0; D], "{velocity_m_s:?}");
+        }
         if report.mode == Mode::Guaranteed {
-            assert!(self.placed && is_finite(desired), "{report:?}");
             assert!(report.margin >= 0 && report.h >= 0.0, "{report:?}");
         }
     }

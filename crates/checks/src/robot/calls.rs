@@ -1,5 +1,6 @@
 //! The calls that bytes stand for, and what is known of a robot while they are played.
 
+use closeranks_core::math::is_finite;
 use closeranks_core::message::{MESSAGE_BYTES, Message};
 use closeranks_core::neighbor::RobotId;
 use closeranks_core::params::Params;
@@ -16,7 +17,7 @@ pub(super) struct Play<'memory, const D: usize> {
     pub(super) slots: usize,
     /// Least and greatest value that it was ever told, its first included.
     pub(super) hull: [f64; 2],
-    /// Whether the last `sense` was taken.
+    /// Whether the last `sense` gave a usable position.
     pub(super) placed: bool,
     now: u64,
     sequence: u32,
@@ -50,9 +51,10 @@ impl<'memory, const D: usize> Play<'memory, D> {
     fn sense(&mut self, source: &mut Source<'_>) {
         let now = later(self.now, self.robot.poll_at(), source);
         let rises = now >= self.now;
-        let taken = self.robot.sense(Instant::from_nanos(now), source.position());
-        self.placed = taken.is_ok();
-        assert!(rises || !self.placed, "time fell");
+        let position = source.position();
+        self.placed = rises && is_finite(&position);
+        let taken = self.robot.sense(Instant::from_nanos(now), position);
+        assert_eq!(taken.is_ok(), self.placed, "{taken:?} for {position:?}");
         if rises {
             self.now = now;
         }
@@ -60,8 +62,9 @@ impl<'memory, const D: usize> Play<'memory, D> {
 
     fn observe(&mut self, source: &mut Source<'_>) {
         let id = other(source);
-        let taken = self.robot.observe(id, source.position());
-        assert!(taken.is_err() || (self.placed && id != ME), "{taken:?}");
+        let position = source.position();
+        let taken = self.robot.observe(id, position);
+        assert!(taken.is_err() || (self.placed && id != ME && is_finite(&position)), "{taken:?}");
     }
 
     fn share(&mut self) {

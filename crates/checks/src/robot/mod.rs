@@ -48,6 +48,7 @@ fn play<const D: usize>(params: Params<D>, source: &mut Source<'_>) {
     let value = if source.byte() < 240 { source.near() } else { source.number() };
     match Robot::new(params, ME, value, &mut memory.0, &mut memory.1) {
         Ok(robot) => {
+            assert!(numbers >= slots && value.abs() <= VALUE_MAX);
             let robot = robot.with_budget_memory(&mut sightings, &mut rows);
             Play::new(params, robot, slots, value).all(source);
         }
