@@ -44,7 +44,7 @@ fn play<const D: usize>(params: Params<D>, source: &mut Source<'_>) {
     let mut memory = (vec![Slot::default(); slots], vec![0.0; numbers]);
     let nobody = Sighting { offset_m: [0.0; D], claim: None };
     let mut sightings = vec![nobody; short(source, slots)];
-    let mut rows = vec![Row::default(); short(source, 2 * D + 2 * slots + 1)];
+    let mut rows = vec![Row::default(); short(source, 2 * D + (1 << D) * (2 * slots + 1))];
     let value = if source.byte() < 240 { source.near() } else { source.number() };
     match Robot::new(params, ME, value, &mut memory.0, &mut memory.1) {
         Ok(robot) => {

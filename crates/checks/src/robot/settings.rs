@@ -27,7 +27,7 @@ pub(super) fn settings<const D: usize>(source: &mut Source<'_>) -> Settings<D> {
 }
 
 fn replace<const D: usize>(settings: &mut Settings<D>, source: &mut Source<'_>) {
-    match source.below(14) {
+    match source.below(19) {
         0 => settings.robots = u16::from_le_bytes(source.take()),
         1 => settings.faults = u16::from_le_bytes(source.take()),
         2 => settings.radius_m = size(source),
@@ -41,6 +41,11 @@ fn replace<const D: usize>(settings: &mut Settings<D>, source: &mut Source<'_>) 
         10 => settings.gamma_c = size(source),
         11 => settings.level_period = source.period(),
         12 => settings.value_period = source.period(),
+        13 => settings.hold_max = Some(source.period()),
+        14 => settings.told_max = source.period(),
+        15 => settings.clock_error = source.period(),
+        16 => settings.position_error_m = size(source),
+        17 => settings.tracking_error_m = size(source),
         _ => {
             let axis = source.below(D);
             settings.input.min_m_s[axis] = -size(source);
