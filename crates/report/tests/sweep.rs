@@ -85,7 +85,7 @@ fn counts_are_by_controller_law_and_value() {
     assert_eq!(tally.violating.iter().map(|one| one.run).collect::<Vec<_>>(), [1, 5, 9]);
     let table = text(&controllers(&tally, &["degree", "input"]));
     assert!(
-        table.contains("composed   100          25  25.0 %   33.1 %      25      0     1.495"),
+        table.contains("composed     100          25  25.0 %   33.1 %      25      0     1.495"),
         "{table}"
     );
     let table = values(&tally);
