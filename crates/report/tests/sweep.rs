@@ -89,7 +89,7 @@ fn counts_are_by_controller_law_and_value() {
         "{table}"
     );
     let table = values(&tally);
-    assert_eq!(table.rows[0], ["team.robots", "4", "0 of 15", "4 of 15"]);
+    assert_eq!(table.rows[0], ["team.robots", "4", "0 of 15", "3 of 15"]);
     assert_eq!(table.rows[6][..2], ["", "10"]);
 }
 
