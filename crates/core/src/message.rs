@@ -46,12 +46,7 @@ pub enum MessageError {
 impl Message {
     /// A message with connectivity level `c_i` (finite), sensed at `stamp` on the sender's clock, and, in a consensus round,
     /// value `y_i` (at most [`VALUE_MAX`]).
-    pub fn new(
-        sequence: u32,
-        stamp: Instant,
-        level: f64,
-        value: Option<f64>,
-    ) -> Result<Self, MessageError> {
+    pub fn new(sequence: u32, stamp: Instant, level: f64, value: Option<f64>) -> Result<Self, MessageError> {
         if !level.is_finite() {
             return Err(MessageError::Level);
         }

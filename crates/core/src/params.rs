@@ -61,9 +61,7 @@ impl<const D: usize> Settings<D> {
     fn distance_limit(&self) -> f64 {
         match self.controller {
             Controller::Composed => self.radius_m,
-            Controller::Budget => {
-                self.radius_m - 2.0 * self.reach().longest_m() - 4.0 * self.margin().away_m
-            }
+            Controller::Budget => self.radius_m - 2.0 * self.reach().longest_m() - 4.0 * self.margin().away_m,
         }
     }
 

@@ -2,8 +2,8 @@
 
 use core::time::Duration;
 
-use crate::barrier::degree_barrier;
 use crate::assurance::{Assurance, watches};
+use crate::barrier::degree_barrier;
 use crate::budget::knowledge::Sighting;
 use crate::budget::row::Row;
 use crate::math::{Vector, dot, is_finite, subtract};

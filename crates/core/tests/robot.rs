@@ -27,7 +27,9 @@ fn levels_are_held_between_updates() {
             robot.observe(RobotId(1), [x, 0.0]).unwrap();
             let shared = robot.share();
             if let Some(level) = told {
-                robot.receive(RobotId(1), &message_at(at(ms), u32::try_from(ms).unwrap() + 1, level, None)).unwrap();
+                robot
+                    .receive(RobotId(1), &message_at(at(ms), u32::try_from(ms).unwrap() + 1, level, None))
+                    .unwrap();
             }
             (robot.tick([0.0, 0.0]).report, shared, robot.neighbors()[0].told_level())
         };
@@ -184,7 +186,9 @@ fn a_value_is_marked_as_discarded_in_its_own_round_only() {
             robot.sense(at(ms), [0.0; 2]).unwrap();
             robot.observe(RobotId(1), [1.0, 0.0]).unwrap();
             let _ = robot.share();
-            robot.receive(RobotId(1), &message_at(at(ms), u32::try_from(ms).unwrap() + 1, 7.0, told)).unwrap();
+            robot
+                .receive(RobotId(1), &message_at(at(ms), u32::try_from(ms).unwrap() + 1, 7.0, told))
+                .unwrap();
             let round = robot.tick([0.0; 2]).report.round;
             (robot.neighbors()[0].discarded(), round.map(|round| (round.discarded, round.silent)))
         };
@@ -229,7 +233,10 @@ fn the_gravest_reason_is_named() {
             if let Some(level) = told {
                 for (id, _) in (1..).zip(near) {
                     robot
-                        .receive(RobotId(id), &message_at(at(ms), u32::try_from(ms).unwrap() + 1, level, None))
+                        .receive(
+                            RobotId(id),
+                            &message_at(at(ms), u32::try_from(ms).unwrap() + 1, level, None),
+                        )
                         .unwrap();
                 }
             }

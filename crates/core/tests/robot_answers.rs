@@ -150,11 +150,12 @@ fn bytes() -> impl Strategy<Value = Vec<u8>> {
     let stamp = prop_oneof![0..400_000_000_u64, any::<u64>()];
     let sent = (0..40_u32, stamp, number(), prop::option::of(number()));
     let sent = sent.prop_map(|(sequence, stamp, level, value)| {
-        Message::new(sequence, Instant::from_nanos(stamp), level, value).map_or(vec![], |message| message.encode().to_vec())
+        Message::new(sequence, Instant::from_nanos(stamp), level, value)
+            .map_or(vec![], |message| message.encode().to_vec())
     });
     let changed = (0..MESSAGE_BYTES, any::<u8>(), -10.0..10.0).prop_map(|(at, byte, level)| {
-        let mut bytes =
-            Message::new(9, Instant::START, level, Some(level)).map_or([0; MESSAGE_BYTES], |message| message.encode());
+        let mut bytes = Message::new(9, Instant::START, level, Some(level))
+            .map_or([0; MESSAGE_BYTES], |message| message.encode());
         bytes[at] = byte;
         bytes.to_vec()
     });

@@ -108,7 +108,8 @@ impl Curvature {
     #[must_use]
     pub fn fall_max(&self) -> f64 {
         let radius_m = self.link.radius_m;
-        let steepest_m2 = if self.steepest_m2 < radius_m * radius_m { self.steepest_m2 } else { radius_m * radius_m };
+        let steepest_m2 =
+            if self.steepest_m2 < radius_m * radius_m { self.steepest_m2 } else { radius_m * radius_m };
         RAISE * 2.0 * radius_m * slope(&self.link, steepest_m2)
     }
 
@@ -267,7 +268,10 @@ mod tests {
         assert_eq!(curvature.slope_max(3.0, 0.1, 0.0), 0.0);
         assert_eq!(curvature.bend_max(3.3, 0.1, 0.0), 0.0);
         assert!(curvature.bend_max(3.1, 0.1, 0.0) > 0.0, "it may come into range");
-        assert!(curvature.slope_max(f64::NAN, 0.1, 0.0).is_nan() && curvature.bend_max(1.0, f64::NAN, 0.0).is_nan());
+        assert!(
+            curvature.slope_max(f64::NAN, 0.1, 0.0).is_nan()
+                && curvature.bend_max(1.0, f64::NAN, 0.0).is_nan()
+        );
         assert_eq!(Curvature::new(LinkShape { radius_m: 0.1, q1: 2.1, q2: 0.3 }).sharpest_m2, 0.1 * 0.1);
     }
 }

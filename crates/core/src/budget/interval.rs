@@ -94,10 +94,11 @@ impl Budget {
         let nearest_m = (self.curvature.link().radius_m - length(offset) - error_m).max(0.0);
         let low = self.total(weights, 0.0, 0);
         let blur = if error_m > 0.0 { number(degree) * self.weight_error() } else { 0.0 };
-        let high = blur + match unseen {
-            0 => low,
-            _ => self.total(weights, self.weight(&[nearest_m]), unseen),
-        };
+        let high = blur
+            + match unseen {
+                0 => low,
+                _ => self.total(weights, self.weight(&[nearest_m]), unseen),
+            };
         Interval { low, high, degree_max: number(degree.max(1)) }
     }
 

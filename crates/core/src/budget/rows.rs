@@ -102,7 +102,8 @@ impl Budget {
         let Memory { rows, weights } = memory;
         let mut own = self.own(sightings, weights);
         let desired_m = desired_m.map(|component| if component.is_finite() { component } else { 0.0 });
-        let mut rows = Rows { program: Program::new(rows, reach), desired_m, h: own.h, broken: 0, doubtful: 0 };
+        let mut rows =
+            Rows { program: Program::new(rows, reach), desired_m, h: own.h, broken: 0, doubtful: 0 };
         if weights.len() < sightings.len() {
             rows.program.push(stay());
         }
