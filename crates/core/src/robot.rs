@@ -6,6 +6,7 @@ use crate::assurance::{Assurance, watches};
 use crate::barrier::degree_barrier;
 use crate::budget::knowledge::Sighting;
 use crate::budget::row::Row;
+use crate::composed::{Composition, Term};
 use crate::math::{Vector, dot, is_finite, subtract};
 use crate::message::{Message, VALUE_MAX};
 use crate::neighbor::{NO_LINK, RobotId, Slot, Told};
@@ -147,17 +148,14 @@ impl<'memory, const D: usize> Robot<'memory, D> {
             self.lose(id);
             return Ok(Observed::OutOfRange);
         }
-        let collision = self.params.composed().collision_term(distance_m2);
-        let (params, now, mut assurance) = (self.params, self.now, self.assurance);
-        let slot = self.slot(id)?;
-        if slot.seen_before && watches(&params) {
-            assurance.watch(&params, now, slot, &offset_m);
+        let index = self.slot(id)?;
+        let slot = &mut self.slots[index];
+        if slot.seen_before && watches(&self.params) {
+            self.assurance.watch(&self.params, self.now, slot, &offset_m);
         }
-        let linked = link.is_some();
-        let link = link.unwrap_or(NO_LINK);
-        *slot = Slot { id, sensed: true, seen_before: false, offset_m, link, linked, collision, ..*slot };
-        self.assurance = assurance;
-        Ok(if linked { Observed::Neighbor } else { Observed::InView })
+        (slot.sensed, slot.seen_before, slot.offset_m) = (true, false, offset_m);
+        (slot.linked, slot.link) = (link.is_some(), link.unwrap_or(NO_LINK));
+        Ok(if slot.linked { Observed::Neighbor } else { Observed::InView })
     }
 
     /// What to tell now: the level when τ₁ has passed, with the value when τ₂ has.
@@ -187,8 +185,7 @@ impl<'memory, const D: usize> Robot<'memory, D> {
     /// Takes a message that arrived from `sender`.
     pub fn receive(&mut self, sender: RobotId, message: &Message) -> Result<(), ReceiveError> {
         let (now, stamp) = (self.now, message.stamp());
-        let in_round = self.in_round(stamp);
-        let term = self.params.composed().degree_term(message.level());
+        let in_round = message.value().is_some() && self.in_round(stamp);
         let found = self.neighbors().binary_search_by_key(&sender, |slot| slot.id);
         let slot = &mut self.slots[found.map_err(|_| ReceiveError::NotNeighbor)?];
         if !slot.sensed {
@@ -200,7 +197,7 @@ impl<'memory, const D: usize> Robot<'memory, D> {
         }
         let earlier = slot.told.and_then(|told| told.value);
         let value = earlier.or(message.value().filter(|_| in_round));
-        slot.told = Some(Told { sequence, stamp, level: message.level(), term, at: now, value });
+        slot.told = Some(Told { sequence, stamp, level: message.level(), at: now, value });
         self.round_news |= value != earlier;
         Ok(())
     }
@@ -224,17 +221,18 @@ impl<'memory, const D: usize> Robot<'memory, D> {
         };
         let known = is_finite(&desired);
         let desired = if known { desired } else { [0.0; D] };
-        let composed = self.params.composed();
-        let own = composed.degree_term(self.told_level);
-        let composition = composed.compose(own, self.linked().map(Slot::term));
-        let (velocity_m_s, outcome) = match self.params.settings().controller {
+        let (velocity_m_s, outcome, phi) = match self.params.settings().controller {
             Controller::Composed => {
-                let solution = closest(&desired, &composition.row, &self.params.settings().input);
-                (solution.velocity_m_s, solution.outcome)
+                let Composition { row, phi } = self.composition();
+                let solution = closest(&desired, &row, &self.params.settings().input);
+                (solution.velocity_m_s, solution.outcome, Some(phi))
             }
-            Controller::Budget => self.budget_velocity(&desired),
+            Controller::Budget => {
+                let (velocity_m_s, outcome) = self.budget_velocity(&desired);
+                (velocity_m_s, outcome, None)
+            }
         };
-        let mut report = self.report(composition.phi, outcome, round);
+        let mut report = self.report(phi, outcome, round);
         if !known {
             report.mode = Mode::Hold;
         }
@@ -266,6 +264,13 @@ impl<'memory, const D: usize> Robot<'memory, D> {
         self.told_level
     }
 
+    /// φ_i (eq:phi_i) of what the robot senses and was told, whatever the controller. Under `budget` nothing depends on it,
+    /// so that it is not computed unless somebody asks.
+    #[must_use]
+    pub fn phi(&self) -> f64 {
+        self.composition().phi
+    }
+
     /// The neighbours in order of their number.
     #[must_use]
     pub fn neighbors(&self) -> &[Slot<D>] {
@@ -281,9 +286,20 @@ impl<'memory, const D: usize> Robot<'memory, D> {
         self.sensed().filter(|slot| slot.linked)
     }
 
-    fn report(&self, phi: f64, outcome: Outcome, round: Option<RoundReport>) -> Report {
+    /// Without a position nobody is a neighbour, and the robot itself counts for nothing.
+    fn composition(&self) -> Composition<D> {
+        let composed = self.params.composed();
+        if self.position.is_none() {
+            return composed.compose(Scaled::ZERO, core::iter::empty::<Term<D>>());
+        }
+        let own = composed.degree_term(self.told_level);
+        composed.compose(own, self.linked().map(|slot| slot.term(composed)))
+    }
+
+    fn report(&self, phi: Option<f64>, outcome: Outcome, round: Option<RoundReport>) -> Report {
         let degree = small(self.linked().count());
         let untold = small(self.linked().filter(|slot| slot.told.is_none()).count());
+        let oldest = self.sensed().filter_map(|slot| slot.told.map(|told| told.at)).min();
         let required = self.required();
         let h = degree_barrier(self.level, required);
         let mode = match self.params.settings().controller {
@@ -300,11 +316,7 @@ impl<'memory, const D: usize> Robot<'memory, D> {
             outcome,
             mode,
             untold,
-            told_age_max: self
-                .sensed()
-                .filter_map(|slot| slot.told_age(self.now))
-                .max()
-                .unwrap_or(Duration::ZERO),
+            told_age_max: oldest.map_or(Duration::ZERO, |at| self.now.since(at)),
             round,
         }
     }
@@ -318,19 +330,18 @@ impl<'memory, const D: usize> Robot<'memory, D> {
     }
 
     fn stopped(&self, round: Option<RoundReport>) -> Output<D> {
-        let composed = self.params.composed();
-        let alone = composed.compose(Scaled::ZERO, core::iter::empty::<crate::composed::Term<D>>());
-        let report = self.report(alone.phi, Outcome::Infeasible, round);
+        let watched = self.params.settings().controller == Controller::Composed;
+        let report = self.report(watched.then(|| self.phi()), Outcome::Infeasible, round);
         Output { velocity_m_s: [0.0; D], report: Report { mode: Mode::Stopped, ..report } }
     }
 }
 
 /// The gravest of what speaks against an answer of `composed`.
-fn composed_reason(degree_low: bool, outcome: Outcome, phi: f64, untold: u16) -> Reason {
+fn composed_reason(degree_low: bool, outcome: Outcome, phi: Option<f64>, untold: u16) -> Reason {
     match outcome {
         _ if degree_low => Reason::Degree,
         Outcome::Infeasible => Reason::Infeasible,
-        _ if phi < 0.0 => Reason::OutsideSafeSet,
+        _ if phi.is_some_and(|phi| phi < 0.0) => Reason::OutsideSafeSet,
         _ if untold > 0 => Reason::Untold,
         _ => Reason::ContinuousTime,
     }

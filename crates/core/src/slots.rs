@@ -5,12 +5,12 @@ use crate::refusal::ObserveError;
 use crate::robot::Robot;
 
 impl<const D: usize> Robot<'_, D> {
-    /// The slot of `id`, made anew in its place in the order if it had none. When all are taken, one of a robot that was
+    /// Where the slot of `id` is, made anew in its place in the order if it had none. When all are taken, one of a robot that was
     /// not yet sensed in this tick is given up.
-    pub(crate) fn slot(&mut self, id: RobotId) -> Result<&mut Slot<D>, ObserveError> {
+    pub(crate) fn slot(&mut self, id: RobotId) -> Result<usize, ObserveError> {
         let found = self.neighbors().binary_search_by_key(&id, |slot| slot.id);
         if let Ok(index) = found {
-            return Ok(&mut self.slots[index]);
+            return Ok(index);
         }
         if self.count == self.slots.len() {
             let unsensed =
@@ -20,9 +20,9 @@ impl<const D: usize> Robot<'_, D> {
         }
         let index = self.neighbors().partition_point(|slot| slot.id < id);
         self.slots.copy_within(index..self.count, index + 1);
-        self.slots[index] = Slot::default();
+        self.slots[index] = Slot { id, ..Slot::default() };
         self.count += 1;
-        Ok(&mut self.slots[index])
+        Ok(index)
     }
 
     /// A robot seen out of range is not a neighbour, whatever was observed before.
@@ -37,7 +37,9 @@ impl<const D: usize> Robot<'_, D> {
         let mut kept = 0;
         for index in 0..self.count {
             if self.slots[index].sensed {
-                self.slots[kept] = self.slots[index];
+                if kept < index {
+                    self.slots[kept] = self.slots[index];
+                }
                 kept += 1;
             }
         }

@@ -1,6 +1,6 @@
 //! What robot i knows about the spare connectivity h_j of a neighbour, whatever it is told.
 
-use crate::budget::interval::Interval;
+use crate::budget::interval::{Interval, Survey};
 use crate::budget::settings::Budget;
 use crate::math::Vector;
 
@@ -80,6 +80,25 @@ impl Budget {
     ) -> Known {
         let interval = self.interval(index, sightings, weights);
         self.believe(&interval, sightings.get(index).and_then(|sighting| sighting.claim))
+    }
+
+    /// The same from what all pairs come to. The high end costs an exponential and is left at the low one where it
+    /// cannot matter: where h_k ≥ 0 is seen and nothing more is claimed.
+    pub(crate) fn known_from<const D: usize>(
+        &self,
+        survey: &Survey<'_>,
+        index: usize,
+        offset: &Vector<D>,
+        claim: Option<Claim>,
+        unseen: usize,
+    ) -> Known {
+        let (low, degree) = (survey.lows[index], survey.degrees[index]);
+        let seen = low - f64::from(self.required());
+        let claimed =
+            claim.filter(|_| self.trust != Trust::Seen).map_or(0.0, |claim| self.discounted(&claim));
+        let decided = seen >= 0.0 && claimed <= seen;
+        let high = if decided { low } else { self.high(low, offset, degree, unseen) };
+        self.believe(&Interval { low, high, degree_max: degree.max(1.0) }, claim)
     }
 
     pub(crate) fn believe(&self, interval: &Interval, claim: Option<Claim>) -> Known {
