@@ -7,6 +7,7 @@ use crate::barrier::degree_barrier;
 use crate::budget::knowledge::Sighting;
 use crate::budget::row::Row;
 use crate::composed::{Composition, Term};
+use crate::link::Link;
 use crate::math::{Vector, dot, is_finite, subtract};
 use crate::message::{Message, VALUE_MAX};
 use crate::neighbor::{NO_LINK, RobotId, Slot, Told};
@@ -143,7 +144,7 @@ impl<'memory, const D: usize> Robot<'memory, D> {
         }
         let offset_m = subtract(&own, &position);
         let distance_m2 = dot(&offset_m, &offset_m);
-        let link = self.params.link().link_at(distance_m2);
+        let link = self.link_at(distance_m2);
         if link.is_none() && distance_m2 > self.params.sight_m2() {
             self.lose(id);
             return Ok(Observed::OutOfRange);
@@ -268,7 +269,12 @@ impl<'memory, const D: usize> Robot<'memory, D> {
     /// so that it is not computed unless somebody asks.
     #[must_use]
     pub fn phi(&self) -> f64 {
-        self.composition().phi
+        if self.position.is_none() {
+            return self.composition().phi;
+        }
+        let levels = self.linked().filter_map(|slot| slot.told.map(|told| told.level));
+        let distances_m2 = self.linked().map(|slot| dot(&slot.offset_m, &slot.offset_m));
+        self.params.composed().phi(self.told_level, levels, distances_m2)
     }
 
     /// The neighbours in order of their number.
@@ -284,6 +290,15 @@ impl<'memory, const D: usize> Robot<'memory, D> {
     /// Those of them within R as sensed: all of them unless there is a margin.
     pub(crate) fn linked(&self) -> impl Iterator<Item = &Slot<D>> + Clone {
         self.sensed().filter(|slot| slot.linked)
+    }
+
+    /// Only the row of `composed` needs slopes that `f64` takes for 0.
+    fn link_at(&self, distance_m2: f64) -> Option<Link> {
+        let shape = self.params.link();
+        match self.params.settings().controller {
+            Controller::Composed => shape.link_at(distance_m2),
+            Controller::Budget => shape.link_at::<f64>(distance_m2).map(Link::from),
+        }
     }
 
     /// Without a position nobody is a neighbour, and the robot itself counts for nothing.

@@ -210,14 +210,18 @@ impl Budget {
                 let slope = self.curvature.slope_max(distance_m, self.move_max_m, error_m);
                 let own_share = own.h.max(0.0) / own.degree.max(1.0);
                 let beta_m2 = self.beta_m2(slope, own_share, known.budget / known.degree_max);
-                rows.push(offset, error_m, |offset| Row::far(offset, beta_m2));
+                if !rows.program.surely_holds(offset, error_m, 1.0, beta_m2) {
+                    rows.push(offset, error_m, |offset| Row::far(offset, beta_m2));
+                }
             }
             Form::Level => {
                 let bend = self.curvature.bend_max(distance_m, self.move_max_m, error_m);
                 let wrong = self.curvature.gradient_error(distance_m, error_m);
                 (own.bend, own.wrong) = (own.bend + bend, own.wrong + wrong);
                 let spend = self.gamma * known.budget / (known.degree_max + 1.0);
-                rows.push(gradient, wrong, |gradient| Row::far_level(gradient, bend, spend));
+                if !rows.program.surely_holds(gradient, wrong, bend, spend) {
+                    rows.push(gradient, wrong, |gradient| Row::far_level(gradient, bend, spend));
+                }
             }
         }
         if known.deficit > 0.0 {
@@ -241,7 +245,9 @@ impl Budget {
         let error_m = self.margin.offset_m;
         let spare_m2 = self.spare_m2(offset, -error_m);
         let give_m2 = 0.5 * self.gamma_c * spare_m2.max(0.0);
-        rows.push(offset, error_m, |offset| Row::near(offset, give_m2));
+        if !rows.program.surely_holds(offset, error_m, 0.0, 0.5 * give_m2) {
+            rows.push(offset, error_m, |offset| Row::near(offset, give_m2));
+        }
         if spare_m2 < 0.0 {
             rows.count(self.spare_m2(offset, error_m) < 0.0);
             let missing_m = self.distance_min_m + error_m - length(offset);
