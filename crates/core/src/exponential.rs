@@ -6,6 +6,7 @@
 use crate::scaled::{Number, Scaled};
 
 /// `eˣ` within 1 unit in the last place; 0 below 2⁻¹⁰²¹ and infinity above the largest `f64`.
+#[inline]
 #[must_use]
 pub fn exp(x: f64) -> f64 {
     Number::exp(x)

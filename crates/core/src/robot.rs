@@ -42,6 +42,8 @@ pub struct Robot<'memory, const D: usize> {
     pub(crate) sightings: &'memory mut [Sighting<D>],
     pub(crate) rows: &'memory mut [Row<D>],
     pub(crate) count: usize,
+    /// Where to look first for the next slot.
+    pub(crate) next: usize,
     pub(crate) now: Instant,
     position: Option<Vector<D>>,
     pub(crate) assurance: Assurance<D>,
@@ -84,6 +86,7 @@ impl<'memory, const D: usize> Robot<'memory, D> {
             sightings: &mut [],
             rows: &mut [],
             count: 0,
+            next: 0,
             now: Instant::START,
             position: None,
             assurance: Assurance::NEW,
@@ -187,8 +190,8 @@ impl<'memory, const D: usize> Robot<'memory, D> {
     pub fn receive(&mut self, sender: RobotId, message: &Message) -> Result<(), ReceiveError> {
         let (now, stamp) = (self.now, message.stamp());
         let in_round = message.value().is_some() && self.in_round(stamp);
-        let found = self.neighbors().binary_search_by_key(&sender, |slot| slot.id);
-        let slot = &mut self.slots[found.map_err(|_| ReceiveError::NotNeighbor)?];
+        let index = self.find(sender).ok_or(ReceiveError::NotNeighbor)?;
+        let slot = &mut self.slots[index];
         if !slot.sensed {
             return Err(ReceiveError::NotNeighbor);
         }

@@ -8,8 +8,7 @@ impl<const D: usize> Robot<'_, D> {
     /// Where the slot of `id` is, made anew in its place in the order if it had none. When all are taken, one of a robot that was
     /// not yet sensed in this tick is given up.
     pub(crate) fn slot(&mut self, id: RobotId) -> Result<usize, ObserveError> {
-        let found = self.neighbors().binary_search_by_key(&id, |slot| slot.id);
-        if let Ok(index) = found {
+        if let Some(index) = self.find(id) {
             return Ok(index);
         }
         if self.count == self.slots.len() {
@@ -25,9 +24,21 @@ impl<const D: usize> Robot<'_, D> {
         Ok(index)
     }
 
+    /// The slot of `id`, if it has one: as a rule the one after that found last, because robots are gone through in order.
+    pub(crate) fn find(&mut self, id: RobotId) -> Option<usize> {
+        let next = if self.next < self.count { self.next } else { 0 };
+        let slots = self.neighbors();
+        let index = match slots.get(next) {
+            Some(slot) if slot.id == id => next,
+            _ => slots.binary_search_by_key(&id, |slot| slot.id).ok()?,
+        };
+        self.next = index + 1;
+        Some(index)
+    }
+
     /// A robot seen out of range is not a neighbour, whatever was observed before.
     pub(crate) fn lose(&mut self, id: RobotId) {
-        if let Ok(index) = self.neighbors().binary_search_by_key(&id, |slot| slot.id) {
+        if let Some(index) = self.find(id) {
             self.slots[index].sensed = false;
         }
     }
