@@ -26,19 +26,12 @@ pub(crate) enum Name {
 }
 
 impl Name {
-    fn controller(self) -> Controller {
+    /// What it names.
+    pub(crate) fn controller(self) -> Controller {
         match self {
             Self::Composed => Controller::Composed,
             Self::Budget => Controller::Budget,
             Self::None => Controller::None,
-        }
-    }
-
-    fn word(self) -> &'static str {
-        match self {
-            Self::Composed => "composed",
-            Self::Budget => "budget",
-            Self::None => "none",
         }
     }
 }
@@ -76,8 +69,11 @@ pub(crate) fn compare(arguments: &crate::Compare) -> Result<bool> {
 }
 
 fn done(scenario: &Scenario, name: Name, record: bool) -> Result<Done> {
-    let scenario =
-        Scenario { controller: name.controller(), name: name.word().to_owned(), ..scenario.clone() };
+    let scenario = Scenario {
+        controller: name.controller(),
+        name: name.controller().name().to_owned(),
+        ..scenario.clone()
+    };
     let options = Options { record, robustness: true, ..Options::default() };
     let (run, time) = progress::timed(|| world::run(&scenario, options, &mut |_| ()));
     Ok(Done { run: run?, scenario, time_s: time.as_secs_f64() })

@@ -9,6 +9,9 @@ use anyhow::{Context, Result, bail};
 /// Names the files that closeranks wrote to a folder, so that a later run may replace them.
 const MANIFEST: &str = ".closeranks";
 
+/// Says which sweep a folder holds.
+pub(crate) const SWEEP: &str = "sweep.json";
+
 /// Files to be written together.
 #[derive(Debug)]
 pub(crate) struct Folder {
@@ -44,7 +47,8 @@ impl Folder {
     }
 }
 
-fn parent(target: &Path) -> &Path {
+/// The folder that `target` lies in.
+pub(crate) fn parent(target: &Path) -> &Path {
     target.parent().filter(|parent| !parent.as_os_str().is_empty()).unwrap_or(Path::new("."))
 }
 
@@ -83,20 +87,12 @@ fn readable(_folder: &Path) -> std::io::Result<()> {
 
 /// Refuses a target that is a file, lies in no folder, or holds anything that closeranks did not write.
 fn check(target: &Path) -> Result<()> {
-    let shown = target.display();
-    if target.file_name().is_none() {
-        bail!("`{shown}` cannot be an output folder: allowed is the name of a folder of its own");
-    }
-    if !parent(target).is_dir() {
-        bail!("`{shown}` cannot be an output folder: `{}` is not a folder", parent(target).display());
-    }
-    if fs::symlink_metadata(target).is_err() {
+    if !exists(target)? {
         return Ok(());
     }
-    if !target.is_dir() || target.is_symlink() {
-        bail!(
-            "`{shown}` exists and is not a folder; allowed is a new name or a folder that closeranks wrote"
-        );
+    let shown = target.display();
+    if target.join(SWEEP).exists() {
+        bail!("`{shown}` holds a sweep, which nothing else replaces; allowed is a new name");
     }
     let manifest = fs::read_to_string(target.join(MANIFEST)).unwrap_or_default();
     let ours: BTreeSet<&str> = manifest.lines().chain([MANIFEST]).collect();
@@ -110,4 +106,24 @@ fn check(target: &Path) -> Result<()> {
         }
     }
     Ok(())
+}
+
+/// Whether there is such a folder; refuses names that cannot be one.
+pub(crate) fn exists(target: &Path) -> Result<bool> {
+    let shown = target.display();
+    if target.file_name().is_none() {
+        bail!("`{shown}` cannot be an output folder: allowed is the name of a folder of its own");
+    }
+    if !parent(target).is_dir() {
+        bail!("`{shown}` cannot be an output folder: `{}` is not a folder", parent(target).display());
+    }
+    if fs::symlink_metadata(target).is_err() {
+        return Ok(false);
+    }
+    if !target.is_dir() || target.is_symlink() {
+        bail!(
+            "`{shown}` exists and is not a folder; allowed is a new name or a folder that closeranks wrote"
+        );
+    }
+    Ok(true)
 }

@@ -43,6 +43,10 @@ pub(crate) fn run(scenario: &Scenario, run: &Run, time_s: f64) -> Value {
         "phi_global_min": extremes.phi_global_min,
         "r_max_least": run.rounds.iter().map(|round| round.r_max.least).min(),
         "f_max_least": weakest.map(|round| round.f_max.least),
+        "guaranteed_share": summary.guaranteed_share,
+        "negative_share": summary.negative_share,
+        "recovery_s": summary.recovery_s,
+        "violations": summary.violations(scenario).map(|verdict| verdict.count).sum::<u64>(),
         "ticks": summary.ticks,
         "rounds": summary.rounds,
         "time_s": time_s,
@@ -61,7 +65,12 @@ fn law(scenario: &Scenario, verdict: &Verdict) -> Value {
             "demanded": first.demanded,
         })
     });
-    json!({ "expected": scenario.expect.contains(&verdict.law), "broken": verdict.count, "first": first })
+    json!({
+        "expected": scenario.expect.contains(&verdict.law),
+        "broken": verdict.count,
+        "broken_where_assumptions_hold": verdict.covered,
+        "first": first,
+    })
 }
 
 /// The claims of one start.

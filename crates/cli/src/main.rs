@@ -13,6 +13,7 @@ mod progress;
 mod single;
 mod source;
 mod story;
+mod sweep;
 
 use std::path::PathBuf;
 use std::process::ExitCode;
@@ -48,6 +49,8 @@ A scenario is a TOML file in which every field has a default, so an empty file i
     closeranks run understating.toml            # the table and what became of each law
     closeranks run understating.toml -o out     # and figures, every tick as Parquet, a page
     closeranks run understating.toml --json | jq .laws.degree
+    closeranks run campaign.toml --draw 17 --sweep-seed 1           # repeats run 17 of a sweep exactly
+    closeranks run campaign.toml --draw 17 --print > plain.toml     # its plain scenario
 
 All fields with their ranges: scenarios/everything.toml. More to start from: scenarios/README.md.
 
@@ -64,6 +67,9 @@ enum Command {
     Run(Run),
     /// Run one scenario under several controllers, same seed, side by side.
     Compare(Compare),
+    /// Run thousands of scenarios drawn from one file: one row a run, counts with confidence bounds.
+    #[command(after_long_help = sweep::HELP, after_help = "Examples: closeranks sweep --help")]
+    Sweep(sweep::Sweep),
     /// Say how many liars a network survives, exactly, with a witness.
     #[command(after_long_help = check::HELP)]
     Check(check::Check),
@@ -104,8 +110,20 @@ struct Run {
     #[arg(short, long, value_name = "DIR")]
     output: Option<PathBuf>,
     /// Use this seed instead of the file's.
-    #[arg(long)]
+    #[arg(long, conflicts_with = "draw")]
     seed: Option<u64>,
+    /// Use this controller instead of the file's.
+    #[arg(long, value_enum, value_name = "NAME")]
+    controller: Option<compare::Name>,
+    /// Of a file that draws values, run number K of the sweep (from 0).
+    #[arg(long, value_name = "K")]
+    draw: Option<u64>,
+    /// Seed of that sweep [default: 1].
+    #[arg(long, value_name = "S", requires = "draw")]
+    sweep_seed: Option<u64>,
+    /// Print the drawn scenario as plain TOML instead of running it.
+    #[arg(long, requires = "draw")]
+    print: bool,
     #[command(flatten)]
     speech: Speech,
 }
@@ -133,6 +151,7 @@ fn main() -> ExitCode {
         Command::Paper(arguments) => paper::paper(&arguments),
         Command::Run(arguments) => single::run(&arguments),
         Command::Compare(arguments) => compare::compare(&arguments),
+        Command::Sweep(arguments) => sweep::sweep(&arguments),
         Command::Check(arguments) => check::check(&arguments),
         Command::Graph(arguments) => maker::make(&arguments),
     };

@@ -1,11 +1,12 @@
 //! Progress on standard error, for people only, and the clock of `--time-limit`.
 
+use core::fmt::Write;
 use core::ops::ControlFlow;
 use core::time::Duration;
 use std::time::Instant;
 
 use closeranks_graph::budget::Progress;
-use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
+use indicatif::{ProgressBar, ProgressDrawTarget, ProgressState, ProgressStyle};
 
 /// A bar of `length` steps; nothing is drawn when quiet or when standard error is not a terminal.
 pub(crate) fn bar(length: u64, quiet: bool) -> ProgressBar {
@@ -15,6 +16,21 @@ pub(crate) fn bar(length: u64, quiet: bool) -> ProgressBar {
     let bar = ProgressBar::new(length);
     let style = ProgressStyle::with_template("{msg:24} [{bar:32}] {percent:>3} % {eta:>6} left");
     bar.set_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()).progress_chars("=> "));
+    bar
+}
+
+/// A bar of `length` runs of which `done` are there, with the rate.
+pub(crate) fn runs(length: u64, done: u64, quiet: bool) -> ProgressBar {
+    let bar = bar(length, quiet);
+    let style =
+        ProgressStyle::with_template("{pos}/{len} runs [{bar:32}] {percent:>3} % {rate:>14} {eta:>6} left");
+    let rate = |state: &ProgressState, out: &mut dyn Write| {
+        let _ = write!(out, "{:.1} runs/s", state.per_sec());
+    };
+    let style = style.unwrap_or_else(|_| ProgressStyle::default_bar()).with_key("rate", rate);
+    bar.set_style(style.progress_chars("=> "));
+    bar.set_position(done);
+    bar.reset_eta();
     bar
 }
 

@@ -8,16 +8,20 @@ use closeranks_report::parquet::{Metadata, write};
 use closeranks_report::png::{SCALE_200_DPI, png};
 use closeranks_report::robustness::{Survey, points, robustness, write_rounds};
 use closeranks_report::table::{Line, table, text};
-use closeranks_sim::scenario::Scenario;
+use closeranks_sim::scenario::{Controller, Scenario};
 use closeranks_sim::world::{self, Options, Run};
 
+use crate::compare::Name;
 use crate::folder::Folder;
 use crate::{json, output, progress, source, story};
 
 /// Runs one scenario; false when a law that it expects was broken.
 pub(crate) fn run(arguments: &crate::Run) -> Result<bool> {
-    let (mut scenario, source) = source::scenario(&arguments.file)?;
-    scenario.seed = arguments.seed.unwrap_or(scenario.seed);
+    let (scenario, source) = scenario(arguments)?;
+    if arguments.print {
+        output::say(&source);
+        return Ok(true);
+    }
     let folder = arguments.output.as_deref().map(Folder::new).transpose()?;
     let bar = progress::bar(u64::from(scenario.ticks()), arguments.speech.quiet);
     bar.set_message(scenario.name.clone());
@@ -42,6 +46,28 @@ pub(crate) fn run(arguments: &crate::Run) -> Result<bool> {
         }
     }
     Ok(run.summary.failures(&scenario).next().is_none())
+}
+
+/// The scenario of the file, or one that is drawn from it.
+fn scenario(arguments: &crate::Run) -> Result<(Scenario, String)> {
+    let controller = arguments.controller.map(Name::controller);
+    let Some(run) = arguments.draw else {
+        let (mut scenario, source) = source::scenario(&arguments.file)?;
+        scenario.seed = arguments.seed.unwrap_or(scenario.seed);
+        scenario.controller = controller.unwrap_or(scenario.controller);
+        return Ok((scenario, source));
+    };
+    let (plan, text) = source::plan(&arguments.file)?;
+    let known = |name: &Controller| plan.controllers().contains(name);
+    // One that the sweep has: the same draws are accepted as there.
+    let outside = controller.filter(|name| !known(name));
+    let plan = outside.map_or(plan.clone(), |name| plan.under(name));
+    let seed = arguments.sweep_seed.unwrap_or(crate::sweep::SEED);
+    let drawn = source::draw(&arguments.file, &text, &plan, seed, run)?.scenarios;
+    let wanted =
+        |(scenario, _): &(Scenario, String)| controller.is_none_or(|name| scenario.controller == name);
+    let found = drawn.into_iter().find(wanted);
+    found.ok_or_else(|| anyhow::anyhow!("run {run} has no such controller"))
 }
 
 fn told(scenario: &Scenario, run: &Run, time_s: f64) -> String {

@@ -9,6 +9,7 @@ use annotate_snippets::{AnnotationKind, Group, Level, Renderer, Snippet};
 use anyhow::{Context, Result, bail};
 use closeranks_sim::parse::{self, Problem, TEXT_MAX};
 use closeranks_sim::scenario::Scenario;
+use closeranks_sim::sweep::{Plan, Run as Drawn, TRIES, is_drawn};
 
 /// A file that was refused, with a picture of every mistake.
 #[derive(Debug)]
@@ -34,8 +35,39 @@ pub(crate) fn scenario(file: &Path) -> Result<(Scenario, String)> {
     let text = text(file, "scenario", TEXT_MAX)?;
     match parse::scenario(&text) {
         Ok(scenario) => Ok((scenario, text)),
-        Err(problems) => bail!(Refused(picture(&name(file), &text, &problems))),
+        Err(_) if is_drawn(&text) => {
+            let name = name(file);
+            bail!(
+                "`{name}` draws values, so it is many scenarios: run them with `closeranks sweep {name} -o DIR`, one of \
+                 them with `closeranks run {name} --draw K --sweep-seed S`; add `--print` for its plain scenario"
+            )
+        }
+        Err(problems) => bail!(refused(file, &text, &problems)),
     }
+}
+
+/// Reads a scenario that may draw values; gives its text too.
+pub(crate) fn plan(file: &Path) -> Result<(Plan, String)> {
+    let text = text(file, "scenario", TEXT_MAX)?;
+    match Plan::read(&text) {
+        Ok(plan) => Ok((plan, text)),
+        Err(problems) => bail!(refused(file, &text, &problems)),
+    }
+}
+
+/// Run `run` of a sweep with `seed`.
+pub(crate) fn draw(file: &Path, text: &str, plan: &Plan, seed: u64, run: u64) -> Result<Drawn> {
+    plan.draw(seed, run).map_err(|problems| {
+        let Refused(picture) = refused(file, text, &problems);
+        let note = format!(
+            "note: none of {TRIES} draws of run {run} can be run; this is what the last was refused for\n"
+        );
+        Refused(picture + &note).into()
+    })
+}
+
+fn refused(file: &Path, text: &str, problems: &[Problem]) -> Refused {
+    Refused(picture(&name(file), text, problems))
 }
 
 /// What messages call a file.

@@ -56,6 +56,9 @@ pub(crate) fn laws(scenario: &Scenario, summary: &Summary) -> String {
         if verdict.count > 0 && (expected || !foreign) {
             let mark = if expected { "BROKEN" } else { "broken, not expected to hold" };
             let _ = writeln!(out, "{}: {mark}: {}", verdict.law.name(), violation(scenario, verdict));
+            if scenario.controller == Controller::Budget && Law::PROMISED.contains(&verdict.law) {
+                let _ = writeln!(out, "    {}", covered(scenario, verdict));
+            }
         }
     }
     let held: Vec<&str> =
@@ -64,6 +67,19 @@ pub(crate) fn laws(scenario: &Scenario, summary: &Summary) -> String {
         let _ = writeln!(out, "held at every tick: {}", held.join(", "));
     }
     out
+}
+
+/// Whether that is a fault of the controller.
+fn covered(scenario: &Scenario, verdict: &Verdict) -> String {
+    match verdict.first_covered {
+        None => "never where its assumptions held".to_owned(),
+        Some(first) => {
+            let (times, time) = (verdict.covered, time(scenario, first.tick));
+            format!(
+                "{times} times WHERE ITS ASSUMPTIONS HELD, first at t = {time}: a bug, or a hole in the theorem"
+            )
+        }
+    }
 }
 
 /// How often, where first and by how much.

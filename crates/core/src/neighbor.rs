@@ -31,6 +31,7 @@ pub(crate) struct Told {
 /// Memory for one neighbour. The owner of a [`Robot`](crate::robot::Robot) lends a slice of these, one for each
 /// neighbour it wants to be able to have.
 #[derive(Clone, Copy, Debug)]
+#[expect(clippy::struct_excessive_bools, reason = "four facts, each with its own life")]
 pub struct Slot<const D: usize> {
     pub(crate) id: RobotId,
     /// Sensed in this tick.
@@ -89,6 +90,12 @@ impl<const D: usize> Slot<D> {
     #[must_use]
     pub fn told_age(&self, now: Instant) -> Option<Duration> {
         self.told.map(|told| now.since(told.at))
+    }
+
+    /// The value it told in the consensus round that is on, if any.
+    #[must_use]
+    pub fn told_value(&self) -> Option<f64> {
+        self.told.and_then(|told| told.value)
     }
 
     /// True if W-MSR discarded its value in the last consensus round.

@@ -115,6 +115,18 @@ impl<'memory, const D: usize> Robot<'memory, D> {
         self
     }
 
+    /// Begins anew with `value`, as after a restart: neighbours, what they told and everything else is forgotten, but for
+    /// the clock, which must not fall.
+    pub fn restart(&mut self, value: f64) -> Result<(), RobotError> {
+        if !(-VALUE_MAX..=VALUE_MAX).contains(&value) {
+            return Err(RobotError::Value);
+        }
+        (self.count, self.position, self.sequence) = (0, None, 0);
+        (self.assurance, self.round, self.round_news) = (Assurance::NEW, None, false);
+        (self.level, self.told_level, self.value, self.next_value) = (0.0, 0.0, value, value);
+        Ok(())
+    }
+
     /// Begins a tick at `now` with the robot's own position x_i, m.
     pub fn sense(&mut self, now: Instant, position: Vector<D>) -> Result<(), SenseError> {
         self.position = None;
@@ -129,10 +141,9 @@ impl<'memory, const D: usize> Robot<'memory, D> {
         if !is_finite(&position) {
             return Err(SenseError::NotFinite);
         }
-        self.position = Some(match watches(&self.params) {
-            true => self.assurance.place(&self.params, now, position),
-            false => position,
-        });
+        let watches = watches(&self.params);
+        let place = if watches { self.assurance.place(&self.params, now, position) } else { position };
+        self.position = Some(place);
         Ok(())
     }
 

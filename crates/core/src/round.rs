@@ -33,7 +33,7 @@ impl<const D: usize> Robot<'_, D> {
         }
         let mut heard = 0;
         for slot in &self.slots[..self.count] {
-            if let Some(value) = slot.told.and_then(|told| told.value) {
+            if let Some(value) = slot.told_value() {
                 self.values[heard] = value;
                 heard += 1;
             }
@@ -51,24 +51,18 @@ impl<const D: usize> Robot<'_, D> {
     /// Marks whose values went; of equal values at the edge, those of the lowest numbers.
     fn mark_discarded(&mut self, round: &wmsr::Round) {
         let values = |slots: &[Slot<D>], beyond: fn(f64, f64) -> bool, edge: f64| {
-            slots.iter().filter(|slot| slot.value().is_some_and(|value| beyond(value, edge))).count()
+            slots.iter().filter(|slot| slot.told_value().is_some_and(|value| beyond(value, edge))).count()
         };
         let slots = &mut self.slots[..self.count];
         let mut low_ties = round.below.saturating_sub(values(slots, |value, edge| value < edge, round.low));
         let mut high_ties = round.above.saturating_sub(values(slots, |value, edge| value > edge, round.high));
         for slot in slots {
-            let Some(value) = slot.value() else { continue };
+            let Some(value) = slot.told_value() else { continue };
             slot.discarded = value < round.low
                 || value > round.high
                 || (value == round.low && take_one(&mut low_ties))
                 || (value == round.high && take_one(&mut high_ties));
         }
-    }
-}
-
-impl<const D: usize> Slot<D> {
-    fn value(&self) -> Option<f64> {
-        self.told.and_then(|told| told.value)
     }
 }
 

@@ -8,6 +8,7 @@
 //! | a graph with its witness | [`network`] |
 //! | robustness over time, and the recording it comes from | [`robustness`], [`recording`] |
 //! | one self-contained page, and what is on it | [`html`], [`content`] |
+//! | sweeps: rows, counts, bounds, figures | [`sweep`] |
 //! | SVG to PNG | [`png`] |
 //! | the table of runs, and the paper's sentences held against them | [`table`], [`claims`] |
 //! | a record as a file | [`parquet`] |
@@ -22,6 +23,7 @@ pub mod parquet;
 pub mod png;
 pub mod recording;
 pub mod robustness;
+pub mod sweep;
 pub mod table;
 
 mod axes;

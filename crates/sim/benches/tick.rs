@@ -3,8 +3,9 @@
 //! `cargo bench -p closeranks-sim`
 
 use closeranks_core::params::Params;
-use closeranks_sim::attack::{LevelAttack, Liars};
+use closeranks_sim::attack::LevelAttack;
 use closeranks_sim::frame::Frame;
+use closeranks_sim::liars::Liars;
 use closeranks_sim::robots::{Fleet, Memory};
 use closeranks_sim::scenario::{Controller, Scenario};
 use closeranks_sim::start::Start;
@@ -41,7 +42,7 @@ fn tick_of_a_team(bencher: Bencher<'_, '_>, robots: u16) {
     let mut team = Team::new(&scenario, params, &values);
     let mut liars = Liars::new(&scenario);
     bencher.bench_local(|| {
-        want(&scenario, &mut frame);
+        want(&scenario, 0, &mut frame);
         team.step(&mut frame, &mut liars);
         frame.integrate(scenario.tick_s());
     });
@@ -54,11 +55,12 @@ fn tick_of_a_team(bencher: Bencher<'_, '_>, robots: u16) {
 fn tick_of_single_robots(bencher: Bencher<'_, '_>, robots: u16) {
     let scenario = scenario(robots);
     let (params, mut frame, values) = world(&scenario);
-    let mut memory = Memory::new(usize::from(robots));
-    let mut fleet = Fleet::new(params, &values, &mut memory).expect("memory is enough");
+    let mut memory = Memory::new(usize::from(robots), false);
+    let mut fleet =
+        Fleet::new(&scenario, params, &frame.positions_m, &values, &mut memory).expect("memory is enough");
     let mut liars = Liars::new(&scenario);
     bencher.bench_local(|| {
-        want(&scenario, &mut frame);
+        want(&scenario, 0, &mut frame);
         fleet.step(&mut frame, &mut liars);
         frame.integrate(scenario.tick_s());
     });

@@ -1,9 +1,4 @@
-//! What malicious robots tell instead of the truth. They wrap the network: a robot never knows that it lies.
-
-use closeranks_core::math::{Vector, sin};
-
-use crate::random::{Random, Stream};
-use crate::scenario::Scenario;
+//! What malicious robots tell instead of the truth, and where they go, as data. [`crate::liars`] plays it.
 
 /// A lie about the connectivity level c_i.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -19,6 +14,11 @@ pub enum LevelAttack {
         /// When it begins, s.
         from_s: f64,
     },
+    /// A bias that grows, `rate · t`.
+    Ramp {
+        /// 1/s.
+        rate_per_s: f64,
+    },
     /// A bias that swings, `amplitude · sin(2π t/period)`: outside thm:cbf-qp.
     Sine {
         /// Greatest bias.
@@ -33,6 +33,22 @@ pub enum LevelAttack {
         /// Greatest.
         max: f64,
     },
+    /// The same, drawn for every neighbour on its own.
+    Faces {
+        /// Least.
+        min: f64,
+        /// Greatest.
+        max: f64,
+    },
+    /// The level of some time ago, told as if it were of now.
+    Replay {
+        /// s.
+        age_s: f64,
+    },
+    /// Bytes with NaN, infinities and huge numbers in them, stamps from the future, half messages.
+    Garbage,
+    /// No message at all.
+    Silent,
 }
 
 /// A lie about the value y_i.
@@ -47,101 +63,60 @@ pub enum ValueAttack {
         /// Greatest.
         max: f64,
     },
+    /// Always the same.
+    Constant {
+        /// Told.
+        value: f64,
+    },
+    /// `start + rate · t`.
+    Ramp {
+        /// Told at first.
+        start: f64,
+        /// 1/s.
+        rate_per_s: f64,
+    },
+    /// `amplitude · sin(2π t/period)`.
+    Sine {
+        /// Greatest.
+        amplitude: f64,
+        /// s.
+        period_s: f64,
+    },
+    /// ±10³⁰⁰, by turns.
+    Extreme,
+    /// Drawn for every neighbour on its own. Outside thm:rs_robust, which needs one voice; covered by Theorem A′.
+    Faces {
+        /// Least.
+        min: f64,
+        /// Greatest.
+        max: f64,
+    },
+    /// Colluding with one voice: every other one tells the greatest value of normal robots, the rest the least, so that none
+    /// of it is discarded where it helps.
+    Sway,
+    /// Colluding with two faces, the strongest we know: whoever is in the upper half hears the greatest value of normal
+    /// robots, the others the least.
+    Split,
+    /// No value.
+    Silent,
 }
 
-/// The malicious robots of a run.
-#[derive(Clone, Debug)]
-pub struct Liars {
-    level: LevelAttack,
-    value: ValueAttack,
-    malicious: Vec<bool>,
-    random: Random,
-    told_values: Vec<f64>,
-    level_random: Random,
-    /// What is added to the level in this tick.
-    bias: f64,
-    /// What is told in its place, if anything.
-    told_levels: Vec<Option<f64>>,
-}
-
-impl Liars {
-    /// The liars of `scenario`.
+impl ValueAttack {
+    /// True when all neighbours are told the same, as def:malicious wants it.
     #[must_use]
-    pub fn new(scenario: &Scenario) -> Self {
-        Self {
-            level: scenario.level_attack,
-            value: scenario.value_attack,
-            malicious: scenario.malicious_mask(),
-            random: Random::new(scenario.seed, Stream::Attack),
-            told_values: vec![0.0; usize::from(scenario.robots)],
-            level_random: Random::new(scenario.seed, Stream::Levels),
-            bias: 0.0,
-            told_levels: vec![None; usize::from(scenario.robots)],
-        }
-    }
-
-    /// Decides what is told of levels in the tick at `time_s`; random levels are drawn in order of robot numbers.
-    pub fn begin_tick(&mut self, time_s: f64) {
-        self.bias = match self.level {
-            LevelAttack::None | LevelAttack::Random { .. } => 0.0,
-            LevelAttack::Bias(bias) => bias,
-            LevelAttack::Step { bias, from_s } => {
-                if time_s >= from_s {
-                    bias
-                } else {
-                    0.0
-                }
-            }
-            LevelAttack::Sine { amplitude, period_s } => {
-                amplitude * sin(2.0 * core::f64::consts::PI * (time_s / period_s))
-            }
-        };
-        let LevelAttack::Random { min, max } = self.level else { return };
-        for (told, _) in self.told_levels.iter_mut().zip(&self.malicious).filter(|(_, malicious)| **malicious)
-        {
-            *told = Some(self.level_random.uniform(min, max));
-        }
-    }
-
-    /// The level that robot `index` tells in this tick when its true one is `level`.
-    #[must_use]
-    pub fn level(&self, index: usize, level: f64) -> f64 {
-        match self.told_levels[index] {
-            Some(told) => told,
-            None if self.malicious[index] && self.bias != 0.0 => level + self.bias,
-            None => level,
-        }
-    }
-
-    /// Draws what malicious robots tell in a new round, in order of their number.
-    pub fn begin_round(&mut self) {
-        let ValueAttack::Random { min, max } = self.value else { return };
-        for index in 0..self.malicious.len() {
-            if self.malicious[index] {
-                self.told_values[index] = self.random.uniform(min, max);
-            }
-        }
-    }
-
-    /// The value that robot `index` tells when it holds `value`.
-    #[must_use]
-    pub fn value(&self, index: usize, value: f64) -> f64 {
-        match self.value {
-            ValueAttack::Random { .. } if self.malicious[index] => self.told_values[index],
-            _ => value,
-        }
+    pub fn one_voice(&self) -> bool {
+        !matches!(self, Self::Faces { .. } | Self::Split)
     }
 }
 
-/// Mean distance from normal to malicious robots, m; `None` without both kinds.
-#[must_use]
-pub fn mean_distance_to_liars<const D: usize>(positions: &[Vector<D>], malicious: &[bool]) -> Option<f64> {
-    let (mut sum, mut count) = (0.0, 0_u32);
-    for (x, _) in positions.iter().zip(malicious).filter(|(_, malicious)| !**malicious) {
-        for (y, _) in positions.iter().zip(malicious).filter(|(_, malicious)| **malicious) {
-            sum += closeranks_core::math::length(&closeranks_core::math::subtract(x, y));
-            count += 1;
-        }
-    }
-    (count > 0).then(|| sum / f64::from(count))
+/// Where malicious robots go.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum MotionAttack {
+    /// Where their controller lets them (Assumption 1).
+    #[default]
+    Obedient,
+    /// Away from the others as fast as they can.
+    Flee,
+    /// Somewhere else every 20 ticks, as fast as they can.
+    Wander,
 }

@@ -2,6 +2,7 @@
 
 use closeranks_core::math::Vector;
 use closeranks_core::program::Outcome;
+use closeranks_core::report::{Mode, Reason};
 
 /// State of every robot in one tick; index 0 is robot 1.
 #[derive(Clone, Debug)]
@@ -26,6 +27,18 @@ pub struct Frame<const D: usize> {
     pub values: Vec<f64>,
     /// What the program found.
     pub outcomes: Vec<Outcome>,
+    /// What each robot says its answer is worth.
+    pub modes: Vec<Mode>,
+    /// Values that each robot used in the last round, and how many of them were those of normal robots.
+    pub heard: Vec<[u16; 2]>,
+    /// Where velocities have taken each robot, m; its position if it follows them exactly.
+    pub references_m: Vec<Vector<D>>,
+    /// Robots that sensed some position with a larger error than is stated.
+    pub sensed_wrong: Vec<bool>,
+    /// True if in this tick some assumption of `budget` did not hold, whether or not a robot could know.
+    pub broken: bool,
+    /// True if in this tick some normal robot did not run, or began anew.
+    pub unsteady: bool,
     /// Number of links, each counted once.
     pub links: u32,
 }
@@ -36,6 +49,7 @@ impl<const D: usize> Frame<D> {
     pub fn new(positions_m: Vec<Vector<D>>, values: Vec<f64>) -> Self {
         let robots = positions_m.len();
         Self {
+            references_m: positions_m.clone(),
             positions_m,
             desired_m_s: vec![[0.0; D]; robots],
             velocities_m_s: vec![[0.0; D]; robots],
@@ -46,6 +60,11 @@ impl<const D: usize> Frame<D> {
             phis: vec![0.0; robots],
             values,
             outcomes: vec![Outcome::Free; robots],
+            modes: vec![Mode::Degraded(Reason::ContinuousTime); robots],
+            heard: vec![[0; 2]; robots],
+            sensed_wrong: vec![false; robots],
+            broken: false,
+            unsteady: false,
             links: 0,
         }
     }
@@ -56,6 +75,7 @@ impl<const D: usize> Frame<D> {
         for (position, velocity) in self.positions_m.iter_mut().zip(&self.velocities_m_s) {
             *position = closeranks_core::math::add_scaled(position, step_s, velocity);
         }
+        self.references_m.clone_from(&self.positions_m);
     }
 }
 

@@ -13,6 +13,14 @@ pub enum Law {
     Agreement,
     /// Every input is finite and in U_i.
     Input,
+    /// h_i of normal robots is not negative (thm:cbf-qp a, Theorem B); with free liars the same of normal neighbours alone.
+    Spare,
+    /// No two robots come closer than Δ_d between two ticks (Theorem B 4).
+    Path,
+    /// `budget`: in a tick no h_i loses more than its share γ, no `D − Δ_d²` more than γ_c (Theorem B).
+    Decay,
+    /// `budget`: no robot says that it is guaranteed what does not hold, and every one says so again soon after all holds.
+    Mode,
     /// The global composition φ of the true levels is not negative (eq:composition).
     Composition,
     /// No φ_i is negative (eq:phi_i). Not a theorem: METHOD.md 2.2.
@@ -23,14 +31,35 @@ pub enum Law {
 
 impl Law {
     /// All, in the order of reports.
-    pub const ALL: [Self; 8] = [
+    pub const ALL: [Self; Self::COUNT] = [
         Self::Degree,
         Self::Distance,
         Self::Interval,
         Self::Agreement,
         Self::Input,
+        Self::Spare,
+        Self::Path,
+        Self::Decay,
+        Self::Mode,
         Self::Composition,
         Self::Shares,
+        Self::Feasible,
+    ];
+
+    /// How many there are.
+    pub const COUNT: usize = 12;
+
+    /// What `budget` promises where its assumptions hold.
+    pub const PROMISED: [Self; 10] = [
+        Self::Degree,
+        Self::Distance,
+        Self::Interval,
+        Self::Agreement,
+        Self::Input,
+        Self::Spare,
+        Self::Path,
+        Self::Decay,
+        Self::Mode,
         Self::Feasible,
     ];
 
@@ -47,6 +76,10 @@ impl Law {
             Self::Interval => "interval",
             Self::Agreement => "agreement",
             Self::Input => "input",
+            Self::Spare => "spare",
+            Self::Path => "path",
+            Self::Decay => "decay",
+            Self::Mode => "mode",
             Self::Composition => "composition",
             Self::Shares => "shares",
             Self::Feasible => "feasible",
@@ -62,6 +95,10 @@ impl Law {
             Self::Interval => "value of a normal robot inside the interval of the start",
             Self::Agreement => "spread of normal values shrinks by 1 - beta/2 a round",
             Self::Input => "input inside its box",
+            Self::Spare => "h of a normal robot >= 0",
+            Self::Path => "distance of two robots between ticks >= distance_min_m",
+            Self::Decay => "h and distances lose no more than their share in a tick",
+            Self::Mode => "guaranteed is said where it is true, and only there",
             Self::Composition => "global phi >= 0",
             Self::Shares => "phi_i >= 0",
             Self::Feasible => "the program of a robot has a solution",
@@ -91,4 +128,51 @@ pub struct Verdict {
     pub count: u64,
     /// Where first.
     pub first: Option<Violation>,
+    /// How often although everything held that it rests on: the set was safe a tick before, and no assumption was broken.
+    pub covered: u64,
+    /// Where first so.
+    pub first_covered: Option<Violation>,
+}
+
+/// What became of every law, in the order of [`Law::ALL`].
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Verdicts([Verdict; Law::COUNT]);
+
+impl Default for Verdicts {
+    fn default() -> Self {
+        Self(Law::ALL.map(|law| Verdict { law, count: 0, first: None, covered: 0, first_covered: None }))
+    }
+}
+
+impl Verdicts {
+    /// Notes that `law` was broken, and whether everything held that it rests on.
+    pub(crate) fn broke(&mut self, law: Law, violation: Violation, covered: bool) {
+        let verdict = &mut self.0[law as usize];
+        verdict.count += 1;
+        verdict.first.get_or_insert(violation);
+        if covered {
+            verdict.covered += 1;
+            verdict.first_covered.get_or_insert(violation);
+        }
+    }
+
+    /// All, in order.
+    pub fn iter(&self) -> core::slice::Iter<'_, Verdict> {
+        self.0.iter()
+    }
+
+    /// What became of one.
+    #[must_use]
+    pub fn of(&self, law: Law) -> &Verdict {
+        &self.0[law as usize]
+    }
+}
+
+impl<'a> IntoIterator for &'a Verdicts {
+    type Item = &'a Verdict;
+    type IntoIter = core::slice::Iter<'a, Verdict>;
+
+    fn into_iter(self) -> Self::IntoIter {
+        self.iter()
+    }
 }

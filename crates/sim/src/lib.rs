@@ -9,18 +9,23 @@
 //! | what | where |
 //! | --- | --- |
 //! | what to run, and the TOML it is written in | [`scenario`], [`parse`] |
+//! | many scenarios out of one text with draws | [`sweep`] |
 //! | where robots start and want to go | [`start`], [`motion`] |
-//! | what malicious robots tell | [`attack`] |
+//! | what malicious robots tell | [`attack`], [`liars`] |
+//! | what goes wrong with messages, clocks, sensors and bodies | [`faults`] |
 //! | all robots of a tick, one by one or as a team | [`robots`], [`team`] |
 //! | the theorems as code, and exact robustness round by round | [`law`], [`monitor`], [`robustness`] |
 //! | the run, its record and its table row | [`world`], [`record`], [`summary`] |
 
 pub mod attack;
+pub mod faults;
 pub mod frame;
 pub mod law;
+pub mod liars;
 pub mod monitor;
 pub mod motion;
 pub mod parse;
+mod promise;
 pub mod random;
 pub mod record;
 pub mod robots;
@@ -29,5 +34,8 @@ mod scatter;
 pub mod scenario;
 pub mod start;
 pub mod summary;
+pub mod sweep;
 pub mod team;
+mod truth;
+mod voices;
 pub mod world;

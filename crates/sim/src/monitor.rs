@@ -6,12 +6,11 @@ use closeranks_core::params::Params;
 use closeranks_core::program::{InputBox, Outcome};
 
 use crate::frame::Frame;
-use crate::law::{Law, Verdict, Violation};
-use crate::scenario::Scenario;
-use crate::start::squared_distance;
-
-/// A pair that keeps Δ_d exactly may miss it by the rounding of its positions, far less than this part of Δ_d².
-const ROUNDING: f64 = 1e-12;
+use crate::law::{Law, Verdicts, Violation};
+use crate::promise::Promise;
+use crate::scenario::{Controller, Scenario};
+use crate::truth::Truth;
+use crate::voices::Voices;
 
 /// Watches the frames of one run.
 #[derive(Clone, Debug)]
@@ -19,11 +18,15 @@ pub struct Monitors<const D: usize> {
     params: Params<D>,
     malicious: Vec<bool>,
     ticks_per_round: u32,
-    verdicts: [Verdict; 8],
+    /// Whether the robots know their true levels, and no more of them lie than the team is prepared for.
+    plain: bool,
+    few_lie: bool,
+    truth: Truth,
+    promise: Promise<D>,
+    verdicts: Verdicts,
     interval: Option<[f64; 2]>,
     spread: Option<f64>,
-    degrees_held: bool,
-    degrees_held_in_round: bool,
+    voices: Voices,
     extremes: Extremes,
 }
 
@@ -60,11 +63,14 @@ impl<const D: usize> Monitors<D> {
             params,
             malicious: scenario.malicious_mask(),
             ticks_per_round: scenario.ticks_per_round(),
-            verdicts: Law::ALL.map(|law| Verdict { law, count: 0, first: None }),
+            plain: scenario.is_plain() && scenario.controller != Controller::Budget,
+            few_lie: scenario.malicious.len() <= usize::from(scenario.faults),
+            truth: Truth::default(),
+            promise: Promise::new(scenario, params),
+            verdicts: Verdicts::default(),
+            voices: Voices::new(scenario),
             interval: None,
             spread: None,
-            degrees_held: true,
-            degrees_held_in_round: false,
             extremes: Extremes {
                 degree_min: None,
                 malicious_degree_min: None,
@@ -94,7 +100,7 @@ impl<const D: usize> Monitors<D> {
 
     /// What became of each law.
     #[must_use]
-    pub fn verdicts(&self) -> &[Verdict; 8] {
+    pub fn verdicts(&self) -> &Verdicts {
         &self.verdicts
     }
 
@@ -104,16 +110,24 @@ impl<const D: usize> Monitors<D> {
         &self.extremes
     }
 
+    /// What the theorem of `budget` came to.
+    #[must_use]
+    pub(crate) fn promise(&self) -> &Promise<D> {
+        &self.promise
+    }
+
     /// Looks at one tick, after its robots ticked and before they move.
     pub fn watch(&mut self, tick: u32, frame: &Frame<D>) {
-        let broken = |verdicts: &[Verdict; 8]| verdicts[0].count + verdicts[1].count;
+        let broken = |verdicts: &Verdicts| verdicts.of(Law::Degree).count + verdicts.of(Law::Distance).count;
         let before = broken(&self.verdicts);
-        self.watch_degrees(tick, frame);
+        self.truth.look(&self.params, &self.malicious, frame, self.plain);
+        self.promise.watch(tick, frame, &self.truth, self.few_lie, &mut self.verdicts);
+        self.watch_degrees();
         if tick.is_multiple_of(self.ticks_per_round) {
             self.watch_values(tick, frame);
-            self.degrees_held_in_round = self.degrees_held;
         }
-        self.watch_distances(tick, frame);
+        self.voices.hear(frame);
+        self.watch_composition(tick);
         self.watch_programs(tick, frame);
         if broken(&self.verdicts) > before {
             self.extremes.safe_from = None;
@@ -123,56 +137,32 @@ impl<const D: usize> Monitors<D> {
     }
 
     fn broke(&mut self, law: Law, violation: Violation) {
-        let verdict = &mut self.verdicts[law as usize];
-        verdict.count += 1;
-        verdict.first.get_or_insert(violation);
+        self.verdicts.broke(law, violation, self.few_lie);
     }
 
-    fn watch_degrees(&mut self, tick: u32, frame: &Frame<D>) {
+    fn watch_degrees(&mut self) {
         let required = self.params.required_degree();
-        self.degrees_held = true;
-        for (robot, index) in (1_u16..).zip(0..frame.degrees.len()) {
-            let degree = frame.degrees[index];
+        for index in 0..self.truth.degrees.len() {
+            let degree = self.truth.degrees[index];
             if self.malicious[index] {
                 lower(&mut self.extremes.malicious_degree_min, degree);
                 continue;
             }
             lower(&mut self.extremes.degree_min, degree);
-            self.extremes.h_min = self.extremes.h_min.min(degree_barrier(frame.levels[index], required));
-            if degree < required {
-                self.degrees_held = false;
-                let (seen, demanded) = (f64::from(degree), f64::from(required));
-                self.broke(Law::Degree, Violation { tick, robots: [robot, 0], seen, demanded });
-            }
+            let h = degree_barrier(self.truth.levels[index], required);
+            self.extremes.h_min = self.extremes.h_min.min(h);
         }
-    }
-
-    fn watch_distances(&mut self, tick: u32, frame: &Frame<D>) {
-        let settings = *self.params.settings();
-        let allowed = settings.distance_min_m * settings.distance_min_m;
-        let (mut least, mut collisions) = (f64::INFINITY, 0.0);
-        for (second, x) in (1_u16..).zip(&frame.positions_m) {
-            for (first, y) in (1..second).zip(&frame.positions_m) {
-                let distance_m2 = squared_distance(x, y);
-                least = least.min(distance_m2);
-                if distance_m2 <= settings.radius_m * settings.radius_m {
-                    collisions += self.params.composed().collision_term::<f64>(distance_m2);
-                }
-                if distance_m2 < allowed * (1.0 - ROUNDING) {
-                    let (seen, demanded) = (sqrt(distance_m2), settings.distance_min_m);
-                    self.broke(Law::Distance, Violation { tick, robots: [first, second], seen, demanded });
-                }
-            }
-        }
-        self.extremes.distance_min_m = self.extremes.distance_min_m.min(sqrt(least));
-        self.watch_composition(tick, frame, collisions);
+        self.extremes.distance_min_m = sqrt(self.promise.least_m2());
     }
 
     /// φ of the true levels.
     //= paper eq:composition
-    fn watch_composition(&mut self, tick: u32, frame: &Frame<D>, collisions: f64) {
-        let degrees: f64 =
-            frame.levels.iter().map(|level| self.params.composed().degree_term::<f64>(*level)).sum();
+    fn watch_composition(&mut self, tick: u32) {
+        let (composed, radius_m) = (self.params.composed(), self.params.settings().radius_m);
+        let near = self.truth.pairs_m2.iter().filter(|pair| **pair <= radius_m * radius_m);
+        let collisions: f64 =
+            near.map(|pair| composed.collision_term::<f64>(*pair)).fold(0.0, |sum, term| sum + term);
+        let degrees: f64 = self.truth.levels.iter().map(|level| composed.degree_term::<f64>(*level)).sum();
         let phi = 1.0 - degrees - collisions;
         self.extremes.phi_global_min = self.extremes.phi_global_min.min(phi);
         if phi < 0.0 {
@@ -219,13 +209,14 @@ impl<const D: usize> Monitors<D> {
                 self.broke(Law::Interval, Violation { tick, robots, seen: value, demanded });
             }
         }
-        self.watch_spread(tick, (high - low).max(0.0), least.abs().max(most.abs()));
+        let suffice = self.voices.end_round(frame, &self.malicious);
+        self.watch_spread(tick, (high - low).max(0.0), least.abs().max(most.abs()), suffice);
     }
 
     //= paper thm:rs_robust
-    fn watch_spread(&mut self, tick: u32, spread: f64, magnitude: f64) {
+    fn watch_spread(&mut self, tick: u32, spread: f64, magnitude: f64, suffice: bool) {
         let beta = 1.0 / f64::from(self.params.settings().robots);
-        if let Some(before) = self.spread.filter(|_| self.degrees_held_in_round) {
+        if let Some(before) = self.spread.filter(|_| suffice) {
             // A value is rounded a few times in a round: far less than this.
             let demanded = before * (1.0 - 0.5 * beta) + 1e-13 * magnitude;
             if spread > demanded {

@@ -1,19 +1,27 @@
-//! The robots of a run, one by one, with every message as bytes through the network.
+//! The robots of a run, one by one, with every message as bytes through the network, and whatever goes wrong.
 //!
-//! This is the whole path that a robot in the world takes; [`crate::team`] gives the same bits faster where the network
-//! is perfect.
+//! This is the whole path that a robot in the world takes; [`crate::team`] gives the same bits faster where the world is
+//! perfect.
 
-use closeranks_core::budget::knowledge::Sighting;
+use closeranks_core::budget::knowledge::{Assume, Sighting};
 use closeranks_core::budget::row::Row;
+use closeranks_core::math::Vector;
 use closeranks_core::message::Message;
 use closeranks_core::neighbor::{RobotId, Slot};
 use closeranks_core::params::Params;
 use closeranks_core::refusal::RobotError;
+use closeranks_core::report::{Mode, Reason};
 use closeranks_core::robot::Robot;
-use closeranks_core::time::Instant;
 
-use crate::attack::Liars;
+use crate::attack::MotionAttack;
+use crate::faults::clocks::Shown;
+use crate::faults::network::{Parcel, Wire};
+use crate::faults::plant::Bodies;
+use crate::faults::sensing::Senses;
 use crate::frame::Frame;
+use crate::liars::Liars;
+use crate::scenario::{Controller, Scenario};
+use crate::start::squared_distance;
 
 /// Memory that a fleet lends to its robots.
 #[derive(Clone, Debug)]
@@ -23,19 +31,23 @@ pub struct Memory<const D: usize> {
     sightings: Vec<Sighting<D>>,
     rows: Vec<Row<D>>,
     robots: usize,
+    rows_each: usize,
 }
 
 impl<const D: usize> Memory<D> {
-    /// For `robots` robots that may all be neighbours of each other.
+    /// For `robots` robots that may all be neighbours of each other, whose rows have a margin or none.
     #[must_use]
-    pub fn new(robots: usize) -> Self {
+    pub fn new(robots: usize, margin: bool) -> Self {
+        let corners = if margin { 1 << D } else { 1 };
+        let rows_each = 2 * D + corners * (2 * robots + 1);
         let nobody = Sighting { offset_m: [0.0; D], claim: None };
         Self {
             slots: vec![Slot::default(); robots * robots],
             values: vec![0.0; robots * Self::values_each(robots)],
             sightings: vec![nobody; robots * robots],
-            rows: vec![Row::default(); robots * Self::rows_each(robots)],
+            rows: vec![Row::default(); robots * rows_each],
             robots,
+            rows_each,
         }
     }
 
@@ -43,43 +55,64 @@ impl<const D: usize> Memory<D> {
     fn values_each(robots: usize) -> usize {
         if robots <= 64 { robots * robots } else { robots }
     }
-
-    fn rows_each(robots: usize) -> usize {
-        2 * D + 2 * robots + 1
-    }
 }
 
-/// All robots of a run in a perfect network.
+/// All robots of a run, with whatever goes wrong around them.
 #[derive(Debug)]
 pub struct Fleet<'memory, const D: usize> {
     robots: Vec<Robot<'memory, D>>,
+    params: Params<D>,
+    /// Their initial values.
+    values: Vec<f64>,
+    malicious: Vec<bool>,
+    /// Runs without a controller: the desired velocity is only cut to the box.
+    unfiltered: bool,
+    disobeyed: bool,
     outbox: Vec<Option<Message>>,
-    tick_nanos: u64,
+    wire: Wire,
+    clocks: Shown,
+    senses: Senses<D>,
+    bodies: Bodies<D>,
+    ticks_per_round: u32,
     tick: u32,
     tick_s: f64,
 }
 
 impl<'memory, const D: usize> Fleet<'memory, D> {
-    /// Robots with initial `values` in memory made for as many.
+    /// The robots of `scenario` at `positions_m` with initial `values`, in memory made for as many.
     pub fn new(
+        scenario: &Scenario,
         params: Params<D>,
+        positions_m: &[Vector<D>],
         values: &[f64],
         memory: &'memory mut Memory<D>,
     ) -> Result<Self, RobotError> {
         let chunk = memory.robots.max(1);
         let scratch = memory.values.chunks_mut(Memory::<D>::values_each(chunk));
         let lent = memory.slots.chunks_mut(chunk).zip(scratch);
-        let rows = memory.rows.chunks_mut(Memory::<D>::rows_each(chunk));
+        let rows = memory.rows.chunks_mut(memory.rows_each.max(1));
         let more = memory.sightings.chunks_mut(chunk).zip(rows);
         let robots = (1..).zip(values).zip(lent.zip(more));
         let robots = robots.map(|((id, value), ((slots, scratch), (sightings, rows)))| {
             let robot = Robot::new(params, RobotId(id), *value, slots, scratch)?;
             Ok(robot.with_budget_memory(sightings, rows))
         });
+        let obedient = params.settings().assume == Assume::Obedient;
         Ok(Self {
             robots: robots.collect::<Result<_, _>>()?,
+            params,
+            values: values.to_vec(),
+            malicious: scenario.malicious_mask(),
+            unfiltered: scenario.controller == Controller::None,
+            disobeyed: obedient
+                && scenario.motion_attack != MotionAttack::Obedient
+                && !scenario.malicious.is_empty(),
             outbox: vec![None; values.len()],
-            tick_nanos: u64::try_from(params.settings().level_period.as_nanos()).unwrap_or(u64::MAX),
+            wire: Wire::new(scenario),
+            clocks: Shown::new(scenario),
+            senses: Senses::new(scenario),
+            bodies: Bodies::new(scenario, positions_m),
+            ticks_per_round: scenario.ticks_per_round(),
             tick: 0,
             tick_s: params.settings().level_period.as_secs_f64(),
         })
@@ -87,34 +120,70 @@ impl<'memory, const D: usize> Fleet<'memory, D> {
 
     /// One tick: fills everything in `frame` but positions and desired velocities.
     pub fn step(&mut self, frame: &mut Frame<D>, liars: &mut Liars) {
-        let now = Instant::from_nanos(u64::from(self.tick).saturating_mul(self.tick_nanos));
-        self.sense(now, frame);
-        liars.begin_tick(f64::from(self.tick) * self.tick_s);
+        self.begin_tick(frame, liars);
+        self.sense(frame);
         self.share(liars);
+        self.send(liars);
         self.deliver();
         self.control(frame, liars);
+        self.judge(frame);
         self.tick = self.tick.saturating_add(1);
     }
 
-    fn sense(&mut self, now: Instant, frame: &Frame<D>) {
-        for (robot, own) in self.robots.iter_mut().zip(&frame.positions_m) {
-            // Positions of the world are finite and time rises, so nothing here is refused.
-            let _ = robot.sense(now, *own);
-            for (id, position) in (1..).map(RobotId).zip(&frame.positions_m) {
-                if id != robot.id() {
-                    let _ = robot.observe(id, *position);
+    /// Moves everybody to the next tick.
+    pub fn integrate(&mut self, frame: &mut Frame<D>) {
+        self.bodies.integrate(&mut frame.positions_m, &frame.velocities_m_s);
+    }
+
+    fn time_s(&self) -> f64 {
+        f64::from(self.tick) * self.tick_s
+    }
+
+    fn begin_tick(&mut self, frame: &mut Frame<D>, liars: &mut Liars) {
+        let time_s = self.time_s();
+        frame.unsteady = false;
+        if self.tick.is_multiple_of(self.ticks_per_round) {
+            frame.heard.fill([0; 2]);
+        }
+        self.bodies.begin_tick(time_s);
+        self.senses.begin_tick(time_s, &frame.positions_m);
+        self.wire.begin_tick();
+        liars.begin_tick(self.tick);
+        for (index, robot) in self.robots.iter_mut().enumerate() {
+            let reborn = self.bodies.reborn(index, time_s);
+            frame.unsteady |= !self.malicious[index] && (reborn || self.bodies.down(index));
+            if reborn {
+                // The value was good once.
+                let _ = robot.restart(self.values[index]);
+            }
+        }
+    }
+
+    fn sense(&mut self, frame: &Frame<D>) {
+        let sight_m2 = self.params.settings().radius_m * self.params.settings().radius_m;
+        for (observer, robot) in self.robots.iter_mut().enumerate() {
+            if self.bodies.down(observer) {
+                continue;
+            }
+            let own = &frame.positions_m[observer];
+            // Sensed positions are finite and clocks rise, so nothing here is refused.
+            let _ =
+                robot.sense(self.clocks.now(observer, self.tick), self.senses.sense(observer, observer, own));
+            for (index, position) in frame.positions_m.iter().enumerate() {
+                if index != observer && squared_distance(own, position) <= sight_m2 {
+                    let _ = robot.observe(id(index), self.senses.sense(observer, index, position));
                 }
             }
         }
     }
 
-    /// Every robot shares; liars change what leaves them, and by Assumption 1 the level they hold.
+    /// Every robot shares; by Assumption 1 liars hold the level that they tell.
     fn share(&mut self, liars: &mut Liars) {
-        for (robot, slot) in self.robots.iter_mut().zip(&mut self.outbox) {
-            *slot = robot.share();
+        for (index, (robot, slot)) in self.robots.iter_mut().zip(&mut self.outbox).enumerate() {
+            *slot = if self.bodies.down(index) { None } else { robot.share() };
         }
         if self.outbox.iter().flatten().any(|message| message.value().is_some()) {
-            liars.begin_round();
+            liars.begin_round(self.robots.iter().map(Robot::value));
         }
         for (index, (robot, slot)) in self.robots.iter_mut().zip(&mut self.outbox).enumerate() {
             let Some(message) = *slot else { continue };
@@ -125,23 +194,52 @@ impl<'memory, const D: usize> Fleet<'memory, D> {
         }
     }
 
-    /// The perfect network: bytes to every neighbour within the tick.
-    fn deliver(&mut self) {
-        for (sender, message) in (1..).map(RobotId).zip(&self.outbox) {
-            let Some(bytes) = message.as_ref().map(Message::encode) else { continue };
-            let Ok(message) = Message::parse(&bytes) else { continue };
-            for robot in &mut self.robots {
-                // Robots out of range are not neighbours and refuse it.
-                let _ = robot.receive(sender, &message);
+    /// Bytes to every other robot, each with its own fate.
+    fn send(&mut self, liars: &mut Liars) {
+        for (sender, message) in self.outbox.iter().enumerate() {
+            let Some(message) = message else { continue };
+            for (receiver, robot) in self.robots.iter().enumerate() {
+                if receiver == sender {
+                    continue;
+                }
+                if let Some(bytes) = liars.bytes(sender, message, robot.value()) {
+                    self.wire.send(self.tick, Parcel { sender, receiver, bytes });
+                }
             }
         }
     }
 
-    fn control(&mut self, frame: &mut Frame<D>, liars: &Liars) {
+    fn deliver(&mut self) {
+        for Parcel { sender, receiver, bytes } in self.wire.arrivals(self.tick) {
+            if self.bodies.down(receiver) {
+                continue;
+            }
+            if let Ok(message) = Message::parse(&bytes) {
+                // Robots out of range are not neighbours and refuse it.
+                let _ = self.robots[receiver].receive(id(sender), &message);
+            }
+        }
+    }
+
+    fn control(&mut self, frame: &mut Frame<D>, liars: &mut Liars) {
+        let input = self.params.settings().input;
         let mut ends: u32 = 0;
         for (index, robot) in self.robots.iter_mut().enumerate() {
+            if self.bodies.down(index) {
+                frame.velocities_m_s[index] = self.bodies.without_command(
+                    index,
+                    f64::from(self.tick) * self.tick_s,
+                    frame.velocities_m_s[index],
+                );
+                frame.modes[index] = Mode::Stopped;
+                continue;
+            }
             let output = robot.tick(frame.desired_m_s[index]);
-            frame.velocities_m_s[index] = output.velocity_m_s;
+            frame.velocities_m_s[index] = match liars.velocity(index, &frame.positions_m, &input) {
+                Some(velocity) => velocity,
+                None if self.unfiltered => input.clip(&frame.desired_m_s[index]),
+                None => output.velocity_m_s,
+            };
             frame.degrees[index] = output.report.degree;
             frame.levels[index] =
                 robot.neighbors().iter().fold(0.0, |level, slot| level + slot.link().weight);
@@ -149,9 +247,46 @@ impl<'memory, const D: usize> Fleet<'memory, D> {
             frame.told[index] = robot.told_level();
             frame.phis[index] = output.report.phi.unwrap_or_else(|| robot.phi());
             frame.outcomes[index] = output.report.outcome;
+            frame.modes[index] = output.report.mode;
             frame.values[index] = liars.value(index, robot.value());
             ends += u32::from(output.report.degree);
+            if output.report.round.is_some() {
+                frame.heard[index] = heard(robot, &self.malicious);
+            }
         }
         frame.links = ends / 2;
     }
+
+    /// Which assumptions of the theorem hold in this tick, as only the world can know.
+    fn judge(&self, frame: &mut Frame<D>) {
+        let (settings, margin) = (self.params.settings(), self.params.budget().margin);
+        let error_m = settings.position_error_m * (1.0 + ROUNDING) + ROUNDING;
+        let away_m = self.bodies.away_m(&frame.positions_m);
+        let anew = |mode: &Mode| matches!(mode, Mode::Degraded(Reason::Late | Reason::Moved) | Mode::Stopped);
+        for (index, wrong) in frame.sensed_wrong.iter_mut().enumerate() {
+            *wrong = self.senses.error_m(index) > error_m;
+        }
+        frame.broken = self.disobeyed
+            || self.bodies.blind()
+            || self.clocks.difference_s(self.tick) > settings.clock_error.as_secs_f64() + 1e-9
+            || away_m > settings.tracking_error_m * (1.0 + ROUNDING) + ROUNDING
+            || frame.sensed_wrong.contains(&true)
+            || (margin.away_m > 0.0 && frame.modes.iter().any(anew));
+        frame.references_m.clear();
+        frame.references_m.extend_from_slice(self.bodies.references_m());
+    }
+}
+
+/// Of positions and errors.
+const ROUNDING: f64 = 1e-9;
+
+fn id(index: usize) -> RobotId {
+    RobotId(u16::try_from(index + 1).unwrap_or(u16::MAX))
+}
+
+/// How many values a robot used in its round, and how many of them were those of normal robots.
+fn heard<const D: usize>(robot: &Robot<'_, D>, malicious: &[bool]) -> [u16; 2] {
+    let spoke = || robot.neighbors().iter().filter(|slot| slot.told_value().is_some());
+    let normal = spoke().filter(|slot| !malicious[usize::from(slot.id().0) - 1]).count();
+    [spoke().count(), normal].map(|count| u16::try_from(count).unwrap_or(u16::MAX))
 }

@@ -8,7 +8,8 @@ use closeranks_core::composed::Share;
 use closeranks_core::params::{self, Params, Settings};
 use closeranks_core::program::InputBox;
 
-use crate::attack::{LevelAttack, ValueAttack};
+use crate::attack::{LevelAttack, MotionAttack, ValueAttack};
+use crate::faults::Faults;
 use crate::law::Law;
 use crate::motion::Motion;
 use crate::start::Start;
@@ -64,6 +65,16 @@ pub struct Scenario {
     pub tau_1: Duration,
     /// τ₂, a multiple of τ₁.
     pub tau_2: Duration,
+    /// How long a velocity may be held, or τ₁.
+    pub hold_max: Option<Duration>,
+    /// How old a told level may be.
+    pub told_max: Duration,
+    /// Stated bound of the difference of clocks.
+    pub clock_error: Duration,
+    /// Stated bound of the error of sensed positions, m.
+    pub position_error_m: f64,
+    /// Stated bound of how far robots are from where their velocities take them, m.
+    pub tracking_error_m: f64,
     /// Where robots start.
     pub start: Start,
     /// y_i(t₀).
@@ -74,6 +85,10 @@ pub struct Scenario {
     pub level_attack: LevelAttack,
     /// What malicious robots tell of their value.
     pub value_attack: ValueAttack,
+    /// Where malicious robots go.
+    pub motion_attack: MotionAttack,
+    /// What goes wrong.
+    pub trouble: Faults,
     /// Laws that the run must not break.
     pub expect: Vec<Law>,
 }
@@ -87,6 +102,21 @@ pub enum Controller {
     Budget,
     /// None: the desired velocity, cut to the box. What the paper's robots would do unfiltered.
     None,
+}
+
+impl Controller {
+    /// All, in the order of their names.
+    pub const ALL: [Self; 3] = [Self::Budget, Self::Composed, Self::None];
+
+    /// Its name in scenario files.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Composed => "composed",
+            Self::Budget => "budget",
+            Self::None => "none",
+        }
+    }
 }
 
 /// Initial values y_i(t₀).
@@ -131,11 +161,18 @@ impl Default for Scenario {
             input_max_m_s: settings.input.max_m_s.to_vec(),
             tau_1: settings.level_period,
             tau_2: settings.value_period,
+            hold_max: settings.hold_max,
+            told_max: settings.told_max,
+            clock_error: settings.clock_error,
+            position_error_m: settings.position_error_m,
+            tracking_error_m: settings.tracking_error_m,
             start: Start::Inside,
             values: Values::Random { min: -500.0, max: 500.0 },
             motion: Motion::Paper,
             level_attack: LevelAttack::None,
             value_attack: ValueAttack::Random { min: -500.0, max: 500.0 },
+            motion_attack: MotionAttack::Obedient,
+            trouble: Faults::default(),
             expect: Law::EXPECTED.to_vec(),
         }
     }
@@ -159,6 +196,17 @@ impl Scenario {
     pub fn ticks_per_round(&self) -> u32 {
         let ratio = self.tau_2.as_nanos() / self.tau_1.as_nanos().max(1);
         u32::try_from(ratio).unwrap_or(u32::MAX).max(1)
+    }
+
+    /// True when nothing goes wrong and every liar tells all the same, so that robots may be computed at once.
+    #[must_use]
+    pub fn is_plain(&self) -> bool {
+        let levels = !matches!(
+            self.level_attack,
+            LevelAttack::Faces { .. } | LevelAttack::Garbage | LevelAttack::Silent
+        );
+        let values = self.value_attack.one_voice() && self.value_attack != ValueAttack::Silent;
+        self.trouble.none() && levels && values && self.motion_attack == MotionAttack::Obedient
     }
 
     /// τ₁ in seconds.
@@ -198,7 +246,11 @@ impl Scenario {
             input: InputBox { min_m_s: corner(&self.input_min_m_s), max_m_s: corner(&self.input_max_m_s) },
             level_period: self.tau_1,
             value_period: self.tau_2,
-            ..Settings::default()
+            hold_max: self.hold_max,
+            told_max: self.told_max,
+            clock_error: self.clock_error,
+            position_error_m: self.position_error_m,
+            tracking_error_m: self.tracking_error_m,
         })
     }
 }

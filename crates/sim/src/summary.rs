@@ -2,9 +2,9 @@
 
 use closeranks_core::math::{Vector, sqrt};
 
-use crate::attack::mean_distance_to_liars;
 use crate::frame::Frame;
-use crate::law::{Law, Verdict};
+use crate::law::{Law, Verdict, Verdicts};
+use crate::liars::mean_distance_to_liars;
 use crate::monitor::{Extremes, Monitors};
 use crate::scenario::{Controller, Scenario};
 use crate::start::squared_distance;
@@ -33,7 +33,7 @@ pub struct Summary {
     /// Least and greatest over the run.
     pub extremes: Extremes,
     /// What became of each law.
-    pub verdicts: [Verdict; 8],
+    pub verdicts: Verdicts,
     /// Radius of gyration at the end, m: `√(Σ‖x_i − x̄‖²/n)` over all robots.
     pub gyration_m: f64,
     /// Links at the end.
@@ -44,6 +44,12 @@ pub struct Summary {
     pub speed_end_m_s: f64,
     /// Rate of growth of the radius of gyration at the start and at the end, m/s.
     pub spreading_m_s: [f64; 2],
+    /// Share of the time of normal robots in which they said that they were guaranteed.
+    pub guaranteed_share: f64,
+    /// Share of it in which their own h was negative: with free liars they stand still then.
+    pub negative_share: f64,
+    /// Longest time from the end of trouble until all said again that they were guaranteed, s.
+    pub recovery_s: f64,
     /// How many malicious robots had fewer than F′ neighbours at some time.
     pub malicious_below: u16,
     /// Rounds in the run.
@@ -56,7 +62,17 @@ impl Summary {
     /// How often `law` was broken.
     #[must_use]
     pub fn broken(&self, law: Law) -> u64 {
-        self.verdicts[law as usize].count
+        self.verdicts.of(law).count
+    }
+
+    /// What was broken although everything held that it rests on, counted and located so: with `budget` any of
+    /// [`Law::PROMISED`], with others of [`Law::EXPECTED`]. Each is a bug, or a hole in a theorem.
+    pub fn violations(&self, scenario: &Scenario) -> impl Iterator<Item = Verdict> {
+        let promised = scenario.controller == Controller::Budget;
+        let laws: &[Law] = if promised { &Law::PROMISED } else { &Law::EXPECTED };
+        let covered =
+            self.verdicts.iter().filter(|verdict| verdict.covered > 0 && laws.contains(&verdict.law));
+        covered.map(|verdict| Verdict { count: verdict.covered, first: verdict.first_covered, ..*verdict })
     }
 
     /// Expected laws that were broken.
@@ -97,6 +113,7 @@ impl Collector {
         monitors: &Monitors<D>,
     ) -> Summary {
         let speeds = frame.velocities_m_s.iter().map(|velocity| squared_distance(velocity, &[0.0; D]));
+        let [guaranteed_share, negative_share] = monitors.promise().shares();
         let below = self.malicious_below.iter().filter(|below| **below).count();
         Summary {
             start: self.start.unwrap_or(NO_START),
@@ -107,6 +124,9 @@ impl Collector {
             liar_distance_m: mean_distance_to_liars(&frame.positions_m, &scenario.malicious_mask()),
             speed_end_m_s: sqrt(speeds.fold(0.0, f64::max)),
             spreading_m_s: [self.spreading_start_m_s, spreading(frame)],
+            guaranteed_share,
+            negative_share,
+            recovery_s: f64::from(monitors.promise().recovery_ticks()) * scenario.tick_s(),
             malicious_below: u16::try_from(below).unwrap_or(u16::MAX),
             rounds: scenario.ticks() / scenario.ticks_per_round(),
             ticks: scenario.ticks(),

@@ -12,8 +12,8 @@ use closeranks_core::program::closest;
 use closeranks_core::scaled::Scaled;
 use closeranks_core::wmsr;
 
-use crate::attack::Liars;
 use crate::frame::Frame;
+use crate::liars::Liars;
 use crate::scenario::{Controller, Scenario};
 
 /// A pair within R whose slope and collision term are not both 0: in large teams a small part of all.
@@ -104,7 +104,7 @@ impl<const D: usize> Team<D> {
     /// One tick: fills everything in `frame` but positions and desired velocities.
     pub fn step(&mut self, frame: &mut Frame<D>, liars: &mut Liars) {
         self.find_pairs(frame);
-        liars.begin_tick(f64::from(self.tick) * self.params.settings().level_period.as_secs_f64());
+        liars.begin_tick(self.tick);
         for (index, level) in frame.levels.iter().enumerate() {
             frame.spares[index] = degree_barrier(*level, self.params.required_degree());
             frame.told[index] = liars.level(index, *level);
@@ -115,6 +115,10 @@ impl<const D: usize> Team<D> {
         self.sum_rows(frame);
         self.control(frame);
         self.tick = self.tick.saturating_add(1);
+    }
+
+    pub(crate) fn tick_s(&self) -> f64 {
+        self.params.settings().level_period.as_secs_f64()
     }
 
     /// Links, degrees and levels.
@@ -166,11 +170,14 @@ impl<const D: usize> Team<D> {
     ///
     /// Speakers are sorted once for all, so that each robot hears values in order and has nothing left to sort.
     fn consensus(&mut self, frame: &mut Frame<D>, liars: &mut Liars) {
-        liars.begin_round();
+        liars.begin_round(self.next_values.iter().copied());
         for (index, value) in frame.values.iter_mut().enumerate() {
             *value = liars.value(index, self.next_values[index]);
         }
         self.linked.fill(&self.links, &self.last_link);
+        for (heard, degree) in frame.heard.iter_mut().zip(&frame.degrees) {
+            *heard = [*degree, 0];
+        }
         self.speakers.sort_unstable_by(|a, b| frame.values[*a].total_cmp(&frame.values[*b]).then(a.cmp(b)));
         let faults = self.params.settings().faults;
         for (index, own) in self.next_values.iter_mut().enumerate() {

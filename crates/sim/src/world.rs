@@ -4,9 +4,10 @@ use closeranks_core::allowed::ParamsError;
 use closeranks_core::params::Params;
 use closeranks_core::refusal::RobotError;
 
-use crate::attack::Liars;
 use crate::frame::Frame;
+use crate::liars::Liars;
 use crate::monitor::Monitors;
+use crate::motion::Motion;
 use crate::random::{Random, Stream};
 use crate::record::Record;
 use crate::robots::{Fleet, Memory};
@@ -19,10 +20,10 @@ use crate::team::Team;
 /// How robots are computed; both give the same bits.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Engine {
-    /// All at once ([`crate::team`]); controller `budget` runs one by one all the same.
+    /// All at once ([`crate::team`]); controller `budget`, and any world that is not perfect, run one by one all the same.
     #[default]
     Team,
-    /// One by one, with every message as bytes ([`crate::robots`]). Controller `none` is not a robot's: it runs as a team.
+    /// One by one, with every message as bytes ([`crate::robots`]).
     Robots,
 }
 
@@ -91,18 +92,14 @@ fn run_in<const D: usize>(
     let values = initial_values(scenario)?;
     let frame = Frame::new(scenario.start.positions(scenario)?, values.clone());
     let world = World::new(scenario, params, frame, options);
-    let single = match scenario.controller {
-        Controller::Budget => true,
-        Controller::Composed => options.engine == Engine::Robots,
-        Controller::None => false,
-    };
-    if single {
-        let mut memory = Memory::new(usize::from(scenario.robots));
-        let mut fleet = Fleet::new(params, &values, &mut memory)?;
-        return Ok(world.run(|frame, liars| fleet.step(frame, liars), progress));
+    let together = options.engine == Engine::Team && scenario.is_plain();
+    if together && scenario.controller != Controller::Budget {
+        return Ok(world.run(&mut Team::new(scenario, params, &values), progress));
     }
-    let mut team = Team::new(scenario, params, &values);
-    Ok(world.run(|frame, liars| team.step(frame, liars), progress))
+    let margin = params.budget().margin.offset_m > 0.0;
+    let mut memory = Memory::new(usize::from(scenario.robots), margin);
+    let mut fleet = Fleet::new(scenario, params, &world.frame.positions_m, &values, &mut memory)?;
+    Ok(world.run(&mut fleet, progress))
 }
 
 /// y_i(t₀).
@@ -114,6 +111,34 @@ pub fn initial_values(scenario: &Scenario) -> Result<Vec<f64>, RunError> {
             let mut random = Random::new(scenario.seed, Stream::Values);
             Ok((0..scenario.robots).map(|_| random.uniform(*min, *max)).collect())
         }
+    }
+}
+
+/// What computes the robots of a run.
+trait Robots<const D: usize> {
+    /// One tick: fills everything in `frame` but positions and desired velocities.
+    fn step(&mut self, frame: &mut Frame<D>, liars: &mut Liars);
+    /// Moves everybody to the next tick.
+    fn integrate(&mut self, frame: &mut Frame<D>);
+}
+
+impl<const D: usize> Robots<D> for Fleet<'_, D> {
+    fn step(&mut self, frame: &mut Frame<D>, liars: &mut Liars) {
+        self.step(frame, liars);
+    }
+
+    fn integrate(&mut self, frame: &mut Frame<D>) {
+        self.integrate(frame);
+    }
+}
+
+impl<const D: usize> Robots<D> for Team<D> {
+    fn step(&mut self, frame: &mut Frame<D>, liars: &mut Liars) {
+        self.step(frame, liars);
+    }
+
+    fn integrate(&mut self, frame: &mut Frame<D>) {
+        frame.integrate(self.tick_s());
     }
 }
 
@@ -143,12 +168,12 @@ impl<'a, const D: usize> World<'a, D> {
         }
     }
 
-    fn run(mut self, mut step: impl FnMut(&mut Frame<D>, &mut Liars), progress: &mut dyn FnMut(u32)) -> Run {
+    fn run(mut self, robots: &mut impl Robots<D>, progress: &mut dyn FnMut(u32)) -> Run {
         let last = self.scenario.ticks();
         for tick in 0..=last {
             progress(tick);
-            want(self.scenario, &mut self.frame);
-            step(&mut self.frame, &mut self.liars);
+            want(self.scenario, tick, &mut self.frame);
+            robots.step(&mut self.frame, &mut self.liars);
             self.monitors.watch(tick, &self.frame);
             self.collector.watch(self.scenario, &self.frame, &self.monitors);
             if let Some(record) = &mut self.record {
@@ -156,7 +181,7 @@ impl<'a, const D: usize> World<'a, D> {
             }
             self.watch_round(tick);
             if tick < last {
-                self.frame.integrate(self.scenario.tick_s());
+                robots.integrate(&mut self.frame);
             }
         }
         let summary = self.collector.finish(self.scenario, &self.frame, &self.monitors);
@@ -172,10 +197,14 @@ impl<'a, const D: usize> World<'a, D> {
     }
 }
 
-/// Fills the desired velocities.
-pub fn want<const D: usize>(scenario: &Scenario, frame: &mut Frame<D>) {
+/// Fills the desired velocities of `tick`.
+pub fn want<const D: usize>(scenario: &Scenario, tick: u32, frame: &mut Frame<D>) {
+    let time_s = f64::from(tick) * scenario.tick_s();
     for (index, (desired, position)) in frame.desired_m_s.iter_mut().zip(&frame.positions_m).enumerate() {
         let number = u16::try_from(index + 1).unwrap_or(u16::MAX);
-        *desired = scenario.motion.desired(number, scenario.robots, position);
+        *desired = match scenario.motion {
+            Motion::Wander => Motion::wandering(scenario.seed, number, time_s),
+            motion => motion.desired(number, scenario.robots, position),
+        };
     }
 }

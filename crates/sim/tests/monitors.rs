@@ -18,7 +18,7 @@ fn summary(scenario: &Scenario) -> Summary {
 }
 
 fn first(summary: &Summary, law: Law) -> Violation {
-    summary.verdicts[law as usize].first.expect("was broken")
+    summary.verdicts.of(law).first.expect("was broken")
 }
 
 #[test]
@@ -73,11 +73,11 @@ fn an_input_outside_its_box_is_named_with_its_component() {
     frame.outcomes[1] = Outcome::Active;
     let mut monitors = Monitors::<2>::new(&scenario, scenario.params().unwrap());
     monitors.watch(3, &frame);
-    let verdict = monitors.verdicts()[Law::Input as usize];
+    let verdict = *monitors.verdicts().of(Law::Input);
     assert_eq!(verdict.first, Some(Violation { tick: 3, robots: [2, 0], seen: -1.6, demanded: -1.5 }));
     frame.velocities_m_s[1] = [f64::NAN, 0.0];
     monitors.watch(4, &frame);
-    assert_eq!(monitors.verdicts()[Law::Input as usize].count, 2);
+    assert_eq!(monitors.verdicts().of(Law::Input).count, 2);
 }
 
 #[test]

@@ -257,14 +257,12 @@ impl Budget {
 
     /// `D − Δ_d²`, m², for an offset longer by `more_m`.
     fn spare_m2<const D: usize>(&self, offset: &Vector<D>, more_m: f64) -> f64 {
-        let distance_m2 = match more_m {
-            0.0 => dot(offset, offset),
-            _ => {
-                let distance_m = (length(offset) + more_m).max(0.0);
-                distance_m * distance_m
-            }
-        };
-        distance_m2 - self.distance_min_m * self.distance_min_m
+        let least_m2 = self.distance_min_m * self.distance_min_m;
+        if more_m == 0.0 {
+            return dot(offset, offset) - least_m2;
+        }
+        let distance_m = (length(offset) + more_m).max(0.0);
+        distance_m * distance_m - least_m2
     }
 
     /// h_i and δ_i; the gradient and κ_ii are summed with the rows.

@@ -10,14 +10,14 @@ use closeranks_core::budget::row::Row;
 use closeranks_core::budget::rows::Memory;
 use closeranks_core::budget::settings::{Budget, Form};
 use closeranks_core::link::LinkShape;
-use closeranks_core::math::{Vector, dot, length, subtract};
+use closeranks_core::math::{Vector, add_scaled, dot, length, subtract};
 use closeranks_core::program::InputBox;
 
 use crate::seeded::Seeded;
 
 mod conspiracy;
 
-pub(crate) const ROWS_MAX: usize = 48;
+pub(crate) const ROWS_MAX: usize = 208;
 const SPACING_M: f64 = 0.31;
 const DISTANCE_MIN_M: f64 = 0.3;
 
@@ -45,6 +45,8 @@ pub(crate) struct Team<const D: usize> {
     /// What i last heard from j, `heard[i][j]`.
     heard: Vec<Vec<Option<Claim>>>,
     loss: f64,
+    /// Bound of the error of every sensed position, m.
+    pub(crate) error_m: f64,
     random: u64,
 }
 
@@ -79,7 +81,8 @@ impl<const D: usize> Team<D> {
         let positions = scatter(count, &mut random);
         let heard = vec![vec![None; count]; count];
         let loss = [0.0, 0.5, 0.95][random.below(3)];
-        let mut team = Self { positions, malicious, budget, reach, heard, loss, random: random.0 };
+        let mut team =
+            Self { positions, malicious, budget, reach, heard, loss, error_m: 0.0, random: random.0 };
         team.stretch(random.between(0.0, 0.3)).then_some(team)
     }
 
@@ -152,7 +155,7 @@ impl<const D: usize> Team<D> {
     /// Everybody tells everybody; some messages are lost; malicious robots tell each neighbour another number.
     pub(crate) fn talk(&mut self) {
         let required = f64::from(self.budget.required());
-        let levels: Vec<f64> = (0..self.count()).map(|k| self.h(&self.positions, k) + required).collect();
+        let levels: Vec<f64> = (0..self.count()).map(|k| self.told_level(k, required)).collect();
         let mut random = Seeded(self.random);
         for i in 0..self.count() {
             for j in 0..self.count() {
@@ -171,6 +174,13 @@ impl<const D: usize> Team<D> {
         self.random = random.0;
     }
 
+    fn told_level(&self, k: usize, required: f64) -> f64 {
+        if self.error_m == 0.0 {
+            return self.h(&self.positions, k) + required;
+        }
+        self.budget.level(&self.sightings(k), &mut [0.0; 16])
+    }
+
     pub(crate) fn radius_m(&self) -> f64 {
         self.budget.curvature.link().radius_m
     }
@@ -180,12 +190,18 @@ impl<const D: usize> Team<D> {
     }
 
     pub(crate) fn sightings(&self, i: usize) -> Vec<Sighting<D>> {
-        let near = self.neighbors(i).into_iter();
-        near.map(|j| Sighting {
-            offset_m: subtract(&self.positions[i], &self.positions[j]),
-            claim: self.heard[i][j],
-        })
-        .collect()
+        let near = (0..self.count()).filter(|&j| self.in_range(i, j) || (self.error_m > 0.0 && i != j));
+        let own = self.sensed(i, i);
+        near.map(|j| Sighting { offset_m: subtract(&own, &self.sensed(i, j)), claim: self.heard[i][j] })
+            .collect()
+    }
+
+    /// Where i senses j in this tick: anywhere up to the error from where it is, as a rule right at the bound.
+    fn sensed(&self, i: usize, j: usize) -> Vector<D> {
+        let mut random = Seeded(self.random ^ ((i as u64) << 32) ^ ((j as u64) << 48));
+        let any: Vector<D> = core::array::from_fn(|_| random.between(-1.0, 1.0));
+        let size = length(&any).max(1e-9) * [1.0, 1.0, 3.0][random.below(3)];
+        add_scaled(&self.positions[j], self.error_m / size, &any)
     }
 }
 

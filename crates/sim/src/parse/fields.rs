@@ -9,15 +9,15 @@ use closeranks_core::params::{MAGNITUDE_MAX, ROBOTS_MAX};
 use toml::de::{DeTable, DeValue};
 
 use super::reader::{Reader, Section, number, whole};
-use crate::attack::{LevelAttack, ValueAttack};
 use crate::law::Law;
 use crate::motion::Motion;
 use crate::scenario::{Controller, Scenario, Values};
 use crate::start::Start;
 
-const ANY: Allowed = Allowed::Closed(-MAGNITUDE_MAX, MAGNITUDE_MAX);
-const POSITIVE: Allowed = Allowed::LeftOpen(0.0, MAGNITUDE_MAX);
-const SECONDS: Allowed = Allowed::Closed(1e-6, 3_600.0);
+pub(super) const ANY: Allowed = Allowed::Closed(-MAGNITUDE_MAX, MAGNITUDE_MAX);
+pub(super) const POSITIVE: Allowed = Allowed::LeftOpen(0.0, MAGNITUDE_MAX);
+pub(super) const NOT_NEGATIVE: Allowed = Allowed::Closed(0.0, MAGNITUDE_MAX);
+pub(super) const SECONDS: Allowed = Allowed::Closed(1e-6, 3_600.0);
 
 /// Reads the fields of one table.
 type Fill = fn(&mut Reader, &mut Section<'_>, &mut Scenario);
@@ -26,8 +26,8 @@ type Fill = fn(&mut Reader, &mut Section<'_>, &mut Scenario);
 pub(super) fn read(reader: &mut Reader, table: &DeTable<'_>) -> Scenario {
     let mut root = Section::root(table);
     let mut scenario = Scenario::default();
-    head(reader, &mut root, &mut scenario);
-    let tables: [(&'static str, Fill); 8] = [
+    let expect = head(reader, &mut root, &mut scenario);
+    let tables: [(&'static str, Fill); 12] = [
         ("team", team),
         ("link", link),
         ("controller", controller),
@@ -35,7 +35,11 @@ pub(super) fn read(reader: &mut Reader, table: &DeTable<'_>) -> Scenario {
         ("start", start),
         ("values", values),
         ("motion", motion),
-        ("attack", attack),
+        ("attack", super::attacks::attack),
+        ("network", super::trouble::network),
+        ("clocks", super::trouble::clocks),
+        ("sensing", super::trouble::sensing),
+        ("plant", super::trouble::plant),
     ];
     for (key, fill) in tables {
         let mut section = reader.section(&mut root, key);
@@ -43,16 +47,20 @@ pub(super) fn read(reader: &mut Reader, table: &DeTable<'_>) -> Scenario {
         reader.close(&section);
     }
     reader.close(&root);
+    let promised = scenario.controller == Controller::Budget;
+    let usual = if promised { Law::PROMISED.to_vec() } else { Law::EXPECTED.to_vec() };
+    scenario.expect = expect.unwrap_or(usual);
     scenario
 }
 
-fn set<T>(field: &mut T, read: Option<T>) {
+pub(super) fn set<T>(field: &mut T, read: Option<T>) {
     if let Some(value) = read {
         *field = value;
     }
 }
 
-fn head(reader: &mut Reader, root: &mut Section<'_>, scenario: &mut Scenario) {
+/// Gives the laws that are expected, if they are named.
+fn head(reader: &mut Reader, root: &mut Section<'_>, scenario: &mut Scenario) -> Option<Vec<Law>> {
     set(&mut scenario.name, reader.text(root, "name", 60));
     set(&mut scenario.duration_s, reader.number(root, "duration_s", Allowed::Closed(0.0, MAGNITUDE_MAX)));
     set(&mut scenario.seed, reader.whole(root, "seed", 0..1 << 63));
@@ -63,10 +71,10 @@ fn head(reader: &mut Reader, root: &mut Section<'_>, scenario: &mut Scenario) {
     }
     let law = |value: &DeValue<'_>| Law::ALL.into_iter().find(|law| Some(law.name()) == value.as_str());
     let names = Law::ALL.map(|law| format!("`{}`", law.name())).join(", ");
-    set(&mut scenario.expect, reader.list(root, "expect", &names, law));
+    reader.list(root, "expect", &names, law)
 }
 
-fn small(whole: u64) -> u16 {
+pub(super) fn small(whole: u64) -> u16 {
     u16::try_from(whole).unwrap_or(u16::MAX)
 }
 
@@ -105,18 +113,26 @@ fn controller(reader: &mut Reader, section: &mut Section<'_>, scenario: &mut Sce
     let assumptions = [("obedient", Assume::Obedient), ("free", Assume::Free)];
     set(&mut scenario.assume, reader.word(section, "assume", &assumptions));
     set(&mut scenario.distance_min_m, reader.number(section, "distance_min_m", POSITIVE));
+    set(&mut scenario.position_error_m, reader.number(section, "position_error_m", NOT_NEGATIVE));
+    set(&mut scenario.tracking_error_m, reader.number(section, "tracking_error_m", NOT_NEGATIVE));
     set(&mut scenario.input_min_m_s, reader.list(section, "input_min_m_s", "a speed in m/s", number));
     set(&mut scenario.input_max_m_s, reader.list(section, "input_max_m_s", "a speed in m/s", number));
 }
 
 fn clock(reader: &mut Reader, section: &mut Section<'_>, scenario: &mut Scenario) {
     let nanos = |seconds: f64| {
-        #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "between 1e3 and 3.6e12")]
+        #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "between 0 and 3.6e12")]
         let nanos = (seconds * 1e9).round() as u64;
         Duration::from_nanos(nanos)
     };
     set(&mut scenario.tau_1, reader.number(section, "tau_1_s", SECONDS).map(nanos));
     set(&mut scenario.tau_2, reader.number(section, "tau_2_s", SECONDS).map(nanos));
+    scenario.hold_max = reader.number(section, "hold_max_s", SECONDS).map(nanos);
+    set(&mut scenario.told_max, reader.number(section, "told_max_s", SECONDS).map(nanos));
+    set(
+        &mut scenario.clock_error,
+        reader.number(section, "error_s", Allowed::Closed(0.0, 3_600.0)).map(nanos),
+    );
 }
 
 fn start(reader: &mut Reader, section: &mut Section<'_>, scenario: &mut Scenario) {
@@ -170,7 +186,7 @@ fn values(reader: &mut Reader, section: &mut Section<'_>, scenario: &mut Scenari
 }
 
 /// Fields `min` and `max`, by default the paper's [−500, 500].
-fn interval(reader: &mut Reader, section: &mut Section<'_>) -> [f64; 2] {
+pub(super) fn interval(reader: &mut Reader, section: &mut Section<'_>) -> [f64; 2] {
     let min = reader.number(section, "min", ANY).unwrap_or(-500.0);
     let max = reader.number(section, "max", Allowed::Closed(min, MAGNITUDE_MAX)).unwrap_or(min.max(500.0));
     [min, max]
@@ -179,47 +195,15 @@ fn interval(reader: &mut Reader, section: &mut Section<'_>) -> [f64; 2] {
 fn motion(reader: &mut Reader, section: &mut Section<'_>, scenario: &mut Scenario) {
     set(
         &mut scenario.motion,
-        reader.word(section, "kind", &[("paper", Motion::Paper), ("hold", Motion::Hold)]),
+        reader.word(
+            section,
+            "kind",
+            &[
+                ("paper", Motion::Paper),
+                ("hold", Motion::Hold),
+                ("gather", Motion::Gather),
+                ("wander", Motion::Wander),
+            ],
+        ),
     );
-}
-
-fn level_attack(reader: &mut Reader, level: &mut Section<'_>) -> LevelAttack {
-    let kinds = [("none", 0), ("bias", 1), ("step", 2), ("sine", 3), ("random", 4)];
-    let number = |reader: &mut Reader, level: &mut Section<'_>, key, allowed, default| {
-        reader.number(level, key, allowed).unwrap_or(default)
-    };
-    match reader.word(level, "kind", &kinds) {
-        Some(1) => LevelAttack::Bias(number(reader, level, "bias", ANY, 0.0)),
-        Some(2) => LevelAttack::Step {
-            bias: number(reader, level, "bias", ANY, 0.0),
-            from_s: number(reader, level, "from_s", Allowed::Closed(0.0, MAGNITUDE_MAX), 0.0),
-        },
-        Some(3) => LevelAttack::Sine {
-            amplitude: number(reader, level, "amplitude", ANY, 0.0),
-            period_s: number(reader, level, "period_s", Allowed::Closed(1e-3, MAGNITUDE_MAX), 1.0),
-        },
-        Some(4) => {
-            let min = number(reader, level, "min", ANY, -20.0);
-            LevelAttack::Random {
-                min,
-                max: number(reader, level, "max", Allowed::Closed(min, MAGNITUDE_MAX), min.max(20.0)),
-            }
-        }
-        _ => LevelAttack::None,
-    }
-}
-
-fn attack(reader: &mut Reader, section: &mut Section<'_>, scenario: &mut Scenario) {
-    let mut level = reader.section(section, "level");
-    scenario.level_attack = level_attack(reader, &mut level);
-    reader.close(&level);
-    let mut value = reader.section(section, "value");
-    let random = reader.word(&mut value, "kind", &[("random", true), ("none", false)]);
-    if random == Some(false) {
-        scenario.value_attack = ValueAttack::None;
-    } else {
-        let [min, max] = interval(reader, &mut value);
-        scenario.value_attack = ValueAttack::Random { min, max };
-    }
-    reader.close(&value);
 }

@@ -1,12 +1,15 @@
 //! Scenarios written in TOML. Every field has a default; anything not understood is refused with its place.
 
+mod attacks;
 mod checks;
 mod fields;
 mod problem;
-mod reader;
+pub(crate) mod reader;
+mod trouble;
 
 pub use problem::Problem;
 
+use toml::Spanned;
 use toml::de::DeTable;
 
 use crate::scenario::Scenario;
@@ -22,19 +25,7 @@ pub const ROWS_MAX: u64 = 20_000_000;
 /// A scenario that comes back can be run: parameters are in their ranges, the start exists and no two robots stand at
 /// one point.
 pub fn scenario(text: &str) -> Result<Scenario, Vec<Problem>> {
-    if text.len() > TEXT_MAX {
-        let found = format!("a scenario of {} bytes, allowed is at most {TEXT_MAX}", text.len());
-        return Err(vec![Problem { span: 0..0, field: String::new(), found, allowed: String::new() }]);
-    }
-    let table = DeTable::parse(text).map_err(|error| {
-        let span = error.span().unwrap_or(0..0);
-        vec![Problem {
-            span,
-            field: String::new(),
-            found: error.message().to_owned(),
-            allowed: String::new(),
-        }]
-    })?;
+    let table = table(text)?;
     let mut reader = reader::Reader::default();
     let scenario = fields::read(&mut reader, table.get_ref());
     if reader.is_clean() {
@@ -42,4 +33,14 @@ pub fn scenario(text: &str) -> Result<Scenario, Vec<Problem>> {
     }
     let problems = reader.finish();
     if problems.is_empty() { Ok(scenario) } else { Err(problems) }
+}
+
+/// The text as TOML.
+pub(crate) fn table(text: &str) -> Result<Spanned<DeTable<'_>>, Vec<Problem>> {
+    let broken = |span, found| vec![Problem { span, field: String::new(), found, allowed: String::new() }];
+    if text.len() > TEXT_MAX {
+        let found = format!("a scenario of {} bytes, allowed is at most {TEXT_MAX}", text.len());
+        return Err(broken(0..0, found));
+    }
+    DeTable::parse(text).map_err(|error| broken(error.span().unwrap_or(0..0), error.message().to_owned()))
 }

@@ -35,8 +35,20 @@ impl<'text> Section<'text> {
         if self.path.is_empty() { key.to_owned() } else { format!("{}.{key}", self.path) }
     }
 
+    fn know(&mut self, key: &'static str) {
+        if !self.known.contains(&key) {
+            self.known.push(key);
+        }
+    }
+
+    /// True if the text has this field.
+    pub(crate) fn has(&mut self, key: &'static str) -> bool {
+        self.know(key);
+        self.entries.is_some_and(|entries| entries.contains_key(key))
+    }
+
     fn take(&mut self, key: &'static str) -> Option<&'text Spanned<DeValue<'text>>> {
-        self.known.push(key);
+        self.know(key);
         self.entries.and_then(|entries| entries.get(key))
     }
 }
@@ -214,17 +226,19 @@ pub(crate) fn whole(value: &DeValue<'_>) -> Option<u64> {
     whole_signed(value).and_then(|whole| u64::try_from(whole).ok())
 }
 
-fn whole_signed(value: &DeValue<'_>) -> Option<i64> {
+/// A whole number.
+pub(crate) fn whole_signed(value: &DeValue<'_>) -> Option<i64> {
     let integer = value.as_integer()?;
     i64::from_str_radix(integer.as_str(), integer.radix()).ok()
 }
 
-fn one_of<'a>(names: impl Iterator<Item = &'a str>) -> String {
+/// Names as a message lists them.
+pub(crate) fn one_of<'a>(names: impl Iterator<Item = &'a str>) -> String {
     names.map(|name| format!("`{name}`")).collect::<Vec<_>>().join(", ")
 }
 
 /// The value as an error shows it, short.
-fn describe(value: &DeValue<'_>) -> String {
+pub(crate) fn describe(value: &DeValue<'_>) -> String {
     match value {
         DeValue::String(text) => format!("\"{}\"", printable(text)),
         DeValue::Integer(integer) => printable(&integer.to_string()),
@@ -236,7 +250,8 @@ fn describe(value: &DeValue<'_>) -> String {
     }
 }
 
-fn printable(text: &str) -> String {
+/// Short, without control characters.
+pub(crate) fn printable(text: &str) -> String {
     let short: String = text.chars().take(40).flat_map(char::escape_debug).collect();
     if text.chars().count() > 40 { format!("{short}...") } else { short }
 }

@@ -1,0 +1,77 @@
+//! Figures and page of a finished sweep.
+
+use anyhow::Result;
+use closeranks_report::content::{Figure, Page, Section};
+use closeranks_report::html::html;
+use closeranks_report::png::{SCALE_200_DPI, png};
+use closeranks_report::sweep::figure::{gyrations, shares};
+use closeranks_report::sweep::spread::Spread;
+use closeranks_report::sweep::tables::{controllers, values};
+
+use super::store::Store;
+use super::tell::Outcome;
+
+/// Writes [`super::store::PAGES`].
+pub(crate) fn save(store: &Store, outcome: &Outcome<'_>, spread: &Spread) -> Result<()> {
+    let laws = shares(outcome.tally, outcome.laws);
+    let gyration = gyrations(outcome.tally, spread);
+    for (name, svg) in [("laws", &laws), ("gyration", &gyration)] {
+        store.put(&format!("{name}.svg"), svg.as_bytes())?;
+        store.put(&format!("{name}.png"), &png(svg, SCALE_200_DPI)?)?;
+    }
+    store.put("report.html", html(&page(outcome, laws, gyration)).as_bytes())
+}
+
+fn page(outcome: &Outcome<'_>, laws: String, gyration: String) -> Page {
+    let text = Section {
+        title: "Sweep".to_owned(),
+        paragraphs: outcome.manifest.text.lines().map(str::to_owned).collect(),
+        ..Section::default()
+    };
+    Page {
+        title: format!("Sweep of {}", outcome.file),
+        lead: format!("{}.", outcome.head()),
+        sections: vec![came_to(outcome, laws, gyration), by_value(outcome), violations(outcome), text],
+        footer: format!("closeranks {}, commit {}", env!("CARGO_PKG_VERSION"), env!("CLOSERANKS_COMMIT")),
+    }
+}
+
+fn came_to(outcome: &Outcome<'_>, laws: String, gyration: String) -> Section {
+    let caption =
+        "Runs in which a law was violated; \"at most\" is the exact one-sided bound of Clopper and Pearson.";
+    let figure = |caption: &str, svg| Figure { caption: caption.to_owned(), svg };
+    Section {
+        title: "What it came to".to_owned(),
+        tables: vec![(caption.to_owned(), controllers(outcome.tally, outcome.laws))],
+        figures: vec![
+            figure("Share of runs in which each law was violated; hollow where it never was.", laws),
+            figure("Radius of gyration of the team at the end: farther right is wider.", gyration),
+        ],
+        ..Section::default()
+    }
+}
+
+fn by_value(outcome: &Outcome<'_>) -> Section {
+    let table = values(outcome.tally);
+    let none = "No field was drawn from a few values.".to_owned();
+    Section {
+        title: "By drawn value".to_owned(),
+        paragraphs: if table.rows.is_empty() { vec![none] } else { Vec::new() },
+        tables: if table.rows.is_empty() {
+            Vec::new()
+        } else {
+            vec![("Violating runs of all runs with this value.".to_owned(), table)]
+        },
+        ..Section::default()
+    }
+}
+
+fn violations(outcome: &Outcome<'_>) -> Section {
+    let told = outcome.violating();
+    let mut paragraphs: Vec<String> =
+        told.into_iter().flat_map(|(what, command)| [format!("{what}. To repeat it:"), command]).collect();
+    if paragraphs.is_empty() {
+        paragraphs.push("No expected law was violated.".to_owned());
+    }
+    Section { title: "First violations".to_owned(), paragraphs, ..Section::default() }
+}

@@ -1,0 +1,123 @@
+//! Runs blocks of a sweep, and puts them together.
+
+use std::fs::File;
+use std::path::Path;
+
+use anyhow::{Context, Result, bail};
+use closeranks_report::sweep::entry::{Entry, heads};
+use closeranks_report::sweep::file::{Writer, read};
+use closeranks_report::sweep::rows::Rows;
+use closeranks_report::sweep::spread::Spread;
+use closeranks_report::sweep::tally::Tally;
+use closeranks_sim::sweep::Plan;
+use closeranks_sim::world::{self, Options};
+use rayon::prelude::*;
+
+use super::manifest::Manifest;
+use super::store::Store;
+use crate::{progress, source};
+
+/// A sweep that is to be run.
+pub(crate) struct Work<'a> {
+    /// Where it is written.
+    pub(crate) file: &'a Path,
+    /// What is drawn.
+    pub(crate) plan: Plan,
+    /// What decides the rows.
+    pub(crate) manifest: Manifest<'a>,
+    /// Threads; 0 for one a core.
+    pub(crate) jobs: usize,
+    /// No bar.
+    pub(crate) quiet: bool,
+}
+
+impl Work<'_> {
+    /// Runs every block that is not there yet and puts all of them into one file. Blocks are the same for every number of
+    /// threads, and so is each row.
+    pub(crate) fn finish(&self, store: &Store) -> Result<()> {
+        let Manifest { runs, shard, .. } = self.manifest;
+        let there = store.parts()?;
+        let missing: Vec<u64> = (0..shard.blocks(runs)).filter(|block| !there.contains(block)).collect();
+        let left: usize = missing.iter().map(|block| shard.block(runs, *block).count()).sum();
+        let all = shard.runs(runs);
+        let bar = progress::runs(all, all - left as u64, self.quiet);
+        let pool = rayon::ThreadPoolBuilder::new().num_threads(self.jobs).build()?;
+        pool.install(|| {
+            missing.par_iter().with_max_len(1).try_for_each(|block| {
+                let rows = self.block(*block, &|| bar.inc(1))?;
+                store.write(&Store::part(*block), |file| self.write(file, [Ok(rows)].into_iter()))
+            })
+        })?;
+        bar.finish_and_clear();
+        self.merge(store)
+    }
+
+    /// All rows of a block, by run, then controller.
+    fn block(&self, block: u64, done: &(dyn Fn() + Sync)) -> Result<Rows> {
+        let mut rows = Rows::empty(&heads(self.plan.fields()));
+        for run in self.manifest.shard.block(self.manifest.runs, block) {
+            self.run(run, &mut rows)?;
+            done();
+        }
+        Ok(rows)
+    }
+
+    fn run(&self, run: u64, rows: &mut Rows) -> Result<()> {
+        let drawn = source::draw(self.file, self.manifest.text, &self.plan, self.manifest.seed, run)?;
+        for (scenario, _) in &drawn.scenarios {
+            let finished = world::run(scenario, Options::default(), &mut |_| ());
+            let finished = finished.with_context(|| format!("run {run} cannot be run"))?;
+            let (redraws, drawn) = (drawn.redraws, drawn.drawn.as_slice());
+            rows.push(Entry { run, redraws, drawn, scenario, summary: &finished.summary }.cells());
+        }
+        Ok(())
+    }
+
+    fn write(&self, file: &mut File, all: impl Iterator<Item = Result<Rows>>) -> Result<()> {
+        let mut writer = Writer::new(file, &heads(self.plan.fields()), &self.manifest.pairs())?;
+        for rows in all {
+            writer.add(rows?)?;
+        }
+        writer.finish()?;
+        Ok(())
+    }
+
+    /// Puts all blocks into one file and removes them.
+    fn merge(&self, store: &Store) -> Result<()> {
+        let blocks = 0..self.manifest.shard.blocks(self.manifest.runs);
+        let parts = blocks.map(|block| self.part(store, block));
+        store.write(store.rows(), |file| self.write(file, parts))
+    }
+
+    /// The rows of a block, if they are those that it should have.
+    fn part(&self, store: &Store, block: u64) -> Result<Rows> {
+        let path = store.path(&Store::part(block));
+        let broken = || format!("`{}` is broken; remove it and repeat the command", path.display());
+        let mut rows = Rows::empty(&heads(self.plan.fields()));
+        let mut fits = true;
+        read(File::open(&path).with_context(broken)?, &[], &mut |more| fits &= rows.append(more))
+            .with_context(broken)?;
+        let mut runs: Vec<Option<i64>> = rows.whole("run").to_vec();
+        runs.dedup();
+        let expected =
+            self.manifest.shard.block(self.manifest.runs, block).map(|run| i64::try_from(run).ok());
+        if !fits || !expected.eq(runs) {
+            bail!(broken());
+        }
+        Ok(rows)
+    }
+
+    /// Counts all rows.
+    pub(crate) fn count(&self, store: &Store) -> Result<(Tally, Spread)> {
+        let path = store.path(store.rows());
+        let broken = || format!("`{}` is broken; remove it and repeat the command", path.display());
+        let few = self.plan.fields().iter().filter(|field| field.few).map(|field| field.path.as_str());
+        let names: Vec<&str> = Tally::COLUMNS.into_iter().chain(few).collect();
+        let mut tally = Tally::new(self.plan.fields());
+        read(File::open(&path).with_context(broken)?, &names, &mut |rows| tally.add(&rows))
+            .with_context(broken)?;
+        let mut spread = Spread::new(&tally);
+        read(File::open(&path)?, &Spread::COLUMNS, &mut |rows| spread.add(&rows)).with_context(broken)?;
+        Ok((tally, spread))
+    }
+}

@@ -1,0 +1,78 @@
+//! What a sweep came to, as tables.
+
+use std::collections::BTreeSet;
+
+use super::confidence::upper_95;
+use super::tally::{Share, Tally};
+use crate::content::Table;
+use crate::table::number;
+
+/// One line a controller: runs, violating runs, their share with its upper bound at 95 %, runs in which each of `laws` was
+/// violated, mean radius of gyration.
+#[must_use]
+pub fn controllers(tally: &Tally, laws: &[&str]) -> Table {
+    let mut heads =
+        ["controller", "runs", "with\nviolations", "share", "at most\n(95 %)"].map(str::to_owned).to_vec();
+    heads.extend(laws.iter().map(|law| format!("{law}\nruns")));
+    heads.push("gyration\nmean, m".to_owned());
+    let rows = tally.controllers.iter().map(|(name, share)| row(name, share, laws));
+    Table { heads, rows: rows.collect() }
+}
+
+fn row(name: &str, share: &Share, laws: &[&str]) -> Vec<String> {
+    #[expect(clippy::cast_precision_loss, reason = "sweeps are far below 2^53 runs")]
+    let part = share.violating as f64 / share.runs.max(1) as f64;
+    let mut row = vec![
+        name.to_owned(),
+        share.runs.to_string(),
+        share.violating.to_string(),
+        percent(part),
+        percent(upper_95(share.violating, share.runs)),
+    ];
+    row.extend(laws.iter().map(|law| share.laws.get(*law).copied().unwrap_or(0).to_string()));
+    row.push(share.gyration_mean_m().map_or("-".to_owned(), |mean| number(mean, 3)));
+    row
+}
+
+/// A share in percent with two telling digits.
+#[must_use]
+pub fn percent(share: f64) -> String {
+    let percent = share * 100.0;
+    let digits = match percent {
+        0.0 => 0,
+        _ if percent >= 9.95 => 1,
+        _ if percent >= 0.1 => 2,
+        _ if percent >= 0.001 => 4,
+        _ => 6,
+    };
+    format!("{percent:.digits$} %")
+}
+
+/// Violating runs of all runs for every value of every drawn field with few values: one line a value.
+#[must_use]
+pub fn values(tally: &Tally) -> Table {
+    let names: BTreeSet<&str> = tally.controllers.keys().map(String::as_str).collect();
+    let mut heads = vec!["drawn".to_owned(), "value".to_owned()];
+    heads.extend(names.iter().map(|name| format!("{name}\nviolating of runs")));
+    let mut rows = Vec::new();
+    for (path, values) in &tally.fields {
+        let mut values: Vec<_> = values.iter().flatten().collect();
+        values.sort_by(|(a, _), (b, _)| order(a, b));
+        rows.extend(values.into_iter().enumerate().map(|(index, (value, counts))| {
+            let path = if index == 0 { path.clone() } else { String::new() };
+            let cells = names.iter().map(|name| {
+                counts.get(*name).map_or("-".to_owned(), |[runs, violating]| format!("{violating} of {runs}"))
+            });
+            [path, value.clone()].into_iter().chain(cells).collect()
+        }));
+    }
+    Table { heads, rows }
+}
+
+/// Numbers by size, words by the alphabet.
+fn order(a: &str, b: &str) -> core::cmp::Ordering {
+    match (a.parse::<f64>(), b.parse::<f64>()) {
+        (Ok(a), Ok(b)) => a.total_cmp(&b),
+        _ => a.cmp(b),
+    }
+}

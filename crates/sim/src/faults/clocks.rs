@@ -1,0 +1,80 @@
+//! The robots' own clocks: none shows the world's time.
+
+use closeranks_core::time::Instant;
+
+use crate::random::{Random, Stream};
+use crate::scenario::Scenario;
+
+/// How far clocks are off. Each robot's offset and drift are drawn evenly.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Clocks {
+    /// Offsets lie between 0 and this, s.
+    pub offset_max_s: f64,
+    /// Drifts lie between minus and plus this, s/s.
+    pub drift_max: f64,
+}
+
+/// The clocks of a run.
+#[derive(Clone, Debug)]
+pub struct Shown {
+    offsets_s: Vec<f64>,
+    drifts: Vec<f64>,
+    tick_nanos: u64,
+}
+
+impl Shown {
+    /// The clocks of `scenario`.
+    #[must_use]
+    pub fn new(scenario: &Scenario) -> Self {
+        let Clocks { offset_max_s, drift_max } = scenario.trouble.clocks;
+        let mut random = Random::new(scenario.seed, Stream::Clocks);
+        let mut draws = |min, max| (0..scenario.robots).map(|_| random.uniform(min, max)).collect();
+        Self {
+            offsets_s: draws(0.0, offset_max_s),
+            drifts: draws(-drift_max, drift_max),
+            tick_nanos: u64::try_from(scenario.tau_1.as_nanos()).unwrap_or(u64::MAX),
+        }
+    }
+
+    /// What the clock of robot `index` shows at `tick`.
+    #[must_use]
+    pub fn now(&self, index: usize, tick: u32) -> Instant {
+        let world = u64::from(tick).saturating_mul(self.tick_nanos);
+        let (offset_s, drift) = (self.offsets_s[index], self.drifts[index]);
+        if offset_s == 0.0 && drift == 0.0 {
+            return Instant::from_nanos(world);
+        }
+        #[expect(clippy::cast_precision_loss, reason = "a nanosecond more or less in three months")]
+        let off = offset_s * 1e9 + drift * world as f64;
+        #[expect(clippy::cast_possible_truncation, reason = "saturates")]
+        let off = off as i64;
+        Instant::from_nanos(world.saturating_add_signed(off))
+    }
+
+    /// Greatest difference between any two clocks at `tick`, s.
+    #[must_use]
+    pub fn difference_s(&self, tick: u32) -> f64 {
+        let shown = (0..self.offsets_s.len()).map(|index| self.now(index, tick).as_nanos());
+        let (low, high) = shown.fold((u64::MAX, 0), |(low, high), now| (low.min(now), high.max(now)));
+        #[expect(clippy::cast_precision_loss, reason = "a difference")]
+        let nanos = high.saturating_sub(low) as f64;
+        nanos * 1e-9
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn clocks_differ_by_their_offsets_and_ever_more_by_their_drifts() {
+        let mut scenario = Scenario::default();
+        assert_eq!(Shown::new(&scenario).now(3, 7), Instant::from_nanos(35_000_000));
+        scenario.trouble.clocks = Clocks { offset_max_s: 0.2, drift_max: 0.01 };
+        let shown = Shown::new(&scenario);
+        assert!((0.05..=0.2).contains(&shown.difference_s(0)));
+        assert!((0.05..=0.4).contains(&shown.difference_s(2_000)), "at most 0.2 more after 10 s");
+        assert_ne!(shown.difference_s(0), shown.difference_s(2_000));
+        assert!((0..11).all(|index| shown.now(index, 1) > shown.now(index, 0)));
+    }
+}

@@ -1,0 +1,201 @@
+//! The network between robots: loses, delays, reorders, duplicates and divides.
+
+use std::collections::BTreeMap;
+
+use closeranks_core::message::MESSAGE_BYTES;
+
+use crate::random::{Random, Stream};
+use crate::scenario::Scenario;
+
+/// Messages under way at most; more are lost. Some 50 MB.
+const UNDER_WAY_MAX: usize = 1 << 20;
+
+/// What the network does to every message on its way to one robot. Shares and probabilities lie in `[0, 1]`.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Network {
+    /// Probability that a message is lost, whatever happened to others.
+    pub loss: f64,
+    /// Probability a tick that a link, one way, begins to lose everything.
+    pub burst_begin: f64,
+    /// Probability a tick that it stops doing so.
+    pub burst_end: f64,
+    /// Least delay, s.
+    pub delay_min_s: f64,
+    /// Greatest delay, s; each message has its own, so that later ones overtake.
+    pub delay_max_s: f64,
+    /// Probability that a message comes twice, each time with its own delay.
+    pub duplicate: f64,
+    /// Share of links that carry nothing one way.
+    pub deaf: f64,
+    /// No message passes between two groups of robots for a while.
+    pub partition: Option<Partition>,
+}
+
+/// Two groups that do not hear each other.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Partition {
+    /// The last robot of the first group.
+    pub first: u16,
+    /// From when, s.
+    pub from_s: f64,
+    /// Until when, s.
+    pub to_s: f64,
+}
+
+/// Bytes on their way.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Parcel {
+    /// Index of the sender.
+    pub sender: usize,
+    /// Index of the receiver.
+    pub receiver: usize,
+    /// As sent.
+    pub bytes: [u8; MESSAGE_BYTES],
+}
+
+/// A network in use.
+#[derive(Clone, Debug)]
+pub struct Wire {
+    network: Network,
+    robots: usize,
+    tick_s: f64,
+    random: Random,
+    deaf: Vec<bool>,
+    burst: Vec<bool>,
+    under_way: BTreeMap<u32, Vec<Parcel>>,
+    count: usize,
+}
+
+impl Wire {
+    /// The network of `scenario`.
+    #[must_use]
+    pub fn new(scenario: &Scenario) -> Self {
+        let robots = usize::from(scenario.robots);
+        let network = scenario.trouble.network;
+        let mut random = Random::new(scenario.seed, Stream::Network);
+        let deaf = (0..robots * robots).map(|_| network.deaf > 0.0 && random.chance(network.deaf)).collect();
+        Self {
+            network,
+            robots,
+            tick_s: scenario.tick_s(),
+            random,
+            deaf,
+            burst: vec![false; robots * robots],
+            under_way: BTreeMap::new(),
+            count: 0,
+        }
+    }
+
+    /// Begins `tick`: links fall silent or find their voice.
+    pub fn begin_tick(&mut self) {
+        let Network { burst_begin, burst_end, .. } = self.network;
+        if burst_begin > 0.0 {
+            for burst in &mut self.burst {
+                let change = if *burst { burst_end } else { burst_begin };
+                *burst ^= self.random.chance(change);
+            }
+        }
+    }
+
+    /// Takes a message that is sent in `tick`.
+    pub fn send(&mut self, tick: u32, parcel: Parcel) {
+        let copies = if self.happens(self.network.duplicate) { 2 } else { 1 };
+        for _ in 0..copies {
+            let lost = self.blocked(tick, &parcel) || self.happens(self.network.loss);
+            let due = tick.saturating_add(self.delay_ticks());
+            if !lost && self.count < UNDER_WAY_MAX {
+                self.under_way.entry(due).or_default().push(parcel);
+                self.count += 1;
+            }
+        }
+    }
+
+    /// What arrives in `tick`, in the order in which it was sent.
+    pub fn arrivals(&mut self, tick: u32) -> Vec<Parcel> {
+        let arrived = self.under_way.remove(&tick).unwrap_or_default();
+        self.count -= arrived.len();
+        arrived
+    }
+
+    fn blocked(&self, tick: u32, parcel: &Parcel) -> bool {
+        let link = parcel.sender * self.robots + parcel.receiver;
+        let time_s = f64::from(tick) * self.tick_s;
+        let divided = self.network.partition.is_some_and(|partition| {
+            let first = |index: usize| index < usize::from(partition.first);
+            let lasts = partition.from_s <= time_s && time_s < partition.to_s;
+            lasts && first(parcel.sender) != first(parcel.receiver)
+        });
+        divided || self.deaf[link] || self.burst[link]
+    }
+
+    /// Draws nothing where nothing can happen.
+    fn happens(&mut self, probability: f64) -> bool {
+        probability > 0.0 && self.random.chance(probability)
+    }
+
+    /// Whole ticks, rounded up: what comes within a tick is there at the next.
+    fn delay_ticks(&mut self) -> u32 {
+        let Network { delay_min_s, delay_max_s, .. } = self.network;
+        if delay_max_s <= 0.0 {
+            return 0;
+        }
+        let delay_s = self.random.uniform(delay_min_s, delay_max_s);
+        #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "saturates")]
+        let ticks = (delay_s / self.tick_s).ceil() as u32;
+        ticks
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn arrivals(network: Network) -> Vec<Vec<u8>> {
+        let mut scenario = Scenario { robots: 2, ..Scenario::default() };
+        scenario.trouble.network = network;
+        let mut wire = Wire::new(&scenario);
+        let at = |tick: u32| u8::try_from(tick).unwrap();
+        (0..200)
+            .map(|tick| {
+                wire.begin_tick();
+                let bytes = [at(tick); MESSAGE_BYTES];
+                wire.send(tick, Parcel { sender: 0, receiver: 1, bytes });
+                wire.arrivals(tick).iter().map(|parcel| parcel.bytes[0]).collect()
+            })
+            .collect()
+    }
+
+    #[test]
+    fn a_perfect_network_delivers_at_once() {
+        assert!((0..).zip(arrivals(Network::default())).all(|(tick, arrived)| arrived == [tick]));
+    }
+
+    #[test]
+    fn messages_are_lost_one_by_one_or_in_bursts() {
+        let got = |network| arrivals(network).iter().map(|arrived| !arrived.is_empty()).collect::<Vec<_>>();
+        let changes = |got: &[bool]| got.windows(2).filter(|pair| pair[0] != pair[1]).count();
+        let singly = got(Network { loss: 0.5, ..Network::default() });
+        let bursts = got(Network { burst_begin: 0.05, burst_end: 0.05, ..Network::default() });
+        for got in [&singly, &bursts] {
+            assert!((40..160).contains(&got.iter().filter(|got| **got).count()));
+        }
+        assert!(changes(&singly) > 60 && changes(&bursts) < 30);
+        assert!(got(Network { deaf: 1.0, ..Network::default() }).iter().all(|got| !got));
+    }
+
+    #[test]
+    fn delays_reorder_and_duplicates_come_twice() {
+        let arrived = arrivals(Network { delay_max_s: 0.05, duplicate: 0.5, ..Network::default() }).concat();
+        assert!(!arrived.is_sorted());
+        let twice =
+            (0..180).filter(|tick| arrived.iter().copied().filter(|at| at == tick).count() == 2).count();
+        assert!((50..130).contains(&twice), "{twice}");
+    }
+
+    #[test]
+    fn a_partition_heals() {
+        let partition = Some(Partition { first: 1, from_s: 0.25, to_s: 0.5 });
+        let got = arrivals(Network { partition, ..Network::default() });
+        assert!((0..200).all(|tick| got[tick].is_empty() == (50..100).contains(&tick)));
+    }
+}

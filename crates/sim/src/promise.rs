@@ -1,0 +1,292 @@
+//! The theorem of `budget` from tick to tick: what was safe stays safe wherever its assumptions hold, and robots say so.
+
+use closeranks_core::math::{Vector, add_scaled, dot, sqrt, subtract};
+use closeranks_core::params::{Controller, Params};
+use closeranks_core::report::Mode;
+
+use crate::attack::MotionAttack;
+use crate::frame::Frame;
+use crate::law::{Law, Verdicts, Violation};
+use crate::scenario::Scenario;
+use crate::truth::Truth;
+
+/// Sums of weights, and squares of distances as a share of R², are rounded by far less than this.
+pub(crate) const ROUNDING: f64 = 1e-11;
+/// Ticks in which all must have noticed that everything holds again.
+const NOTICE_TICKS: u32 = 2;
+
+/// The tick before, and what has not held since when.
+#[derive(Clone, Debug)]
+pub(crate) struct Promise<const D: usize> {
+    params: Params<D>,
+    malicious: Vec<bool>,
+    /// Pairs with a malicious robot may collide: it goes where it likes.
+    free: bool,
+    /// Robots know their own state exactly.
+    exact: bool,
+    told_ticks: u32,
+    before: Option<Before<D>>,
+    /// The last tick in which an assumption was broken, and the last in which a robot could have noticed anything wrong.
+    broken: Option<u32>,
+    unwell: Option<u32>,
+    /// Robot-ticks of normal robots, those of them guaranteed, and those with a negative own h.
+    counted: [u64; 3],
+    /// Longest time from the end of trouble until all were guaranteed again, in ticks.
+    recovery_ticks: u32,
+    /// Least squared distance of two robots yet, m².
+    least_m2: f64,
+}
+
+#[derive(Clone, Debug)]
+struct Before<const D: usize> {
+    truth: Truth,
+    positions_m: Vec<Vector<D>>,
+    /// Moves obey the rows, and rows rest on what is true.
+    moves: bool,
+    claims: bool,
+}
+
+impl<const D: usize> Promise<D> {
+    /// For the robots of `scenario`.
+    #[must_use]
+    pub(crate) fn new(scenario: &Scenario, params: Params<D>) -> Self {
+        let settings = params.settings();
+        let aged = settings.told_max + settings.clock_error;
+        let told_ticks = aged.as_nanos().div_ceil(settings.level_period.as_nanos().max(1));
+        let steady = scenario.trouble.clocks == crate::faults::Clocks::default();
+        Self {
+            malicious: scenario.malicious_mask(),
+            free: scenario.motion_attack != MotionAttack::Obedient,
+            exact: params.budget().margin.offset_m == 0.0 && steady,
+            told_ticks: u32::try_from(told_ticks).unwrap_or(u32::MAX).saturating_add(1),
+            params,
+            before: None,
+            broken: None,
+            unwell: None,
+            counted: [0; 3],
+            recovery_ticks: 0,
+            least_m2: f64::INFINITY,
+        }
+    }
+
+    /// Looks at one tick. `covered` is false where more robots lie than the team is prepared for.
+    pub(crate) fn watch(
+        &mut self,
+        tick: u32,
+        frame: &Frame<D>,
+        truth: &Truth,
+        covered: bool,
+        verdicts: &mut Verdicts,
+    ) {
+        let before = self.before.take();
+        self.watch_spares(tick, truth, before.as_ref().filter(|_| covered), verdicts);
+        self.watch_pairs(tick, frame, truth, before.as_ref().filter(|_| covered), verdicts);
+        if frame.broken || !covered {
+            self.broken = Some(tick);
+        }
+        let moves = !frame.broken && covered;
+        let claims = moves && since(self.broken, tick) > self.told_ticks;
+        if self.params.settings().controller == Controller::Budget {
+            self.watch_modes(tick, frame, truth, claims, verdicts);
+        }
+        let mut now = before.unwrap_or_else(|| Before {
+            truth: Truth::default(),
+            positions_m: Vec::new(),
+            moves: false,
+            claims: false,
+        });
+        now.truth.clone_from(truth);
+        now.positions_m.clone_from(&frame.positions_m);
+        (now.moves, now.claims) = (moves, claims);
+        self.before = Some(now);
+    }
+
+    /// h of normal robots, and their degrees, which follow from it (lem:connectivity).
+    fn watch_spares(&self, tick: u32, truth: &Truth, before: Option<&Before<D>>, verdicts: &mut Verdicts) {
+        let budget = self.params.settings().controller == Controller::Budget;
+        let required = self.required();
+        for (robot, index) in (1_u16..).zip(0..truth.spares.len()).filter(|(_, k)| !self.malicious[*k]) {
+            let spare = truth.spares[index];
+            let carried = before.filter(|before| before.claims && before.truth.spares[index] >= 0.0);
+            let at = |seen, demanded| Violation { tick, robots: [robot, 0], seen, demanded };
+            if spare < -ROUNDING {
+                verdicts.broke(Law::Spare, at(spare, 0.0), carried.is_some());
+            }
+            if truth.degrees[index] < required {
+                let seen = f64::from(truth.degrees[index]);
+                verdicts.broke(Law::Degree, at(seen, f64::from(required)), spare >= 0.0 || carried.is_some());
+            }
+            if let Some(before) = before.filter(|_| budget) {
+                let floor = (1.0 - self.params.budget().gamma) * before.truth.spares[index];
+                if floor >= 0.0 && spare < floor - ROUNDING {
+                    verdicts.broke(Law::Decay, at(spare, floor), carried.is_some());
+                }
+            }
+        }
+    }
+
+    /// The degree that counts: F′, or θ among normal robots with free liars.
+    fn required(&self) -> u16 {
+        match self.params.settings().controller {
+            Controller::Budget => self.params.budget().required(),
+            Controller::Composed => self.params.required_degree(),
+        }
+    }
+
+    fn watch_pairs(
+        &mut self,
+        tick: u32,
+        frame: &Frame<D>,
+        truth: &Truth,
+        before: Option<&Before<D>>,
+        verdicts: &mut Verdicts,
+    ) {
+        let radius_m = self.params.settings().radius_m;
+        let blur_m2 = ROUNDING * radius_m * radius_m;
+        let (least_m, own_least_m) =
+            (self.params.settings().distance_min_m, self.params.budget().distance_min_m);
+        let budget = self.params.settings().controller == Controller::Budget;
+        let mut pair = 0;
+        for (second, x) in (0..).zip(&frame.positions_m) {
+            for (first, y) in (0..second).zip(&frame.positions_m) {
+                let place = pair;
+                pair += 1;
+                let offset = subtract(x, y);
+                let distance_m2 = dot(&offset, &offset);
+                self.least_m2 = self.least_m2.min(distance_m2);
+                if self.free && (self.malicious[first] || self.malicious[second]) {
+                    continue;
+                }
+                let robots = [first, second].map(|index| u16::try_from(index + 1).unwrap_or(u16::MAX));
+                let carried = before.filter(|before| {
+                    before.moves && before.truth.pairs_m2[place] >= own_least_m * own_least_m - blur_m2
+                });
+                let at = |seen, demanded| Violation { tick, robots, seen, demanded };
+                if distance_m2 < least_m * least_m - blur_m2 {
+                    verdicts.broke(Law::Distance, at(sqrt(distance_m2), least_m), carried.is_some());
+                }
+                let Some(before) = before else { continue };
+                let path_m2 = nearest_m2(
+                    &subtract(&before.positions_m[second], &before.positions_m[first]),
+                    &offset,
+                    least_m,
+                );
+                if path_m2 < least_m * least_m - blur_m2 {
+                    verdicts.broke(Law::Path, at(sqrt(path_m2), least_m), carried.is_some());
+                }
+                let spare_m2 = before.truth.pairs_m2[place] - own_least_m * own_least_m;
+                let floor_m2 = (1.0 - self.params.settings().gamma_c) * spare_m2;
+                let linked =
+                    before.truth.pairs_m2[place] <= self.params.budget().curvature.link().radius_m.powi(2);
+                let now_m2 = truth.pairs_m2[place] - own_least_m * own_least_m;
+                if budget && linked && floor_m2 >= 0.0 && now_m2 < floor_m2 - blur_m2 {
+                    verdicts.broke(Law::Decay, at(now_m2, floor_m2), carried.is_some());
+                }
+            }
+        }
+    }
+
+    /// Nobody promises what is not so, as far as it can know; and all promise again soon after everything holds.
+    fn watch_modes(
+        &mut self,
+        tick: u32,
+        frame: &Frame<D>,
+        truth: &Truth,
+        claims: bool,
+        verdicts: &mut Verdicts,
+    ) {
+        let stopped = frame.modes.contains(&Mode::Stopped);
+        let safe = (0..truth.own.len()).all(|robot| truth.own[robot] >= 0.0)
+            && (0..truth.own.len()).all(|robot| !self.crowded(robot, truth, true));
+        let well = safe && !stopped && !frame.broken;
+        if !well {
+            self.unwell = Some(tick);
+        }
+        let healed = self.exact && since(self.unwell, tick) > self.told_ticks + NOTICE_TICKS;
+        let mut all = true;
+        for (robot, index) in (1_u16..).zip(0..truth.spares.len()).filter(|(_, k)| !self.malicious[*k]) {
+            let guaranteed = frame.modes[index] == Mode::Guaranteed;
+            all &= guaranteed;
+            let negative = truth.own[index] < 0.0;
+            for (counter, counts) in self.counted.iter_mut().zip([true, guaranteed, negative]) {
+                *counter += u64::from(counts);
+            }
+            let at = |seen| Violation { tick, robots: [robot, 0], seen, demanded: 0.0 };
+            let can_know = if self.exact { !frame.sensed_wrong[index] } else { claims };
+            let untrue = truth.spares[index] < -ROUNDING
+                || truth.degrees[index] < self.required()
+                || self.crowded(index, truth, false);
+            if guaranteed && can_know && untrue {
+                verdicts.broke(Law::Mode, at(truth.spares[index]), true);
+            }
+            if !guaranteed && healed {
+                verdicts.broke(Law::Mode, at(f64::from(since(self.unwell, tick))), true);
+            }
+        }
+        if well && !all {
+            self.recovery_ticks = self.recovery_ticks.max(since(self.unwell, tick).min(tick));
+        }
+    }
+
+    /// True when another robot is certainly too close to `robot`; `anybody` counts disobedient ones too.
+    fn crowded(&self, robot: usize, truth: &Truth, anybody: bool) -> bool {
+        let least_m = self.params.budget().distance_min_m;
+        let blur_m2 = ROUNDING * self.params.settings().radius_m.powi(2);
+        // A hair more for who must promise than for who may not: at the limit itself either is right.
+        let limit_m2 = least_m * least_m + if anybody { blur_m2 } else { -blur_m2 };
+        let counts =
+            |other: usize| anybody || !(self.free && (self.malicious[robot] || self.malicious[other]));
+        (0..truth.own.len())
+            .any(|other| other != robot && counts(other) && truth.pair_m2(robot, other) < limit_m2)
+    }
+
+    /// Share of time in which normal robots were guaranteed, and in which their own h was negative.
+    #[must_use]
+    pub(crate) fn shares(&self) -> [f64; 2] {
+        #[expect(clippy::cast_precision_loss, reason = "counts")]
+        let share = |index: usize| self.counted[index] as f64 / self.counted[0].max(1) as f64;
+        [share(1), share(2)]
+    }
+
+    /// Longest time from the end of trouble until all were guaranteed again, in ticks.
+    #[must_use]
+    pub(crate) fn recovery_ticks(&self) -> u32 {
+        self.recovery_ticks
+    }
+
+    /// Least squared distance of two robots yet, m².
+    pub(crate) fn least_m2(&self) -> f64 {
+        self.least_m2
+    }
+}
+
+/// Ticks since `then`; for ever if it never was.
+fn since(then: Option<u32>, tick: u32) -> u32 {
+    then.map_or(u32::MAX, |then| tick - then)
+}
+
+/// Square of the least distance while an offset goes straight from `start` to `end`, m²; what is farther than twice `least_m`
+/// may come out as the end.
+fn nearest_m2<const D: usize>(start: &Vector<D>, end: &Vector<D>, least_m: f64) -> f64 {
+    let step = subtract(end, start);
+    let (length_m2, start_m2) = (dot(&step, &step), dot(start, start));
+    let end_m2 = dot(end, end);
+    if length_m2 == 0.0 || (start_m2 > 4.0 * least_m * least_m && length_m2 < least_m * least_m) {
+        return end_m2;
+    }
+    let share = (-dot(start, &step) / length_m2).clamp(0.0, 1.0);
+    let nearest = add_scaled(start, share, &step);
+    dot(&nearest, &nearest).min(end_m2)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn robots_that_pass_each_other_between_ticks_are_seen() {
+        assert_eq!(nearest_m2(&[-1.0, 0.25], &[1.0, 0.25], 0.3), 0.0625);
+        assert_eq!(nearest_m2(&[1.0, 0.0], &[2.0, 0.0], 0.3), 1.0);
+        assert_eq!(nearest_m2(&[2.0, 0.0], &[2.0, 0.0], 0.3), 4.0);
+    }
+}

@@ -1,0 +1,99 @@
+//! From a tree with draws to plain values.
+
+use std::collections::BTreeMap;
+
+use closeranks_core::math::exp;
+use toml::Value;
+
+use super::tree::{Node, below};
+use crate::random::Random;
+
+/// What a drawn field has in one run.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Drawn {
+    /// A number.
+    Number(f64),
+    /// A word, or a list as TOML.
+    Text(String),
+}
+
+/// Draws in the order of the tree and notes what was drawn.
+pub(super) struct Drawer<'a> {
+    /// Where draws come from.
+    pub(super) random: &'a mut Random,
+    /// Every drawn field by its full name.
+    pub(super) drawn: BTreeMap<String, Drawn>,
+}
+
+impl Drawer<'_> {
+    /// The value of `node`; it is noted if it was drawn.
+    pub(super) fn value(&mut self, path: &str, node: &Node) -> Value {
+        match node {
+            Node::Plain(value) => value.clone(),
+            Node::Table(entries) => Value::Table(
+                entries
+                    .iter()
+                    .map(|(key, node)| (key.clone(), self.value(&below(path, key), node)))
+                    .collect(),
+            ),
+            Node::List(items) => {
+                let items = items.iter().enumerate();
+                Value::Array(
+                    items.map(|(index, node)| self.value(&format!("{path}[{index}]"), node)).collect(),
+                )
+            }
+            _ => {
+                let value = self.draw(node);
+                self.note(path, &value);
+                value
+            }
+        }
+    }
+
+    fn draw(&mut self, node: &Node) -> Value {
+        match node {
+            Node::Whole { min, max } => Value::Integer(min + self.step(max.abs_diff(*min))),
+            Node::Number { min, max, log: false } => Value::Float(self.random.uniform(*min, *max)),
+            Node::Number { min, max, log: true } => Value::Float(self.log_uniform(*min, *max)),
+            Node::Choice { items, sums } => self.choose(items, sums),
+            // What stands inside of a choice is noted by the choice.
+            Node::Plain(value) => value.clone(),
+            Node::Table(entries) => {
+                Value::Table(entries.iter().map(|(key, node)| (key.clone(), self.draw(node))).collect())
+            }
+            Node::List(items) => Value::Array(items.iter().map(|node| self.draw(node)).collect()),
+        }
+    }
+
+    /// A whole number from 0 to `width`, both included.
+    fn step(&mut self, width: u64) -> i64 {
+        i64::try_from(self.random.below(width + 1)).unwrap_or(0)
+    }
+
+    /// Even in the logarithm. The logarithm of libm and our exponential give the same bits everywhere.
+    fn log_uniform(&mut self, min: f64, max: f64) -> f64 {
+        let power = self.random.uniform(libm::log(min), libm::log(max));
+        exp(power).max(min).min(max)
+    }
+
+    fn choose(&mut self, items: &[Node], sums: &[f64]) -> Value {
+        let point = self.random.uniform(0.0, sums.last().copied().unwrap_or(1.0));
+        let place = sums.iter().position(|sum| point < *sum).unwrap_or(0);
+        items.get(place).map_or(Value::Boolean(false), |item| self.draw(item))
+    }
+
+    /// Notes a drawn value; of tables, every field.
+    fn note(&mut self, path: &str, value: &Value) {
+        let drawn = match value {
+            Value::Table(entries) => {
+                return entries.iter().for_each(|(key, value)| self.note(&below(path, key), value));
+            }
+            #[expect(clippy::cast_precision_loss, reason = "beyond 2^53 no field has a meaning")]
+            Value::Integer(whole) => Drawn::Number(*whole as f64),
+            Value::Float(number) => Drawn::Number(*number),
+            Value::String(text) => Drawn::Text(text.clone()),
+            other => Drawn::Text(other.to_string()),
+        };
+        self.drawn.insert(path.to_owned(), drawn);
+    }
+}

@@ -1,0 +1,91 @@
+//! A scenario text in which values may be draws, as a tree.
+
+use std::collections::BTreeMap;
+
+use toml::Value;
+
+/// A value, or what to draw it from. Tables go by the alphabet of their keys, and so does the order of draws.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) enum Node {
+    /// As it stands.
+    Plain(Value),
+    /// A table.
+    Table(BTreeMap<String, Node>),
+    /// A list.
+    List(Vec<Node>),
+    /// A whole number, both ends included.
+    Whole {
+        /// Least.
+        min: i64,
+        /// Greatest.
+        max: i64,
+    },
+    /// A number of `[min, max)`.
+    Number {
+        /// Least.
+        min: f64,
+        /// Greatest.
+        max: f64,
+        /// Even in the logarithm.
+        log: bool,
+    },
+    /// One of several, each with the sum of weights up to and with it.
+    Choice {
+        /// What to choose from.
+        items: Vec<Node>,
+        /// Ascending; the last is the sum of all weights.
+        sums: Vec<f64>,
+    },
+}
+
+/// A drawn field, as a column.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Field {
+    /// Full name, such as `attack.level.bias`.
+    pub path: String,
+    /// Every value it can have is a number; else they are texts.
+    pub number: bool,
+    /// It can have a few values only: it is chosen, or a whole number.
+    pub few: bool,
+}
+
+/// The name of `key` below `path`.
+pub(super) fn below(path: &str, key: &str) -> String {
+    if path.is_empty() { key.to_owned() } else { format!("{path}.{key}") }
+}
+
+impl Node {
+    /// Notes every field that is drawn below `path`; all of them once a choice was made (`chosen`).
+    pub(super) fn fields(&self, path: &str, chosen: bool, found: &mut BTreeMap<String, Field>) {
+        match self {
+            Self::Plain(Value::Table(_)) => {}
+            Self::Plain(value) if chosen => note(found, path, is_number(value), true),
+            Self::Plain(_) => {}
+            Self::Table(entries) => {
+                for (key, node) in entries {
+                    node.fields(&below(path, key), chosen, found);
+                }
+            }
+            Self::List(_) if chosen => note(found, path, false, true),
+            Self::List(items) => {
+                for (index, node) in items.iter().enumerate() {
+                    node.fields(&format!("{path}[{index}]"), chosen, found);
+                }
+            }
+            Self::Whole { .. } => note(found, path, true, true),
+            Self::Number { .. } => note(found, path, true, false),
+            Self::Choice { items, .. } => items.iter().for_each(|item| item.fields(path, true, found)),
+        }
+    }
+}
+
+fn note(found: &mut BTreeMap<String, Field>, path: &str, number: bool, few: bool) {
+    let new = || Field { path: path.to_owned(), number: true, few: true };
+    let field = found.entry(path.to_owned()).or_insert_with(new);
+    field.number &= number;
+    field.few &= few;
+}
+
+fn is_number(value: &Value) -> bool {
+    value.is_integer() || value.is_float()
+}

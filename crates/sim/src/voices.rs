@@ -1,0 +1,56 @@
+//! Whether a consensus round met the conditions under which values must come closer.
+
+use crate::attack::LevelAttack;
+use crate::faults::Clocks;
+use crate::frame::Frame;
+use crate::scenario::Scenario;
+
+/// What robots heard in a round.
+///
+/// The spread shrinks by 1 − β/2 if every normal robot used, of values of this round, at least `F′ = F + ⌊n/2⌋` of robots that
+/// told all the same (Theorem A), or `F + ⌊(n − a)/2⌋` of normal ones, a the number of malicious robots (Theorem A′). Only who
+/// is heard matters to the proofs, so messages may be lost. All normal robots must run and keep the same time.
+#[derive(Clone, Debug)]
+pub(crate) struct Voices {
+    one_voice: bool,
+    same_time: bool,
+    steady: bool,
+    heard: Vec<[u16; 2]>,
+    required: u16,
+    required_normal: u16,
+}
+
+impl Voices {
+    /// For the robots of `scenario`.
+    #[must_use]
+    pub(crate) fn new(scenario: &Scenario) -> Self {
+        let malicious = u16::try_from(scenario.malicious.len()).unwrap_or(u16::MAX);
+        Self {
+            one_voice: scenario.value_attack.one_voice() && scenario.level_attack != LevelAttack::Garbage,
+            same_time: scenario.trouble.clocks == Clocks::default()
+                && scenario.clock_error + scenario.tau_1 <= scenario.tau_2,
+            steady: false,
+            heard: Vec::new(),
+            required: scenario.faults + scenario.robots / 2,
+            required_normal: scenario.faults + scenario.robots.saturating_sub(malicious) / 2,
+        }
+    }
+
+    /// Takes in a tick.
+    pub(crate) fn hear<const D: usize>(&mut self, frame: &Frame<D>) {
+        self.steady &= !frame.unsteady;
+        self.heard.clone_from(&frame.heard);
+    }
+
+    /// Ends a round with the tick in which the next one begins, and normal robots take up their new values. True when what
+    /// was heard must have brought values closer.
+    pub(crate) fn end_round<const D: usize>(&mut self, frame: &Frame<D>, malicious: &[bool]) -> bool {
+        let enough = |&[all, normal]: &[u16; 2]| {
+            (self.one_voice && all >= self.required) || normal >= self.required_normal
+        };
+        let mut normal = self.heard.iter().zip(malicious).filter(|(_, malicious)| !**malicious);
+        let enough = normal.all(|(heard, _)| enough(heard));
+        let steady = core::mem::replace(&mut self.steady, true) && !frame.unsteady;
+        self.same_time && steady && enough
+    }
+}

@@ -1,0 +1,201 @@
+//! Texts with draws: what is drawn, that it is the same every time, and what is refused.
+
+use closeranks_sim::parse::{Problem, scenario};
+use closeranks_sim::scenario::{Controller, Scenario};
+use closeranks_sim::sweep::{Drawn, Plan, Run, TRIES, is_drawn};
+
+fn plan(text: &str) -> Plan {
+    Plan::read(text).unwrap()
+}
+
+fn runs(text: &str, count: u64) -> Vec<Run> {
+    let plan = plan(text);
+    (0..count).map(|run| plan.draw(1, run).unwrap()).collect()
+}
+
+fn scenarios(text: &str, count: u64) -> Vec<Scenario> {
+    runs(text, count).into_iter().map(|run| run.scenarios[0].0.clone()).collect()
+}
+
+/// The draws of `text` have one mistake, said as `expected`, and the underlined part is `marked`.
+#[track_caller]
+fn refused(text: &str, marked: &str, expected: &str) {
+    let problems = Plan::read(text).expect_err("must be refused");
+    assert_eq!(problems.iter().map(Problem::to_string).collect::<Vec<_>>(), [expected]);
+    assert_eq!(&text[problems[0].span.clone()], marked);
+}
+
+#[test]
+fn whole_numbers_reach_both_ends_evenly() {
+    let teams = scenarios("[team]\nrobots = { draw = [4, 6] }", 300);
+    let count = |robots: u16| teams.iter().filter(|team| team.robots == robots).count();
+    assert!((4..=6).all(|robots| (70..130).contains(&count(robots))), "{} {}", count(4), count(6));
+    assert_eq!(count(4) + count(5) + count(6), 300);
+}
+
+#[test]
+fn numbers_fill_their_interval_evenly_or_in_the_logarithm() {
+    let q2 = |text: &str| scenarios(text, 400).into_iter().map(|one| one.q2).collect::<Vec<f64>>();
+    let even = q2("[link]\nq2 = { draw = [0.1, 10] }");
+    assert!(even.iter().all(|q2| (0.1..10.0).contains(q2)));
+    let below = |numbers: &[f64]| numbers.iter().filter(|number| **number < 1.0).count();
+    assert!(below(&even) < 70, "{}", below(&even));
+    let log = q2("[link]\nq2 = { draw = [0.1, 10.0], log = true }");
+    assert!(log.iter().all(|q2| (0.1..=10.0).contains(q2)));
+    assert!((150..250).contains(&below(&log)), "half of the decades: {}", below(&log));
+}
+
+#[test]
+fn choices_follow_their_weights_and_draw_inside() {
+    let text = "[attack]\nlevel = { choose = [{ kind = \"none\" }, { kind = \"bias\", bias = { draw = [2.0, 3.0] } }], weights = [1, 3] }";
+    let runs = runs(text, 200);
+    let paths: Vec<&str> =
+        plan(text).fields().iter().map(|field| field.path.clone().leak() as &str).collect();
+    assert_eq!(paths, ["attack.level.bias", "attack.level.kind"]);
+    let mut biased = 0;
+    for run in &runs {
+        match run.drawn.as_slice() {
+            [None, Some(Drawn::Text(kind))] => assert_eq!(kind, "none"),
+            [Some(Drawn::Number(bias)), Some(Drawn::Text(kind))] => {
+                assert!(kind == "bias" && (2.0..3.0).contains(bias));
+                biased += 1;
+            }
+            other => panic!("{other:?}"),
+        }
+    }
+    assert!((130..170).contains(&biased), "{biased}");
+}
+
+#[test]
+fn lists_and_nested_choices_are_drawn_too() {
+    let text = "[team]\nrobots = 5\nmalicious = { choose = [[1], [{ draw = [2, 3] }, 5]] }\n[values]\nkind = \"listed\"\nvalues = [1, 2, { choose = [{ draw = [0.0, 1.0] }, 7] }, 4, 5]";
+    let fields = plan(text).fields().to_vec();
+    let shown: Vec<_> = fields.iter().map(|field| (field.path.as_str(), field.number, field.few)).collect();
+    assert_eq!(shown, [("team.malicious", false, true), ("values.values[2]", true, false)]);
+    let lists = scenarios(text, 60);
+    let has = |malicious: &[u16]| lists.iter().any(|one| one.malicious == malicious);
+    assert!(has(&[1]) && has(&[2, 5]) && has(&[3, 5]));
+}
+
+#[test]
+fn a_run_depends_on_its_number_and_the_seed_alone() {
+    let text = "[team]\nrobots = { draw = [4, 12] }\n[link]\nq2 = { draw = [0.1, 0.9] }";
+    let plan = plan(text);
+    let late = plan.draw(3, 1_000_000).unwrap();
+    (0..5).for_each(|run| assert_ne!(plan.draw(3, run).unwrap(), late));
+    assert_eq!(plan.draw(3, 1_000_000).unwrap(), late);
+    assert_ne!(plan.draw(4, 1_000_000).unwrap(), late);
+    let (drawn, plain) = &late.scenarios[0];
+    assert_eq!(scenario(plain).as_ref(), Ok(drawn), "the plain text is the whole scenario");
+    let turned = "[link]\nq2 = { draw = [0.1, 0.9] }\n[team]\nrobots = { draw = [4, 12] }";
+    assert_eq!(
+        Plan::read(turned).unwrap().draw(3, 1_000_000).unwrap(),
+        late,
+        "the order of tables does not matter"
+    );
+}
+
+/// If this changes, every sweep changes: say so in CHANGELOG.md, with the reason.
+#[test]
+fn the_first_run_has_the_committed_draws() {
+    let run = plan("[team]\nrobots = { draw = [4, 12] }\n[link]\nq2 = { draw = [0.1, 0.9], log = true }")
+        .draw(1, 0)
+        .unwrap();
+    assert_eq!(
+        run.scenarios[0].1,
+        "seed = 605878427163532\n\n[link]\nq2 = 0.2593223397664737\n\n[team]\nrobots = 4\n"
+    );
+}
+
+#[test]
+fn every_controller_runs_the_same_scenario() {
+    let text = "[sweep]\ncontrollers = [\"none\", \"budget\"]\n[team]\nrobots = { draw = [4, 9] }";
+    let run = plan(text).draw(1, 5).unwrap();
+    let [(budget, _), (none, _)] = run.scenarios.as_slice() else { panic!("{run:?}") };
+    assert_eq!((budget.controller, none.controller), (Controller::Budget, Controller::None));
+    assert_eq!(&Scenario { controller: Controller::Budget, ..none.clone() }, budget);
+    let alone = plan(text).under(Controller::None).draw(1, 5).unwrap();
+    assert_eq!(alone.scenarios, run.scenarios[1..]);
+}
+
+#[test]
+fn what_cannot_be_run_is_drawn_again() {
+    let text = "[team]\nrobots = { draw = [4, 12] }\nfaults = { draw = [0, 4] }";
+    let all = runs(text, 60);
+    assert!(all.iter().any(|run| run.redraws > 0) && all.iter().any(|run| run.redraws == 0));
+    assert!(all.iter().all(|run| run.scenarios[0].0.faults * 2 < run.scenarios[0].0.robots));
+    let problems = plan("[team]\nrobots = 4\nfaults = { draw = [2, 3] }").draw(1, 0).unwrap_err();
+    assert_eq!(problems[0].field, "team.faults");
+    assert_eq!(problems[0].span, 27..44, "the place in the text with draws");
+    assert!(TRIES >= 100);
+}
+
+#[test]
+fn malformed_draws_are_refused_with_place_value_and_what_is_allowed() {
+    let two = "two finite numbers, ascending; whole numbers at most 2^53";
+    for (ends, found) in [
+        ("3", "3"),
+        ("[3]", "[3]"),
+        ("[5, 4]", "[5, 4]"),
+        ("[0.0, inf]", "[0.0, inf]"),
+        ("[\"a\", 1]", "[\"a\", 1]"),
+        ("[0, 9007199254740993]", "[0, 9007199254740993]"),
+    ] {
+        let text = format!("[link]\nq2 = {{ draw = {ends} }}");
+        refused(&text, ends, &format!("`link.q2.draw` is {found}, allowed is {two}"));
+    }
+    refused(
+        "[link]\nq2 = { draw = [0.0, 1.0], log = true }",
+        "[0.0, 1.0]",
+        "`link.q2.draw` is [0.0, 1.0], allowed is two numbers, both more than 0, ascending, the first written as a float",
+    );
+    refused("q = { draw = [0.1, 1.0], log = 1 }", "1", "`q.log` is 1, allowed is true or false");
+    refused(
+        "q = { draw = [1, 2], step = 1 }",
+        "step",
+        "`q.step` is not a field here, allowed is `draw`, `log`",
+    );
+    refused("q = { choose = [] }", "[]", "`q.choose` is [], allowed is a list of at least one value");
+    refused(
+        "q = { choose = [1, 2], weights = [1, -1] }",
+        "[1, -1]",
+        "`q.weights` is [1, -1], allowed is a list of 2 numbers, none negative and not all of them 0",
+    );
+    refused(
+        "seed = { draw = [1, 2] }",
+        "{ draw = [1, 2] }",
+        "`seed` is drawn, allowed is left out: the seed of every run is drawn",
+    );
+}
+
+#[test]
+fn the_table_sweep_is_checked() {
+    let names = "a list of `budget`, `composed`, `none`, each at most once";
+    for list in ["[]", "[\"brakes\"]", "[\"none\", \"none\"]"] {
+        let text = format!("[sweep]\ncontrollers = {list}");
+        refused(&text, list, &format!("`sweep.controllers` is {list}, allowed is {names}"));
+    }
+    refused("sweep = 3", "3", "`sweep` is 3, allowed is a table");
+    refused("[sweep]\nruns = 3", "runs", "`sweep.runs` is not a field here, allowed is `controllers`");
+    refused(
+        "[sweep]\ncontrollers = [\"none\"]\n[controller]\nkind = { choose = [\"none\", \"budget\"] }",
+        "{ choose = [\"none\", \"budget\"] }",
+        "`controller.kind` is drawn, allowed is a fixed one beside `sweep.controllers`",
+    );
+}
+
+#[test]
+fn plain_scenarios_are_told_from_texts_with_draws() {
+    assert!(
+        !is_drawn("") && !is_drawn("[team]\nrobots = 4\n[start]\nkind = \"listed\"\npositions_m = [[0, 1]]")
+    );
+    assert!(!is_drawn("not = toml ="));
+    assert!(is_drawn("[sweep]"));
+    assert!(is_drawn("[start]\nkind = \"listed\"\npositions_m = [[0, { draw = [0, 1] }]]"));
+    let run = plan("name = \"plain\"\nseed = 4").draw(1, 0).unwrap();
+    assert_eq!(
+        run.scenarios[0].0,
+        Scenario { name: "plain".into(), seed: run.scenarios[0].0.seed, ..Scenario::default() }
+    );
+    assert_ne!(run.scenarios[0].0.seed, 4, "always drawn");
+}
