@@ -1,5 +1,7 @@
 //! The robot under [`Controller::Budget`]: what it senses and hears as rows, and what its answer is worth.
 
+use core::time::Duration;
+
 use crate::budget::knowledge::{Claim, Sighting};
 use crate::budget::rows::Memory;
 use crate::math::Vector;
@@ -13,7 +15,7 @@ use crate::time::Instant;
 impl<const D: usize> Robot<'_, D> {
     /// What the robot has to tell: Σ a_ij, or the trimmed sum under `budget` with free liars.
     pub(crate) fn own_level(&mut self) -> f64 {
-        if self.params.settings().controller == Controller::Composed {
+        if self.params.settings().controller == Controller::Composed || self.params.budget().is_plain() {
             return self.linked().fold(0.0, |level, slot| level + slot.link.weight);
         }
         let count = self.see();
@@ -57,22 +59,26 @@ impl<const D: usize> Robot<'_, D> {
 
     /// Fills the sightings from the slots; gives how many fit.
     fn see(&mut self) -> usize {
-        let (now, settings) = (self.now, self.params.settings());
+        let (settings, mut count) = (self.params.settings(), 0);
+        let latest = self.now.after(settings.clock_error);
         let sensed = self.slots[..self.count].iter().filter(|slot| slot.sensed);
-        let mut count = 0;
         for (sighting, slot) in self.sightings.iter_mut().zip(sensed) {
-            *sighting = Sighting { offset_m: slot.offset_m, claim: claim(slot, now, settings) };
+            *sighting = Sighting { offset_m: slot.offset_m, claim: claim(slot, latest, settings) };
             count += 1;
         }
         count
     }
 }
 
-/// What a neighbour told, with its age in whole ticks, rounded up; nothing if it is too old, or from the future.
-fn claim<const D: usize>(slot: &Slot<D>, now: Instant, settings: &Settings<D>) -> Option<Claim> {
+/// What a neighbour told, with its age at `latest` in whole ticks, rounded up; nothing if it is too old, or from later.
+fn claim<const D: usize>(slot: &Slot<D>, latest: Instant, settings: &Settings<D>) -> Option<Claim> {
     let told = slot.told?;
-    let age = now.after(settings.clock_error).checked_since(told.stamp)?;
-    let ticks = age.as_nanos().div_ceil(settings.level_period.as_nanos().max(1));
-    let age_ticks = u32::try_from(ticks).unwrap_or(u32::MAX);
+    let age = latest.checked_since(told.stamp)?;
+    let age_ticks = if age.is_zero() { 0 } else { ticks(age, settings.level_period) };
     (age <= settings.told_max).then_some(Claim { level: told.level, age_ticks })
+}
+
+fn ticks(age: Duration, period: Duration) -> u32 {
+    let nanos = |span: Duration| u64::try_from(span.as_nanos()).unwrap_or(u64::MAX);
+    u32::try_from(nanos(age).div_ceil(nanos(period).max(1))).unwrap_or(u32::MAX)
 }

@@ -95,6 +95,38 @@ impl Composed {
         plain.finish(self).unwrap_or_else(|| self.sum::<D, Scaled>(own, terms).finish_scaled(self))
     }
 
+    /// φ_i alone, with the bits of [`compose`](Self::compose): from the own level, those that neighbours told, and the squared
+    /// distances to all of them, m², in order of their number.
+    #[must_use]
+    pub fn phi(
+        &self,
+        own_level: f64,
+        levels: impl Iterator<Item = f64> + Clone,
+        distances_m2: impl Iterator<Item = f64> + Clone,
+    ) -> f64 {
+        let plain: f64 = self.sum_phi(own_level, levels.clone(), distances_m2.clone());
+        if plain.is_finite() {
+            return plain;
+        }
+        self.sum_phi::<Scaled>(own_level, levels, distances_m2).value().max(f64::MIN)
+    }
+
+    fn sum_phi<N: Number>(
+        &self,
+        own_level: f64,
+        levels: impl Iterator<Item = f64>,
+        distances_m2: impl Iterator<Item = f64>,
+    ) -> N {
+        let mut sum: Sum<0, N> = Sum::new(self.degree_term(own_level));
+        for level in levels {
+            sum.add_told(self.shared(self.degree_term(level)));
+        }
+        for distance_m2 in distances_m2 {
+            sum.add_link(&[], N::ZERO, self.collision_term(distance_m2));
+        }
+        sum.phi(self)
+    }
+
     fn sum<const D: usize, N: Number>(&self, own: Scaled, terms: impl Iterator<Item = Term<D>>) -> Sum<D, N> {
         let own = N::from_scaled(own);
         let mut sum = Sum::new(own);

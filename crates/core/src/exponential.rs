@@ -6,6 +6,7 @@
 use crate::scaled::{Number, Scaled};
 
 /// `eˣ` within 1 unit in the last place; 0 below 2⁻¹⁰²¹ and infinity above the largest `f64`.
+#[inline]
 #[must_use]
 pub fn exp(x: f64) -> f64 {
     Number::exp(x)
@@ -26,21 +27,45 @@ const EXPONENT_LIMIT: f64 = 1e8;
 #[inline]
 #[must_use]
 pub fn exp_scaled(x: f64) -> Scaled {
+    let x = x.max(-EXPONENT_LIMIT).min(EXPONENT_LIMIT);
+    let (steps, tail) = split(x);
+    // The leading bits of ROUND are shifted out, the sign of the steps comes down.
+    #[expect(clippy::cast_possible_truncation, reason = "below 2e8 by the limit above")]
+    let exponent = ((steps << 13).cast_signed() >> 19) as i32;
+    let root = f64::from_bits(root(steps));
+    Scaled { mantissa: root + root * tail, exponent }
+}
+
+/// `eˣ` for |x| up to [`ORDINARY`]: the bits of [`exp_scaled`], with the exponent added to that of the root.
+#[inline]
+pub(crate) fn exp_ordinary(x: f64) -> f64 {
+    let (steps, tail) = split(x);
+    let root = f64::from_bits(root(steps).wrapping_add(steps >> 6 << 52));
+    root + root * tail
+}
+
+/// Up to this |x|, `eˣ` and each part of its sum are ordinary `f64`.
+pub(crate) const ORDINARY: f64 = 700.0;
+
+/// Bits whose lowest 51 are those of `64 k + m`, and `eʳ − 1`.
+#[inline]
+fn split(x: f64) -> (u64, f64) {
     const STEPS_PER_UNIT: f64 = 92.332_482_616_893_66; // 64/ln 2
     const STEP_HIGH: f64 = 0.010_830_424_609_594_047; // the leading 27 bits of ln 2/64
     const STEP_LOW: f64 = 8.665_509_839_009_47e-11;
     const ROUND: f64 = 6_755_399_441_055_744.0; // 1.5·2⁵²: adding it rounds to an integer
-    let x = x.max(-EXPONENT_LIMIT).min(EXPONENT_LIMIT);
-    let steps = (x * STEPS_PER_UNIT + ROUND) - ROUND;
+    let rounded = x * STEPS_PER_UNIT + ROUND;
+    let steps = rounded - ROUND;
     let r = (x - steps * STEP_HIGH) - steps * STEP_LOW;
-    #[expect(clippy::cast_possible_truncation, reason = "below 1e10 by the limit above")]
-    let steps = steps as i64;
     let r2 = r * r;
     let tail = r + r2 * (0.5 + r * (1.0 / 6.0)) + r2 * r2 * (1.0 / 24.0 + r * (1.0 / 120.0));
-    #[expect(clippy::cast_possible_truncation, reason = "below 64, and below 2e8")]
-    let (m, exponent) = ((steps & 63).unsigned_abs() as usize, (steps >> 6) as i32);
-    let root = f64::from_bits(ROOTS[m]);
-    Scaled { mantissa: root + root * tail, exponent }
+    (rounded.to_bits(), tail)
+}
+
+/// Bits of `2^(m/64)`.
+#[inline]
+fn root(steps: u64) -> u64 {
+    ROOTS[usize::from(steps.to_le_bytes()[0] & 63)]
 }
 
 /// Bits of `2^(m/64)`, correctly rounded: `[struct.unpack('<Q', struct.pack('<d', float((ln2 * m / 64).exp())))[0]
@@ -133,6 +158,14 @@ mod tests {
             worst = worst.max(ulps);
         }
         assert!(worst <= 2, "{worst} units apart, and libm itself may be off by one");
+    }
+
+    #[test]
+    fn both_ways_to_the_exponential_give_the_same_bits() {
+        for step in 0..400_000 {
+            let x = -ORDINARY + f64::from(step) * (2.0 * ORDINARY / 399_999.0);
+            assert_eq!(exp_ordinary(x).to_bits(), exp_scaled(x).value().to_bits(), "{x}");
+        }
     }
 
     #[test]

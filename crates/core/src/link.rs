@@ -56,6 +56,12 @@ impl LinkShape {
     }
 }
 
+impl From<Link<f64>> for Link {
+    fn from(link: Link<f64>) -> Self {
+        Self { weight: link.weight, slope: Scaled::new(link.slope) }
+    }
+}
+
 impl<N: Number> Link<N> {
     /// ∂a_ij/∂x_i, 1/m, for the `offset` the link was made from. By symmetry it is also ∂a_ji/∂x_i = ∂h_j/∂x_i.
     #[must_use]

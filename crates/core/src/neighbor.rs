@@ -2,9 +2,9 @@
 
 use core::time::Duration;
 
-use crate::composed::Term;
+use crate::composed::{Composed, Term};
 use crate::link::Link;
-use crate::math::Vector;
+use crate::math::{Vector, dot};
 use crate::scaled::Scaled;
 use crate::time::Instant;
 
@@ -22,8 +22,6 @@ pub(crate) struct Told {
     /// When it was sensed, by its sender's clock.
     pub(crate) stamp: Instant,
     pub(crate) level: f64,
-    /// Ê_j of that level.
-    pub(crate) term: Scaled,
     /// When it was received, by the own clock.
     pub(crate) at: Instant,
     /// y_j of the consensus round that is on, if told.
@@ -44,7 +42,6 @@ pub struct Slot<const D: usize> {
     pub(crate) link: Link,
     /// Within R as sensed; false for a robot that only the margin of `budget` brings into view.
     pub(crate) linked: bool,
-    pub(crate) collision: Scaled,
     pub(crate) told: Option<Told>,
     pub(crate) discarded: bool,
 }
@@ -58,7 +55,6 @@ impl<const D: usize> Default for Slot<D> {
             offset_m: [0.0; D],
             link: NO_LINK,
             linked: false,
-            collision: Scaled::ZERO,
             told: None,
             discarded: false,
         }
@@ -108,12 +104,12 @@ impl<const D: usize> Slot<D> {
         self.discarded
     }
 
-    pub(crate) fn term(&self) -> Term<D> {
+    pub(crate) fn term(&self, composed: &Composed) -> Term<D> {
         Term {
             offset_m: self.offset_m,
             link: self.link,
-            collision: self.collision,
-            told: self.told.map_or(Scaled::ZERO, |told| told.term),
+            collision: composed.collision_term(dot(&self.offset_m, &self.offset_m)),
+            told: self.told.map_or(Scaled::ZERO, |told| composed.degree_term(told.level)),
         }
     }
 }

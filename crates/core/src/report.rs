@@ -25,8 +25,9 @@ pub struct Report {
     pub level: f64,
     /// h_i = c_i − F′ (eq:h_i); under `budget` with free liars T_i − θ, with a margin the least that it can be.
     pub h: f64,
-    /// φ_i (eq:phi_i), whatever the controller. May be negative while all is well (METHOD.md 2.2).
-    pub phi: f64,
+    /// φ_i (eq:phi_i) if the answer depends on it: under `composed`. May be negative while all is well (METHOD.md 2.2).
+    /// [`Robot::phi`](crate::robot::Robot::phi) has it whatever the controller.
+    pub phi: Option<f64>,
     /// What the program found.
     pub outcome: Outcome,
     /// What the answer is worth.

@@ -6,6 +6,8 @@ use crate::assurance::{Assurance, watches};
 use crate::barrier::degree_barrier;
 use crate::budget::knowledge::Sighting;
 use crate::budget::row::Row;
+use crate::composed::{Composition, Term};
+use crate::link::Link;
 use crate::math::{Vector, dot, is_finite, subtract};
 use crate::message::{Message, VALUE_MAX};
 use crate::neighbor::{NO_LINK, RobotId, Slot, Told};
@@ -40,6 +42,8 @@ pub struct Robot<'memory, const D: usize> {
     pub(crate) sightings: &'memory mut [Sighting<D>],
     pub(crate) rows: &'memory mut [Row<D>],
     pub(crate) count: usize,
+    /// Where to look first for the next slot.
+    pub(crate) next: usize,
     pub(crate) now: Instant,
     position: Option<Vector<D>>,
     pub(crate) assurance: Assurance<D>,
@@ -82,6 +86,7 @@ impl<'memory, const D: usize> Robot<'memory, D> {
             sightings: &mut [],
             rows: &mut [],
             count: 0,
+            next: 0,
             now: Instant::START,
             position: None,
             assurance: Assurance::NEW,
@@ -153,22 +158,19 @@ impl<'memory, const D: usize> Robot<'memory, D> {
         }
         let offset_m = subtract(&own, &position);
         let distance_m2 = dot(&offset_m, &offset_m);
-        let link = self.params.link().link_at(distance_m2);
+        let link = self.link_at(distance_m2);
         if link.is_none() && distance_m2 > self.params.sight_m2() {
             self.lose(id);
             return Ok(Observed::OutOfRange);
         }
-        let collision = self.params.composed().collision_term(distance_m2);
-        let (params, now, mut assurance) = (self.params, self.now, self.assurance);
-        let slot = self.slot(id)?;
-        if slot.seen_before && watches(&params) {
-            assurance.watch(&params, now, slot, &offset_m);
+        let index = self.slot(id)?;
+        let slot = &mut self.slots[index];
+        if slot.seen_before && watches(&self.params) {
+            self.assurance.watch(&self.params, self.now, slot, &offset_m);
         }
-        let linked = link.is_some();
-        let link = link.unwrap_or(NO_LINK);
-        *slot = Slot { id, sensed: true, seen_before: false, offset_m, link, linked, collision, ..*slot };
-        self.assurance = assurance;
-        Ok(if linked { Observed::Neighbor } else { Observed::InView })
+        (slot.sensed, slot.seen_before, slot.offset_m) = (true, false, offset_m);
+        (slot.linked, slot.link) = (link.is_some(), link.unwrap_or(NO_LINK));
+        Ok(if slot.linked { Observed::Neighbor } else { Observed::InView })
     }
 
     /// What to tell now: the level when τ₁ has passed, with the value when τ₂ has.
@@ -198,10 +200,9 @@ impl<'memory, const D: usize> Robot<'memory, D> {
     /// Takes a message that arrived from `sender`.
     pub fn receive(&mut self, sender: RobotId, message: &Message) -> Result<(), ReceiveError> {
         let (now, stamp) = (self.now, message.stamp());
-        let in_round = self.in_round(stamp);
-        let term = self.params.composed().degree_term(message.level());
-        let found = self.neighbors().binary_search_by_key(&sender, |slot| slot.id);
-        let slot = &mut self.slots[found.map_err(|_| ReceiveError::NotNeighbor)?];
+        let in_round = message.value().is_some() && self.in_round(stamp);
+        let index = self.find(sender).ok_or(ReceiveError::NotNeighbor)?;
+        let slot = &mut self.slots[index];
         if !slot.sensed {
             return Err(ReceiveError::NotNeighbor);
         }
@@ -211,7 +212,7 @@ impl<'memory, const D: usize> Robot<'memory, D> {
         }
         let earlier = slot.told.and_then(|told| told.value);
         let value = earlier.or(message.value().filter(|_| in_round));
-        slot.told = Some(Told { sequence, stamp, level: message.level(), term, at: now, value });
+        slot.told = Some(Told { sequence, stamp, level: message.level(), at: now, value });
         self.round_news |= value != earlier;
         Ok(())
     }
@@ -235,17 +236,18 @@ impl<'memory, const D: usize> Robot<'memory, D> {
         };
         let known = is_finite(&desired);
         let desired = if known { desired } else { [0.0; D] };
-        let composed = self.params.composed();
-        let own = composed.degree_term(self.told_level);
-        let composition = composed.compose(own, self.linked().map(Slot::term));
-        let (velocity_m_s, outcome) = match self.params.settings().controller {
+        let (velocity_m_s, outcome, phi) = match self.params.settings().controller {
             Controller::Composed => {
-                let solution = closest(&desired, &composition.row, &self.params.settings().input);
-                (solution.velocity_m_s, solution.outcome)
+                let Composition { row, phi } = self.composition();
+                let solution = closest(&desired, &row, &self.params.settings().input);
+                (solution.velocity_m_s, solution.outcome, Some(phi))
             }
-            Controller::Budget => self.budget_velocity(&desired),
+            Controller::Budget => {
+                let (velocity_m_s, outcome) = self.budget_velocity(&desired);
+                (velocity_m_s, outcome, None)
+            }
         };
-        let mut report = self.report(composition.phi, outcome, round);
+        let mut report = self.report(phi, outcome, round);
         if !known {
             report.mode = Mode::Hold;
         }
@@ -277,6 +279,18 @@ impl<'memory, const D: usize> Robot<'memory, D> {
         self.told_level
     }
 
+    /// φ_i (eq:phi_i) of what the robot senses and was told, whatever the controller. Under `budget` nothing depends on it,
+    /// so that it is not computed unless somebody asks.
+    #[must_use]
+    pub fn phi(&self) -> f64 {
+        if self.position.is_none() {
+            return self.composition().phi;
+        }
+        let levels = self.linked().filter_map(|slot| slot.told.map(|told| told.level));
+        let distances_m2 = self.linked().map(|slot| dot(&slot.offset_m, &slot.offset_m));
+        self.params.composed().phi(self.told_level, levels, distances_m2)
+    }
+
     /// The neighbours in order of their number.
     #[must_use]
     pub fn neighbors(&self) -> &[Slot<D>] {
@@ -292,9 +306,29 @@ impl<'memory, const D: usize> Robot<'memory, D> {
         self.sensed().filter(|slot| slot.linked)
     }
 
-    fn report(&self, phi: f64, outcome: Outcome, round: Option<RoundReport>) -> Report {
+    /// Only the row of `composed` needs slopes that `f64` takes for 0.
+    fn link_at(&self, distance_m2: f64) -> Option<Link> {
+        let shape = self.params.link();
+        match self.params.settings().controller {
+            Controller::Composed => shape.link_at(distance_m2),
+            Controller::Budget => shape.link_at::<f64>(distance_m2).map(Link::from),
+        }
+    }
+
+    /// Without a position nobody is a neighbour, and the robot itself counts for nothing.
+    fn composition(&self) -> Composition<D> {
+        let composed = self.params.composed();
+        if self.position.is_none() {
+            return composed.compose(Scaled::ZERO, core::iter::empty::<Term<D>>());
+        }
+        let own = composed.degree_term(self.told_level);
+        composed.compose(own, self.linked().map(|slot| slot.term(composed)))
+    }
+
+    fn report(&self, phi: Option<f64>, outcome: Outcome, round: Option<RoundReport>) -> Report {
         let degree = small(self.linked().count());
         let untold = small(self.linked().filter(|slot| slot.told.is_none()).count());
+        let oldest = self.sensed().filter_map(|slot| slot.told.map(|told| told.at)).min();
         let required = self.required();
         let h = degree_barrier(self.level, required);
         let mode = match self.params.settings().controller {
@@ -311,11 +345,7 @@ impl<'memory, const D: usize> Robot<'memory, D> {
             outcome,
             mode,
             untold,
-            told_age_max: self
-                .sensed()
-                .filter_map(|slot| slot.told_age(self.now))
-                .max()
-                .unwrap_or(Duration::ZERO),
+            told_age_max: oldest.map_or(Duration::ZERO, |at| self.now.since(at)),
             round,
         }
     }
@@ -329,19 +359,18 @@ impl<'memory, const D: usize> Robot<'memory, D> {
     }
 
     fn stopped(&self, round: Option<RoundReport>) -> Output<D> {
-        let composed = self.params.composed();
-        let alone = composed.compose(Scaled::ZERO, core::iter::empty::<crate::composed::Term<D>>());
-        let report = self.report(alone.phi, Outcome::Infeasible, round);
+        let watched = self.params.settings().controller == Controller::Composed;
+        let report = self.report(watched.then(|| self.phi()), Outcome::Infeasible, round);
         Output { velocity_m_s: [0.0; D], report: Report { mode: Mode::Stopped, ..report } }
     }
 }
 
 /// The gravest of what speaks against an answer of `composed`.
-fn composed_reason(degree_low: bool, outcome: Outcome, phi: f64, untold: u16) -> Reason {
+fn composed_reason(degree_low: bool, outcome: Outcome, phi: Option<f64>, untold: u16) -> Reason {
     match outcome {
         _ if degree_low => Reason::Degree,
         Outcome::Infeasible => Reason::Infeasible,
-        _ if phi < 0.0 => Reason::OutsideSafeSet,
+        _ if phi.is_some_and(|phi| phi < 0.0) => Reason::OutsideSafeSet,
         _ if untold > 0 => Reason::Untold,
         _ => Reason::ContinuousTime,
     }

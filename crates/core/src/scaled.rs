@@ -1,6 +1,6 @@
 //! Numbers whose exponent cannot overflow: for exponentials of told levels, which may be anything.
 
-use crate::math::exp_scaled;
+use crate::exponential::{ORDINARY, exp_ordinary, exp_scaled};
 
 /// `mantissa · 2^exponent`.
 ///
@@ -114,11 +114,11 @@ impl Number for f64 {
     const ZERO: Self = 0.0;
     #[inline]
     fn exp(x: f64) -> Self {
-        if x < EXP_IS_ZERO {
-            return 0.0;
+        match x.abs() {
+            ..=ORDINARY => exp_ordinary(x),
+            _ if x < EXP_IS_ZERO => 0.0,
+            _ => exp_scaled(x).value(),
         }
-        let scaled = exp_scaled(x);
-        scaled.mantissa * power_of_two(scaled.exponent)
     }
     fn to_f64(self) -> f64 {
         self

@@ -3,10 +3,11 @@
 //! `cargo bench -p closeranks-sim`
 
 use closeranks_core::params::Params;
+use closeranks_sim::attack::LevelAttack;
 use closeranks_sim::frame::Frame;
 use closeranks_sim::liars::Liars;
 use closeranks_sim::robots::{Fleet, Memory};
-use closeranks_sim::scenario::Scenario;
+use closeranks_sim::scenario::{Controller, Scenario};
 use closeranks_sim::start::Start;
 use closeranks_sim::team::Team;
 use closeranks_sim::world::{Options, initial_values, run, want};
@@ -78,4 +79,12 @@ fn paper_run_recorded(bencher: Bencher<'_, '_>) {
     let scenario = Scenario::default();
     bencher
         .bench(|| run(&scenario, Options { record: true, ..Options::default() }, &mut |_| ()).expect("runs"));
+}
+
+/// Ten seconds of `budget` against the overstating liars (`scenarios/budget.toml`), robots one by one, monitors on.
+#[divan::bench]
+fn budget_run(bencher: Bencher<'_, '_>) {
+    let (controller, level_attack) = (Controller::Budget, LevelAttack::Bias(3.5));
+    let scenario = Scenario { controller, level_attack, ..Scenario::default() };
+    bencher.bench(|| run(&scenario, Options::default(), &mut |_| ()).expect("runs"));
 }

@@ -1,9 +1,12 @@
 //! A run is a pure function of scenario, seed and commit: a mixed scenario has a committed digest.
 #![expect(clippy::unwrap_used, reason = "helpers of tests")]
 
+use core::time::Duration;
+
+use closeranks_core::budget::knowledge::{Assume, Trust};
 use closeranks_core::composed::Share;
 use closeranks_sim::attack::LevelAttack;
-use closeranks_sim::scenario::Scenario;
+use closeranks_sim::scenario::{Controller, Scenario};
 use closeranks_sim::start::Start;
 use closeranks_sim::world::{Options, run};
 
@@ -35,6 +38,42 @@ fn digest(scenario: &Scenario) -> u64 {
 #[test]
 fn the_mixed_run_has_the_committed_digest() {
     assert_eq!(format!("{:016x}", digest(&mixed())), "3fc43a887b78c84c");
+}
+
+/// Many short runs of `budget`, one digest: trusts, assumptions, dimensions, ticks, teams, lies, starts.
+fn budgets() -> Vec<Scenario> {
+    let plain = Scenario { controller: Controller::Budget, duration_s: 2.0, ..Scenario::default() };
+    let mut runs = Vec::new();
+    for trust in [Trust::Told, Trust::ToldOrSeen, Trust::Seen] {
+        for assume in [Assume::Obedient, Assume::Free] {
+            for (bias, tick_ms, q2) in [(3.5, 5, 0.3), (-2.5, 5, 0.1), (0.0, 50, 0.3), (1e6, 100, 0.9)] {
+                let (level_attack, tau_1) = (LevelAttack::Bias(bias), Duration::from_millis(tick_ms));
+                runs.push(Scenario { trust, assume, level_attack, tau_1, q2, ..plain.clone() });
+            }
+            let cube = Scenario {
+                dimension: 3,
+                robots: 12,
+                start: Start::Random { half_side_m: 0.8, distance_min_m: 0.45 },
+                input_min_m_s: vec![-1.5; 3],
+                input_max_m_s: vec![1.5; 3],
+                ..plain.clone()
+            };
+            runs.push(Scenario { trust, assume, level_attack: LevelAttack::Bias(-3.0), ..cube });
+        }
+    }
+    runs.push(Scenario { start: Start::Published, duration_s: 10.0, ..plain.clone() });
+    runs.push(Scenario { controller: Controller::Budget, ..mixed() });
+    runs.push(Scenario { radius_m: 30.0, q2: 0.9, ..plain.clone() });
+    let random = LevelAttack::Random { min: -20.0, max: 20.0 };
+    runs.push(Scenario { level_attack: random, share: Share::Own, duration_s: 10.0, ..plain });
+    runs
+}
+
+/// As above, for our own controller.
+#[test]
+fn runs_of_budget_have_the_committed_digest() {
+    let digests = budgets().iter().map(digest).fold(0, |all: u64, one| all.rotate_left(7) ^ one);
+    assert_eq!(format!("{digests:016x}"), "e9897deb2374a695");
 }
 
 #[test]

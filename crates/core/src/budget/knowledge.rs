@@ -1,6 +1,6 @@
 //! What robot i knows about the spare connectivity h_j of a neighbour, whatever it is told.
 
-use crate::budget::interval::Interval;
+use crate::budget::interval::{Interval, Survey};
 use crate::budget::settings::Budget;
 use crate::math::Vector;
 
@@ -82,10 +82,32 @@ impl Budget {
         self.believe(&interval, sightings.get(index).and_then(|sighting| sighting.claim))
     }
 
+    /// The same from what all pairs come to. The high end costs an exponential and is left at the low one where it
+    /// cannot matter: where h_k ≥ 0 is seen and nothing more is claimed.
+    pub(crate) fn known_from<const D: usize>(
+        &self,
+        survey: &Survey<'_>,
+        index: usize,
+        offset: &Vector<D>,
+        claim: Option<Claim>,
+        unseen: usize,
+    ) -> Known {
+        let (low, degree) = (survey.lows[index], survey.degrees[index]);
+        let seen = low - f64::from(self.required());
+        let claimed = claim.map(|claim| self.discounted(&claim));
+        let more = self.trust != Trust::Seen && claimed.is_some_and(|claimed| claimed > seen);
+        let high = if seen < 0.0 || more { self.high(low, offset, degree, unseen) } else { low };
+        self.weigh(&Interval { low, high, degree_max: degree.max(1.0) }, claimed)
+    }
+
     pub(crate) fn believe(&self, interval: &Interval, claim: Option<Claim>) -> Known {
+        self.weigh(interval, claim.map(|claim| self.discounted(&claim)))
+    }
+
+    fn weigh(&self, interval: &Interval, claimed: Option<f64>) -> Known {
         let required = f64::from(self.required());
         let seen = interval.low - required;
-        let told = claim.map_or(0.0, |claim| self.discounted(&claim).min(interval.high - required));
+        let told = claimed.map_or(0.0, |claimed| claimed.min(interval.high - required));
         let believed = match self.trust {
             Trust::Told => told,
             Trust::ToldOrSeen => told.max(seen),
@@ -101,7 +123,11 @@ impl Budget {
     /// `(1−γ)ᵐ (c − required)⁺`; 0 for a claim that is not finite.
     fn discounted(&self, claim: &Claim) -> f64 {
         let spare = claim.level - f64::from(self.required());
-        if spare.is_finite() { power(1.0 - self.gamma, claim.age_ticks) * spare.max(0.0) } else { 0.0 }
+        match claim.age_ticks {
+            _ if !spare.is_finite() => 0.0,
+            0 => spare.max(0.0),
+            ticks => power(1.0 - self.gamma, ticks) * spare.max(0.0),
+        }
     }
 }
 

@@ -8,6 +8,8 @@ use crate::program::Outcome;
 
 /// A candidate may break a row by this share of its terms before [`settle`] pulls it back.
 const NEARLY: f64 = 1e-6;
+/// Far more than the rounding of a row and of its largest value in the box.
+const SURELY: f64 = 1.0 + 1e-9;
 /// A desired displacement counts up to this many times the longest move.
 const DESIRED_MAX: f64 = 1e6;
 
@@ -18,6 +20,8 @@ pub struct Program<'memory, const D: usize> {
     count: usize,
     full: bool,
     reach: Reach<D>,
+    /// How far the box reaches along each axis, m, to the longer side.
+    far_m: Vector<D>,
 }
 
 /// Answer of [`Program::closest`].
@@ -35,7 +39,8 @@ impl<'memory, const D: usize> Program<'memory, D> {
     /// The box alone.
     #[must_use]
     pub fn new(memory: &'memory mut [Row<D>], reach: Reach<D>) -> Self {
-        let mut program = Self { rows: memory, count: 0, full: false, reach };
+        let far_m = core::array::from_fn(|d| reach.max_m()[d].max(-reach.min_m()[d]));
+        let mut program = Self { rows: memory, count: 0, full: false, reach, far_m };
         for d in 0..D {
             let side = |sign: f64| core::array::from_fn(|axis| if axis == d { sign } else { 0.0 });
             program.keep(Row::new(side(1.0), 0.0, reach.max_m()[d]));
@@ -49,6 +54,16 @@ impl<'memory, const D: usize> Program<'memory, D> {
         if !row.contains(&self.reach) {
             self.keep(row);
         }
+    }
+
+    /// True when a row with these coefficients, those of the normal up to `wrong`, surely holds in the whole box: then
+    /// [`push`](Self::push) would not add it. Much cheaper than making the row, and decisive for most.
+    pub(crate) fn surely_holds(&self, normal: &Vector<D>, wrong: f64, curvature: f64, bound: f64) -> bool {
+        let mut most = 0.0;
+        for (component, far_m) in normal.iter().zip(&self.far_m) {
+            most += (component.abs() + wrong + curvature * far_m) * far_m;
+        }
+        curvature >= 0.0 && most * SURELY <= bound
     }
 
     /// The rows kept, those of the box included.

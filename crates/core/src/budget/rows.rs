@@ -1,6 +1,6 @@
 //! All rows of one robot in one tick, and recovery from starts outside the set.
 
-use crate::budget::interval::number;
+use crate::budget::interval::{Survey, number};
 use crate::budget::knowledge::{Assume, Known, Sighting};
 use crate::budget::project::{Closest, Program};
 use crate::budget::reach::Reach;
@@ -13,7 +13,8 @@ use crate::math::{Vector, add_scaled, dot, is_finite, length};
 pub struct Memory<'memory, const D: usize> {
     /// `2·D + 2·N + 1` rows are always enough for N neighbours, with a margin `2·D + 2ᴰ (2·N + 1)`.
     pub rows: &'memory mut [Row<D>],
-    /// At least N numbers; with N² the weights between neighbours are computed once instead of twice.
+    /// At least N numbers; with 3·N, or N² under [`Assume::Free`], the weights between neighbours are computed once
+    /// instead of twice.
     pub weights: &'memory mut [f64],
 }
 
@@ -100,26 +101,71 @@ impl Budget {
         memory: Memory<'memory, D>,
     ) -> Rows<'memory, D> {
         let Memory { rows, weights } = memory;
-        let mut own = self.own(sightings, weights);
         let desired_m = desired_m.map(|component| if component.is_finite() { component } else { 0.0 });
-        let mut rows =
-            Rows { program: Program::new(rows, reach), desired_m, h: own.h, broken: 0, doubtful: 0 };
+        let program = Program::new(rows, reach);
+        let mut rows = Rows { program, desired_m, h: 0.0, broken: 0, doubtful: 0 };
+        match self.survey(sightings, weights) {
+            Some(survey) => self.push_surveyed(sightings, &survey, &mut rows),
+            None => self.push_tabulated(sightings, weights, &mut rows),
+        }
+        rows
+    }
+
+    fn push_surveyed<const D: usize>(
+        &self,
+        sightings: &[Sighting<D>],
+        survey: &Survey<'_>,
+        rows: &mut Rows<'_, D>,
+    ) {
+        let unseen = self.unseen(sightings);
+        let mut own = self.own(sightings, survey.level);
+        rows.h = own.h;
+        for (index, Sighting { offset_m, claim }) in sightings.iter().enumerate() {
+            if self.bounds_move(offset_m, rows) {
+                let known = self.known_from(survey, index, offset_m, *claim, unseen);
+                let gradient = survey.gradient(index, offset_m);
+                self.push_neighbor(&mut own, offset_m, &gradient, &known, rows);
+            }
+        }
+        self.push_own(&own, rows);
+    }
+
+    /// The same from a table of all weights, or from no table if there is no room for one.
+    fn push_tabulated<const D: usize>(
+        &self,
+        sightings: &[Sighting<D>],
+        weights: &mut [f64],
+        rows: &mut Rows<'_, D>,
+    ) {
+        let mut own = self.own(sightings, self.level(sightings, weights));
+        rows.h = own.h;
         if weights.len() < sightings.len() {
             rows.program.push(stay());
         }
         let (count, unseen) = (sightings.len(), self.unseen(sightings));
         let tabulated = self.tabulate(sightings, weights);
         for (index, Sighting { offset_m, claim }) in sightings.iter().enumerate() {
+            if !self.bounds_move(offset_m, rows) {
+                continue;
+            }
             let interval = if tabulated {
                 self.bounds(offset_m, &mut weights[index * count..(index + 1) * count], unseen)
             } else {
                 self.interval(index, sightings, weights)
             };
-            let known = self.believe(&interval, *claim);
-            self.push_neighbor(&mut own, offset_m, &known, &mut rows);
+            let gradient = self.link(offset_m).map_or([0.0; D], |link| link.gradient(offset_m));
+            self.push_neighbor(&mut own, offset_m, &gradient, &self.believe(&interval, *claim), rows);
         }
-        self.push_own(&own, &mut rows);
-        rows
+        self.push_own(&own, rows);
+    }
+
+    /// True for a neighbour, false for whoever is out of range; who is nowhere allows no move.
+    fn bounds_move<const D: usize>(&self, offset: &Vector<D>, rows: &mut Rows<'_, D>) -> bool {
+        let somewhere = is_finite(offset);
+        if !somewhere {
+            rows.program.push(stay());
+        }
+        somewhere && self.in_range(offset)
     }
 
     /// β_ij, m²: what one link may spend. `+∞` where it cannot be weakened.
@@ -141,17 +187,13 @@ impl Budget {
         &self,
         own: &mut Own<D>,
         offset: &Vector<D>,
+        gradient: &Vector<D>,
         known: &Known,
         rows: &mut Rows<'_, D>,
     ) {
-        if !is_finite(offset) {
-            rows.program.push(stay());
-        } else if self.in_range(offset) {
-            let gradient = self.link(offset).map_or([0.0; D], |link| link.gradient(offset));
-            own.gradient = add_scaled(&own.gradient, 1.0, &gradient);
-            self.push_far(own, offset, &gradient, known, rows);
-            self.push_near(offset, rows);
-        }
+        own.gradient = add_scaled(&own.gradient, 1.0, gradient);
+        self.push_far(own, offset, gradient, known, rows);
+        self.push_near(offset, rows);
     }
 
     fn push_far<const D: usize>(
@@ -168,14 +210,18 @@ impl Budget {
                 let slope = self.curvature.slope_max(distance_m, self.move_max_m, error_m);
                 let own_share = own.h.max(0.0) / own.degree.max(1.0);
                 let beta_m2 = self.beta_m2(slope, own_share, known.budget / known.degree_max);
-                rows.push(offset, error_m, |offset| Row::far(offset, beta_m2));
+                if !rows.program.surely_holds(offset, error_m, 1.0, beta_m2) {
+                    rows.push(offset, error_m, |offset| Row::far(offset, beta_m2));
+                }
             }
             Form::Level => {
                 let bend = self.curvature.bend_max(distance_m, self.move_max_m, error_m);
                 let wrong = self.curvature.gradient_error(distance_m, error_m);
                 (own.bend, own.wrong) = (own.bend + bend, own.wrong + wrong);
                 let spend = self.gamma * known.budget / (known.degree_max + 1.0);
-                rows.push(gradient, wrong, |gradient| Row::far_level(gradient, bend, spend));
+                if !rows.program.surely_holds(gradient, wrong, bend, spend) {
+                    rows.push(gradient, wrong, |gradient| Row::far_level(gradient, bend, spend));
+                }
             }
         }
         if known.deficit > 0.0 {
@@ -199,7 +245,9 @@ impl Budget {
         let error_m = self.margin.offset_m;
         let spare_m2 = self.spare_m2(offset, -error_m);
         let give_m2 = 0.5 * self.gamma_c * spare_m2.max(0.0);
-        rows.push(offset, error_m, |offset| Row::near(offset, give_m2));
+        if !rows.program.surely_holds(offset, error_m, 0.0, 0.5 * give_m2) {
+            rows.push(offset, error_m, |offset| Row::near(offset, give_m2));
+        }
         if spare_m2 < 0.0 {
             rows.count(self.spare_m2(offset, error_m) < 0.0);
             let missing_m = self.distance_min_m + error_m - length(offset);
@@ -218,8 +266,8 @@ impl Budget {
     }
 
     /// h_i and δ_i; the gradient and κ_ii are summed with the rows.
-    fn own<const D: usize>(&self, sightings: &[Sighting<D>], weights: &mut [f64]) -> Own<D> {
-        let h = self.level(sightings, weights) - f64::from(self.required());
+    fn own<const D: usize>(&self, sightings: &[Sighting<D>], level: f64) -> Own<D> {
+        let h = level - f64::from(self.required());
         let degree = sightings.iter().filter(|sighting| self.in_range(&sighting.offset_m)).count();
         Own { h, degree: number(degree), gradient: [0.0; D], bend: 0.0, wrong: 0.0 }
     }
