@@ -1,5 +1,6 @@
 //! The theorem of `budget` from tick to tick: what was safe stays safe wherever its assumptions hold, and robots say so.
 
+use closeranks_core::budget::knowledge::Assume;
 use closeranks_core::math::{Vector, add_scaled, dot, sqrt, subtract};
 use closeranks_core::params::{Controller, Params};
 use closeranks_core::report::Mode;
@@ -127,10 +128,7 @@ impl<const D: usize> Promise<D> {
 
     /// The degree that counts: F′, or θ among normal robots with free liars.
     fn required(&self) -> u16 {
-        match self.params.settings().controller {
-            Controller::Budget => self.params.budget().required(),
-            Controller::Composed => self.params.required_degree(),
-        }
+        required(&self.params)
     }
 
     fn watch_pairs(
@@ -258,6 +256,13 @@ impl<const D: usize> Promise<D> {
     pub(crate) fn least_m2(&self) -> f64 {
         self.least_m2
     }
+}
+
+/// F′, or θ with free liars: written down once more, so that monitors do not rest on what they watch.
+pub(crate) fn required<const D: usize>(params: &Params<D>) -> u16 {
+    let (robots, faults) = (params.settings().robots, params.settings().faults);
+    let free = params.settings().controller == Controller::Budget && params.settings().assume == Assume::Free;
+    faults + if free { (robots - faults) / 2 } else { robots / 2 }
 }
 
 /// Ticks since `then`; for ever if it never was.

@@ -6,6 +6,7 @@ use closeranks_core::math::{Vector, subtract};
 use closeranks_core::params::{Controller, Params};
 
 use crate::frame::Frame;
+use crate::promise::required;
 use crate::start::squared_distance;
 
 /// True levels, degrees and distances of one tick.
@@ -34,7 +35,7 @@ impl Truth {
     ) {
         self.pairs(&frame.references_m);
         if plain {
-            let required = f64::from(params.required_degree());
+            let required = f64::from(required(params));
             self.levels.clone_from(&frame.levels);
             self.degrees.clone_from(&frame.degrees);
             self.spares.clear();
@@ -46,10 +47,7 @@ impl Truth {
             params.settings().controller == Controller::Budget && params.settings().assume == Assume::Free;
         let shape = params.budget().curvature.link();
         let margin = params.budget().margin.away_m > 0.0;
-        let required = match params.settings().controller {
-            Controller::Budget => f64::from(params.budget().required()),
-            Controller::Composed => f64::from(params.required_degree()),
-        };
+        let required = f64::from(required(params));
         let count = frame.positions_m.len();
         self.resize(count);
         for robot in 0..count {

@@ -29,7 +29,8 @@ pub struct Program<'memory, const D: usize> {
 pub struct Closest<const D: usize> {
     /// v, m: in the box, and every row holds.
     pub displacement_m: Vector<D>,
-    /// `Free` if the desired displacement was admissible, `Active` if rows changed it; never `Infeasible`.
+    /// `Free` if the desired displacement was admissible, `Active` if rows changed it. `Infeasible` would say that not even
+    /// 0 satisfies all rows: every [`Row`] is made so that it does.
     pub outcome: Outcome,
     /// How many rows had to be looked at together.
     pub working: usize,
@@ -105,7 +106,11 @@ impl<'memory, const D: usize> Program<'memory, D> {
         if self.full || !is_finite(&v) || !self.rows().iter().all(|row| row.holds(&v)) {
             v = [0.0; D];
         }
-        let outcome = if v == *desired_m { Outcome::Free } else { Outcome::Active };
+        let outcome = match v {
+            _ if v == [0.0; D] && !self.rows().iter().all(|row| row.holds(&v)) => Outcome::Infeasible,
+            _ if v == *desired_m => Outcome::Free,
+            _ => Outcome::Active,
+        };
         Closest { displacement_m: v, outcome, working }
     }
 
