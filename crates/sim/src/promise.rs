@@ -30,6 +30,9 @@ pub(crate) struct Promise<const D: usize> {
     /// The last tick in which an assumption was broken, and the last in which a robot could have noticed anything wrong.
     broken: Option<u32>,
     unwell: Option<u32>,
+    /// Robots and pairs that were safe once and must have been ever since: no assumption was broken.
+    kept: Vec<bool>,
+    apart: Vec<bool>,
     /// Robot-ticks of normal robots, those of them guaranteed, and those with a negative own h.
     counted: [u64; 3],
     /// Longest time from the end of trouble until all were guaranteed again, in ticks.
@@ -64,6 +67,8 @@ impl<const D: usize> Promise<D> {
             before: None,
             broken: None,
             unwell: None,
+            kept: vec![false; usize::from(scenario.robots)],
+            apart: Vec::new(),
             counted: [0; 3],
             recovery_ticks: 0,
             least_m2: f64::INFINITY,
@@ -98,8 +103,22 @@ impl<const D: usize> Promise<D> {
         });
         now.truth.clone_from(truth);
         now.positions_m.clone_from(&frame.positions_m);
+        self.carry(truth, &now, [moves, claims]);
         (now.moves, now.claims) = (moves, claims);
         self.before = Some(now);
+    }
+
+    /// What is safe now, or was and must still be, must be so at the next tick.
+    fn carry(&mut self, truth: &Truth, before: &Before<D>, [moves, claims]: [bool; 2]) {
+        let least_m = self.params.budget().distance_min_m;
+        let limit_m2 = least_m * least_m - ROUNDING * self.params.settings().radius_m.powi(2);
+        for (kept, spare) in self.kept.iter_mut().zip(&truth.spares) {
+            *kept = claims && (*spare >= 0.0 || (*kept && before.claims));
+        }
+        self.apart.resize(truth.pairs_m2.len(), false);
+        for (apart, pair_m2) in self.apart.iter_mut().zip(&truth.pairs_m2) {
+            *apart = moves && (*pair_m2 >= limit_m2 || (*apart && before.moves));
+        }
     }
 
     /// h of normal robots, and their degrees, which follow from it (lem:connectivity).
@@ -108,7 +127,7 @@ impl<const D: usize> Promise<D> {
         let required = self.required();
         for (robot, index) in (1_u16..).zip(0..truth.spares.len()).filter(|(_, k)| !self.malicious[*k]) {
             let spare = truth.spares[index];
-            let carried = before.filter(|before| before.claims && before.truth.spares[index] >= 0.0);
+            let carried = before.filter(|before| before.claims && self.kept[index]);
             let at = |seen, demanded| Violation { tick, robots: [robot, 0], seen, demanded };
             if spare < -ROUNDING {
                 verdicts.broke(Law::Spare, at(spare, 0.0), carried.is_some());
@@ -156,9 +175,7 @@ impl<const D: usize> Promise<D> {
                     continue;
                 }
                 let robots = [first, second].map(|index| u16::try_from(index + 1).unwrap_or(u16::MAX));
-                let carried = before.filter(|before| {
-                    before.moves && before.truth.pairs_m2[place] >= own_least_m * own_least_m - blur_m2
-                });
+                let carried = before.filter(|before| before.moves && self.apart[place]);
                 let at = |seen, demanded| Violation { tick, robots, seen, demanded };
                 if distance_m2 < least_m * least_m - blur_m2 {
                     verdicts.broke(Law::Distance, at(sqrt(distance_m2), least_m), carried.is_some());

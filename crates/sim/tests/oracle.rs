@@ -1,0 +1,276 @@
+//! The oracle bites: controllers with one line broken are caught by the campaign, each by the law that is there for it.
+//!
+//! Every mutant is the real source with a line replaced, built beside the target folder, and let run on
+//! `scenarios/campaign.toml` (`examples/hunt.rs`). A line that is no longer there fails the test, so that mutants keep up
+//! with the code. Ignored by default, because it builds some twenty programs:
+//!
+//! ```sh
+//! cargo test --release -p closeranks-sim --test oracle -- --ignored --nocapture
+//! MUTANT="near rows" cargo test --release -p closeranks-sim --test oracle -- --ignored --nocapture    # some of them
+//! ```
+#![expect(clippy::unwrap_used, reason = "helpers of tests")]
+
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::Command;
+
+/// Runs that a mutant may survive.
+const RUNS: &str = "2000";
+const SEED: &str = "7";
+
+/// A broken program: what is wrong, the law that must notice, and the lines that are other than they should be.
+struct Mutant {
+    name: &'static str,
+    law: &'static str,
+    lines: &'static [(&'static str, &'static str, &'static str)],
+}
+
+const ROWS: &str = "core/src/budget/rows.rs";
+
+const MUTANTS: [Mutant; 18] = [
+    Mutant {
+        name: "gradient with the wrong sign",
+        law: "decay",
+        lines: &[(
+            ROWS,
+            "add_scaled(&own.gradient, 1.0, gradient)",
+            "add_scaled(&own.gradient, -1.0, gradient)",
+        )],
+    },
+    Mutant {
+        name: "share doubled",
+        law: "spare",
+        lines: &[
+            (ROWS, "self.gamma * known.budget / (known.degree_max + 1.0)", "self.gamma * known.budget / 2.0"),
+            (ROWS, "self.gamma * own.h.max(0.0) / (own.degree + 1.0)", "self.gamma * own.h.max(0.0) / 2.0"),
+        ],
+    },
+    Mutant {
+        name: "|v|² left out of (far')",
+        law: "decay",
+        lines: &[("core/src/budget/row.rs", "-component), bend, spend)", "-component), 0.0 * bend, spend)")],
+    },
+    Mutant {
+        name: "no row of its own",
+        law: "spare",
+        lines: &[(
+            ROWS,
+            "        if self.form() == Form::Level {\n            let spend",
+            "        if false {\n            let spend",
+        )],
+    },
+    Mutant {
+        name: "L at the wrong distance",
+        law: "decay",
+        lines: &[(
+            "core/src/budget/curvature.rs",
+            "distance_m + (2.0 * move_max_m + error_m)",
+            "0.5 * distance_m",
+        )],
+    },
+    Mutant {
+        name: "stale levels not discounted",
+        law: "decay",
+        lines: &[("core/src/budget/knowledge.rs", "ticks => power(1.0 - self.gamma, ticks)", "_ => 1.0")],
+    },
+    Mutant {
+        name: "age from receipt",
+        law: "decay",
+        lines: &[("core/src/allowance.rs", "checked_since(told.stamp)", "checked_since(told.at)")],
+    },
+    Mutant {
+        name: "claims not cut, budgets fourfold",
+        law: "spare",
+        lines: &[(
+            "core/src/budget/knowledge.rs",
+            "budget: believed.max(0.0),",
+            "budget: 4.0 * believed.max(0.0) + 1.0,",
+        )],
+    },
+    Mutant {
+        name: "near rows give too much",
+        law: "path",
+        lines: &[(
+            ROWS,
+            "0.5 * self.gamma_c * spare_m2.max(0.0)",
+            "2.0 * self.gamma_c * spare_m2.max(0.0) + 0.05",
+        )],
+    },
+    Mutant {
+        name: "no near rows",
+        law: "distance",
+        lines: &[(ROWS, "        self.push_near(offset, rows);\n", "")],
+    },
+    Mutant {
+        name: "no margin for distances",
+        law: "distance",
+        lines: &[(
+            "core/src/budget/rows.rs",
+            "self.spare_m2(offset, -error_m)",
+            "self.spare_m2(offset, 0.0)",
+        )],
+    },
+    Mutant {
+        name: "F - 1 values trimmed",
+        law: "interval",
+        lines: &[(
+            "core/src/wmsr.rs",
+            "(smaller.min(usize::from(faults)), larger.min(usize::from(faults)))",
+            "(smaller.min(usize::from(faults).saturating_sub(1)), larger.min(usize::from(faults).saturating_sub(1)))",
+        )],
+    },
+    Mutant {
+        name: "two more values trimmed",
+        law: "agreement",
+        lines: &[(
+            "core/src/wmsr.rs",
+            "(smaller.min(usize::from(faults)), larger.min(usize::from(faults)))",
+            "(smaller.min(usize::from(faults) + 2), larger.min(usize::from(faults) + 2))",
+        )],
+    },
+    Mutant {
+        name: "the box forgotten",
+        law: "input",
+        lines: &[(
+            "core/src/allowance.rs",
+            "(self.params.settings().input.clip(&velocity), outcome)",
+            "(velocity.map(|component| 1.1 * component), outcome)",
+        )],
+    },
+    Mutant {
+        name: "always guaranteed",
+        law: "mode",
+        lines: &[
+            (
+                "core/src/allowance.rs",
+                "Some(reason) => Mode::Degraded(reason),",
+                "Some(_) => Mode::Guaranteed,",
+            ),
+            ("core/src/allowance.rs", "_ if degree_low => Mode::Degraded(Reason::Degree),", ""),
+            (
+                "core/src/allowance.rs",
+                "None if exact && h < 0.0 => Mode::Degraded(Reason::OutsideSafeSet),",
+                "",
+            ),
+            (
+                "core/src/allowance.rs",
+                "let exact = self.params.budget().margin.offset_m == 0.0;",
+                "let _ = (degree_low, h);",
+            ),
+        ],
+    },
+    Mutant {
+        name: "never guaranteed again",
+        law: "mode",
+        lines: &[(
+            "core/src/assurance.rs",
+            "now.since(*then) <= told_max",
+            "now.since(*then) <= 2 * told_max",
+        )],
+    },
+    Mutant {
+        name: "budgets below 0 taken as they are",
+        law: "feasible",
+        lines: &[
+            (ROWS, "0.5 * self.gamma_c * spare_m2.max(0.0)", "0.5 * self.gamma_c * spare_m2"),
+            ("core/src/budget/row.rs", "bound: (scale * bound).max(0.0),", "bound: scale * bound,"),
+        ],
+    },
+    Mutant {
+        name: "one neighbour fewer required",
+        law: "degree",
+        lines: &[(
+            "core/src/budget/interval.rs",
+            "crate::barrier::required_degree(self.robots, self.faults)",
+            "crate::barrier::required_degree(self.robots, self.faults) - 1",
+        )],
+    },
+];
+
+fn root() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("../..")
+}
+
+/// The three crates that a run needs, in a workspace of their own, untouched files untouched.
+fn copy(to: &Path) {
+    let manifest = fs::read_to_string(root().join("Cargo.toml")).unwrap();
+    let line = |key: &str| format!("{key} = [\"crates/core\", \"crates/graph\", \"crates/sim\"]");
+    let own = |text: &str| match text.split_once(" = ") {
+        Some((key @ ("members" | "default-members"), _)) => line(key),
+        Some(("debug", _)) => "debug = false".to_owned(),
+        _ => text.to_owned(),
+    };
+    let manifest = manifest.lines().map(own).collect::<Vec<_>>().join("\n");
+    put(&to.join("Cargo.toml"), manifest.as_bytes());
+    put(&to.join("Cargo.lock"), &fs::read(root().join("Cargo.lock")).unwrap());
+    for name in ["core", "graph", "sim"] {
+        let folder = Path::new("crates").join(name);
+        put(
+            &to.join(&folder).join("Cargo.toml"),
+            &fs::read(root().join(&folder).join("Cargo.toml")).unwrap(),
+        );
+        for part in ["src", "examples", "benches"] {
+            copy_folder(&root().join(&folder).join(part), &to.join(&folder).join(part));
+        }
+    }
+}
+
+fn copy_folder(from: &Path, to: &Path) {
+    let Ok(entries) = fs::read_dir(from) else { return };
+    for entry in entries {
+        let path = entry.unwrap().path();
+        let target = to.join(path.file_name().unwrap());
+        if path.is_dir() { copy_folder(&path, &target) } else { put(&target, &fs::read(&path).unwrap()) }
+    }
+}
+
+/// Writes what is not there yet, so that nothing is built twice.
+fn put(path: &Path, bytes: &[u8]) {
+    if fs::read(path).is_ok_and(|there| there == bytes) {
+        return;
+    }
+    fs::create_dir_all(path.parent().unwrap()).unwrap();
+    fs::write(path, bytes).unwrap();
+}
+
+/// Builds the program that stands in `workspace` and hunts for violations of `law`.
+fn hunt(workspace: &Path, law: &str) -> String {
+    let cargo = std::env::var("CARGO").unwrap_or_else(|_| "cargo".to_owned());
+    let out = Command::new(cargo)
+        .args(["run", "--release", "--quiet", "--offline", "-p", "closeranks-sim", "--example", "hunt", "--"])
+        .arg(root().join("scenarios/campaign.toml").canonicalize().unwrap())
+        .args([RUNS, SEED])
+        .args((!law.is_empty()).then_some(law))
+        .env("CARGO_TARGET_DIR", workspace.join("target"))
+        .env("CARGO_INCREMENTAL", "1")
+        .current_dir(workspace)
+        .output()
+        .unwrap();
+    assert!(out.status.success(), "{}", String::from_utf8_lossy(&out.stderr));
+    String::from_utf8(out.stdout).unwrap().trim().to_owned()
+}
+
+#[test]
+#[ignore = "builds some twenty programs, which takes minutes"]
+fn every_broken_controller_is_caught_by_its_law() {
+    let workspace = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join("oracle");
+    copy(&workspace);
+    assert_eq!(hunt(&workspace, ""), format!("nothing {RUNS}"), "the controller as it is");
+    let mut missed = Vec::new();
+    let only = std::env::var("MUTANT").unwrap_or_default();
+    for Mutant { name, law, lines } in MUTANTS.iter().filter(|mutant| mutant.name.contains(&only)) {
+        for (file, line, broken) in *lines {
+            let path = workspace.join("crates").join(file);
+            let text = fs::read_to_string(&path).unwrap();
+            assert_eq!(text.matches(line).count(), 1, "{name}: `{line}` in {file}");
+            put(&path, text.replace(line, broken).as_bytes());
+        }
+        let found = hunt(&workspace, law);
+        eprintln!("{name}: {found}");
+        if !found.starts_with("found") {
+            missed.push(format!("{name} ({law})"));
+        }
+        copy(&workspace);
+    }
+    assert!(missed.is_empty(), "not caught: {missed:?}");
+}
