@@ -47,10 +47,12 @@ impl<const D: usize> Robot<'_, D> {
     }
 
     /// Guaranteed as long as nothing that the robot can check speaks against it.
-    pub(crate) fn budget_mode(&self, degree_low: bool) -> Mode {
+    pub(crate) fn budget_mode(&self, degree_low: bool, h: f64) -> Mode {
+        let exact = self.params.budget().margin.offset_m == 0.0;
         match self.assurance.reason(self.now, self.params.settings().told_max) {
             _ if degree_low => Mode::Degraded(Reason::Degree),
             Some(reason) => Mode::Degraded(reason),
+            None if exact && h < 0.0 => Mode::Degraded(Reason::OutsideSafeSet),
             None => Mode::Guaranteed,
         }
     }

@@ -334,7 +334,7 @@ impl<'memory, const D: usize> Robot<'memory, D> {
         let mode = match self.params.settings().controller {
             Controller::Composed => Mode::Degraded(composed_reason(degree < required, outcome, phi, untold)),
             // With a margin, whoever is in view may be a neighbour.
-            Controller::Budget => self.budget_mode(small(self.sensed().count()) < required),
+            Controller::Budget => self.budget_mode(small(self.sensed().count()) < required, h),
         };
         Report {
             degree,

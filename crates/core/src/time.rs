@@ -66,9 +66,9 @@ impl Timer {
         }
         self.due = self.due.after(self.period);
         if self.due <= now {
-            let missed = now.since(self.due).as_nanos() / self.period.as_nanos().max(1);
-            let missed = u32::try_from(missed).unwrap_or(u32::MAX).saturating_add(1);
-            self.due = self.due.after(self.period.saturating_mul(missed));
+            let period = u64::try_from(self.period.as_nanos()).unwrap_or(u64::MAX).max(1);
+            let late = now.0 - self.due.0;
+            self.due = Instant(now.0.saturating_add(period - late % period));
         }
         true
     }

@@ -31,7 +31,7 @@ pub struct Frame<const D: usize> {
     pub modes: Vec<Mode>,
     /// Values that each robot used in the last round, and how many of them were those of normal robots.
     pub heard: Vec<[u16; 2]>,
-    /// Where velocities have taken each robot, m; its position if it follows them exactly.
+    /// What the theorem is about, m: where velocities have taken each robot if a tracking error is stated, else its position.
     pub references_m: Vec<Vector<D>>,
     /// Robots that sensed some position with a larger error than is stated.
     pub sensed_wrong: Vec<bool>,

@@ -272,8 +272,8 @@ impl<'memory, const D: usize> Fleet<'memory, D> {
             || away_m > settings.tracking_error_m * (1.0 + ROUNDING) + ROUNDING
             || frame.sensed_wrong.contains(&true)
             || (margin.away_m > 0.0 && frame.modes.iter().any(anew));
-        frame.references_m.clear();
-        frame.references_m.extend_from_slice(self.bodies.references_m());
+        let own = if margin.away_m > 0.0 { self.bodies.references_m() } else { &frame.positions_m };
+        frame.references_m.clone_from_slice(own);
     }
 }
 

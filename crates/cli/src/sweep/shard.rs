@@ -85,7 +85,9 @@ mod tests {
                 let all: Vec<u64> = all.collect();
                 assert_eq!(all.len() as u64, shard.runs(runs));
                 assert!(all.is_sorted() && all.iter().all(|run| run % count == index - 1));
-                all.iter().for_each(|run| seen[usize::try_from(*run).unwrap()] += 1);
+                for run in all {
+                    seen[usize::try_from(run).unwrap()] += 1;
+                }
             }
             assert!(seen.iter().all(|times| *times == 1), "{runs} {count}");
         }

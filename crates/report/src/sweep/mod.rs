@@ -3,7 +3,7 @@
 //! | what | where |
 //! | --- | --- |
 //! | which columns there are, and a run as a row | [`entry`] |
-//! | rows in memory, and as Parquet | [`rows`], [`file`] |
+//! | rows in memory, and as Parquet | [`rows`], [`mod@file`] |
 //! | counts over all rows, and the distribution of radii | [`tally`], [`spread`] |
 //! | what a share of runs proves | [`confidence`] |
 //! | tables and figures | [`tables`], [`figure`] |

@@ -80,7 +80,8 @@ mod tests {
     #[test]
     fn curves_rise_from_nothing_to_all() {
         let share = crate::sweep::tally::Share { gyration_m: Some([1.0, 3.0]), ..Default::default() };
-        let tally = Tally { controllers: [("budget".to_owned(), share)].into(), ..Tally::default() };
+        let mut tally = Tally::default();
+        tally.controllers.insert("budget".to_owned(), share);
         let mut spread = Spread::new(&tally);
         let mut rows =
             Rows::empty(&[Head::new("controller", Kind::Text), Head::new("gyration_m", Kind::Number)]);

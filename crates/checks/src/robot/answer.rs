@@ -1,0 +1,60 @@
+//! What every answer of a robot must keep.
+
+use closeranks_core::math::{Vector, is_finite};
+use closeranks_core::program::Outcome;
+use closeranks_core::report::{Mode, Output, Report};
+
+use super::calls::Play;
+
+impl<const D: usize> Play<'_, D> {
+    /// After any call: what it holds is finite, in order and no more than there is memory for.
+    pub(super) fn check_state(&self) {
+        let robot = &self.robot;
+        let [low, high] = self.hull;
+        assert!((low..=high).contains(&robot.value()), "{} left {low} to {high}", robot.value());
+        assert!(robot.told_level().is_finite());
+        assert!(robot.neighbors().len() <= self.slots);
+        assert!(robot.neighbors().is_sorted_by(|a, b| a.id() < b.id()));
+        for slot in robot.neighbors() {
+            assert!(is_finite(&slot.offset_m()) && slot.link().weight.is_finite(), "{slot:?}");
+            assert!(slot.told_level().is_none_or(f64::is_finite), "{slot:?}");
+        }
+    }
+
+    /// After a tick: the velocity is in its box, the report is of numbers, the mode does not promise too much.
+    pub(super) fn check_answer(&self, desired: &Vector<D>, output: &Output<D>) {
+        let Output { velocity_m_s, report } = output;
+        let input = &self.params.settings().input;
+        assert!(is_finite(velocity_m_s) && input.contains(velocity_m_s), "{velocity_m_s:?} in {input:?}");
+        self.check_numbers(report);
+        self.check_round(report);
+        if !self.placed {
+            assert_eq!((report.mode, *velocity_m_s), (Mode::Stopped, [0.0; D]));
+        }
+        if !is_finite(desired) {
+            assert!(matches!(report.mode, Mode::Hold | Mode::Stopped), "{report:?}");
+            assert!(report.outcome != Outcome::Free || *velocity_m_s == [0.0; D], "{velocity_m_s:?}");
+        }
+        // With a margin, what is sensed may be less than what is promised to be there.
+        let exact = self.params.budget().margin.offset_m == 0.0;
+        if report.mode == Mode::Guaranteed && exact {
+            assert!(report.margin >= 0 && report.h >= 0.0, "{report:?}");
+        }
+    }
+
+    fn check_numbers(&self, report: &Report) {
+        let share = 1.0 / f64::from(self.params.settings().robots);
+        assert!(report.phi.is_finite() && report.phi <= share, "{report:?}");
+        assert!(report.h.is_finite() && report.level.is_finite() && report.level >= 0.0, "{report:?}");
+        assert!(usize::from(report.degree) <= self.slots && report.untold <= report.degree, "{report:?}");
+    }
+
+    fn check_round(&self, report: &Report) {
+        let Some(round) = report.round else { return };
+        let neighbors = self.robot.neighbors();
+        let all = usize::from(round.kept) + usize::from(round.discarded) + usize::from(round.silent);
+        assert_eq!(all, neighbors.len(), "{round:?}");
+        let discarded = neighbors.iter().filter(|slot| slot.discarded()).count();
+        assert_eq!(usize::from(round.discarded), discarded, "{round:?}");
+    }
+}
