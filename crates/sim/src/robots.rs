@@ -51,9 +51,9 @@ impl<const D: usize> Memory<D> {
         }
     }
 
-    /// Small teams get a table of all pairs, which halves the work of `budget`.
+    /// Enough for `budget` to compute each pair once; with free liars that takes a table, which large teams do without.
     fn values_each(robots: usize) -> usize {
-        if robots <= 64 { robots * robots } else { robots }
+        if robots <= 64 { robots * robots.max(3) } else { 3 * robots }
     }
 }
 

@@ -44,7 +44,8 @@ impl<const D: usize> Play<'_, D> {
 
     fn check_numbers(&self, report: &Report) {
         let share = 1.0 / f64::from(self.params.settings().robots);
-        assert!(report.phi.is_none_or(|phi| phi.is_finite() && phi <= share), "{report:?}");
+        let phi = report.phi.unwrap_or_else(|| self.robot.phi());
+        assert!(phi.is_finite() && phi <= share, "{phi}: {report:?}");
         assert!(report.h.is_finite() && report.level.is_finite() && report.level >= 0.0, "{report:?}");
         assert!(usize::from(report.degree) <= self.slots && report.untold <= report.degree, "{report:?}");
     }

@@ -16,21 +16,6 @@ pub struct Interval {
     pub degree_max: f64,
 }
 
-/// What all pairs of a robot's sightings come to.
-#[derive(Debug)]
-pub(crate) struct Survey<'memory> {
-    /// The robot's own level.
-    pub(crate) level: f64,
-    /// Of each sighting [`Interval::low`], and the neighbours that it may have, not yet at least 1.
-    pub(crate) lows: &'memory mut [f64],
-    pub(crate) degrees: &'memory mut [f64],
-    /// Of its link to the robot, [`NO_SLOPE`] without one.
-    slopes: &'memory mut [f64],
-}
-
-/// Stands for no link; slopes are never positive.
-const NO_SLOPE: f64 = 1.0;
-
 impl Budget {
     /// F′ or θ: the level below which h is negative.
     //= theory D
@@ -97,55 +82,6 @@ impl Budget {
         true
     }
 
-    /// What [`tabulate`](Self::tabulate) does, where sums need no table: under [`Assume::Obedient`], in `memory` for
-    /// three numbers a sighting. `None` otherwise.
-    ///
-    /// Every weight is computed once and added for both ends, in order of the sightings; what is out of range would add 0.
-    pub(crate) fn survey<'memory, const D: usize>(
-        &self,
-        sightings: &[Sighting<D>],
-        memory: &'memory mut [f64],
-    ) -> Option<Survey<'memory>> {
-        let count = sightings.len();
-        if self.assume == Assume::Free || memory.len() / 3 < count {
-            return None;
-        }
-        let (lows, rest) = memory.split_at_mut(count);
-        let (degrees, rest) = rest.split_at_mut(count);
-        let mut survey = Survey { level: 0.0, lows, degrees, slopes: &mut rest[..count] };
-        survey.lows.fill(0.0);
-        survey.degrees.fill(number(self.unseen(sightings)));
-        for (first, Sighting { offset_m, .. }) in sightings.iter().enumerate() {
-            let link = self.link(offset_m);
-            survey.slopes[first] = link.map_or(NO_SLOPE, |link| link.slope);
-            let weight = match link {
-                Some(link) if self.is_exact() => link.weight,
-                _ => self.entry(offset_m),
-            };
-            survey.level += weight.max(0.0);
-            survey.add(first, weight);
-            self.add_pairs(first, sightings, &mut survey);
-        }
-        Some(survey)
-    }
-
-    /// Adds the links of one sighting to all later ones.
-    fn add_pairs<const D: usize>(&self, first: usize, sightings: &[Sighting<D>], survey: &mut Survey<'_>) {
-        let (before, after) = sightings.split_at(first + 1);
-        let Some(Sighting { offset_m: of, .. }) = before.last() else { return };
-        let (low, lows) = split(survey.lows, first);
-        let (degree, degrees) = split(survey.degrees, first);
-        for ((other, other_low), other_degree) in after.iter().zip(lows).zip(degrees) {
-            let weight = self.entry(&subtract(&other.offset_m, of));
-            if weight >= 0.0 {
-                *low += weight;
-                *degree += 1.0;
-                *other_low += weight;
-                *other_degree += 1.0;
-            }
-        }
-    }
-
     /// The interval of a neighbour at `offset` from the weights of its links, −1 for those out of its range.
     pub(crate) fn bounds<const D: usize>(
         &self,
@@ -165,24 +101,8 @@ impl Budget {
         Interval { low, high, degree_max: number(degree.max(1)) }
     }
 
-    /// [`Interval::high`] where nothing is trimmed.
-    pub(crate) fn high<const D: usize>(
-        &self,
-        low: f64,
-        offset: &Vector<D>,
-        degree: f64,
-        unseen: usize,
-    ) -> f64 {
-        let blur = if self.is_exact() { 0.0 } else { degree * self.weight_error() };
-        let more = match unseen {
-            0 => 0.0,
-            _ => number(unseen) * self.weight(&[self.nearest_m(offset)]),
-        };
-        blur + (low + more)
-    }
-
     /// No robot out of sight is closer than this to one at `offset`, m.
-    fn nearest_m<const D: usize>(&self, offset: &Vector<D>) -> f64 {
+    pub(crate) fn nearest_m<const D: usize>(&self, offset: &Vector<D>) -> f64 {
         (self.curvature.link().radius_m - length(offset) - self.margin.offset_m).max(0.0)
     }
 
@@ -201,7 +121,7 @@ impl Budget {
     }
 
     /// True if positions and moves are exact.
-    fn is_exact(&self) -> bool {
+    pub(crate) fn is_exact(&self) -> bool {
         self.margin.offset_m == 0.0
     }
 
@@ -211,7 +131,7 @@ impl Budget {
     }
 
     /// The least weight that a link may have; −1 where there is none for certain.
-    fn entry<const D: usize>(&self, offset: &Vector<D>) -> f64 {
+    pub(crate) fn entry<const D: usize>(&self, offset: &Vector<D>) -> f64 {
         let error_m = self.margin.offset_m;
         if self.is_exact() {
             return self.link(offset).map_or(-1.0, |link| link.weight);
@@ -221,7 +141,7 @@ impl Budget {
         if distance_m <= radius_m + error_m { self.weight(&[distance_m + error_m]) } else { -1.0 }
     }
 
-    fn weight<const D: usize>(&self, offset: &Vector<D>) -> f64 {
+    pub(crate) fn weight<const D: usize>(&self, offset: &Vector<D>) -> f64 {
         self.link(offset).map_or(0.0, |link| link.weight)
     }
 
@@ -256,27 +176,6 @@ impl Budget {
         }
         kept.iter().fold(0.0, |sum, weight| sum + weight.max(0.0)) + number(copies) * extra
     }
-}
-
-impl Survey<'_> {
-    fn add(&mut self, index: usize, weight: f64) {
-        if weight >= 0.0 {
-            self.lows[index] += weight;
-            self.degrees[index] += 1.0;
-        }
-    }
-
-    /// ∂a/∂x of the link to a sighting at `offset`, 1/m.
-    pub(crate) fn gradient<const D: usize>(&self, index: usize, offset: &Vector<D>) -> Vector<D> {
-        let slope = self.slopes[index];
-        if slope <= 0.0 { offset.map(|component| slope * component) } else { [0.0; D] }
-    }
-}
-
-/// Element `index` and those after it.
-fn split(numbers: &mut [f64], index: usize) -> (&mut f64, &mut [f64]) {
-    let (before, after) = numbers.split_at_mut(index + 1);
-    (&mut before[index], after)
 }
 
 /// The leading part of `memory`, filled; `None` if it is too short.

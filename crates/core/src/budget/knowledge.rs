@@ -1,7 +1,8 @@
 //! What robot i knows about the spare connectivity h_j of a neighbour, whatever it is told.
 
-use crate::budget::interval::{Interval, Survey};
+use crate::budget::interval::Interval;
 use crate::budget::settings::Budget;
+use crate::budget::survey::Survey;
 use crate::math::Vector;
 
 /// What a robot believes about the levels of its neighbours.

@@ -37,3 +37,4 @@ pub mod reach;
 pub mod row;
 pub mod rows;
 pub mod settings;
+mod survey;

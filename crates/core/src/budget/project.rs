@@ -103,7 +103,8 @@ impl<'memory, const D: usize> Program<'memory, D> {
             v = repair(&self.rows[..=working], &v, &desired);
             working += 1;
         }
-        if self.full || !is_finite(&v) || !self.rows().iter().all(|row| row.holds(&v)) {
+        // No row beyond the working set is broken.
+        if self.full || !is_finite(&v) || !self.rows[..working].iter().all(|row| row.holds(&v)) {
             v = [0.0; D];
         }
         let outcome = match v {

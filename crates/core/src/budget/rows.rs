@@ -1,11 +1,12 @@
 //! All rows of one robot in one tick, and recovery from starts outside the set.
 
-use crate::budget::interval::{Survey, number};
+use crate::budget::interval::number;
 use crate::budget::knowledge::{Assume, Known, Sighting};
 use crate::budget::project::{Closest, Program};
 use crate::budget::reach::Reach;
 use crate::budget::row::Row;
 use crate::budget::settings::{Budget, Form};
+use crate::budget::survey::Survey;
 use crate::math::{Vector, add_scaled, dot, is_finite, length};
 
 /// Memory that the caller lends for one tick.

@@ -64,6 +64,8 @@ pub struct Wire {
     burst: Vec<bool>,
     under_way: BTreeMap<u32, Vec<Parcel>>,
     count: usize,
+    /// What is sent in this tick by a network without delay.
+    at_once: Vec<Parcel>,
 }
 
 impl Wire {
@@ -83,6 +85,7 @@ impl Wire {
             burst: vec![false; robots * robots],
             under_way: BTreeMap::new(),
             count: 0,
+            at_once: Vec::new(),
         }
     }
 
@@ -102,6 +105,12 @@ impl Wire {
         let copies = if self.happens(self.network.duplicate) { 2 } else { 1 };
         for _ in 0..copies {
             let lost = self.blocked(tick, &parcel) || self.happens(self.network.loss);
+            if self.network.delay_max_s <= 0.0 {
+                if !lost {
+                    self.at_once.push(parcel);
+                }
+                continue;
+            }
             let due = tick.saturating_add(self.delay_ticks());
             if !lost && self.count < UNDER_WAY_MAX {
                 self.under_way.entry(due).or_default().push(parcel);
@@ -112,6 +121,10 @@ impl Wire {
 
     /// What arrives in `tick`, in the order in which it was sent.
     pub fn arrivals(&mut self, tick: u32) -> Vec<Parcel> {
+        if self.network.delay_max_s <= 0.0 {
+            let room = Vec::with_capacity(self.at_once.len());
+            return core::mem::replace(&mut self.at_once, room);
+        }
         let arrived = self.under_way.remove(&tick).unwrap_or_default();
         self.count -= arrived.len();
         arrived
@@ -136,9 +149,6 @@ impl Wire {
     /// Whole ticks, rounded up: what comes within a tick is there at the next.
     fn delay_ticks(&mut self) -> u32 {
         let Network { delay_min_s, delay_max_s, .. } = self.network;
-        if delay_max_s <= 0.0 {
-            return 0;
-        }
         let delay_s = self.random.uniform(delay_min_s, delay_max_s);
         #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "saturates")]
         let ticks = (delay_s / self.tick_s).ceil() as u32;
