@@ -14,7 +14,7 @@ use closeranks_sim::sweep::Field;
 
 fn heads() -> Vec<Head> {
     let named = Tally::COLUMNS.map(|name| match name {
-        "run" | "redraws" => Head::new(name, Kind::Whole),
+        "run" | "redraws" | "first_robot" | "first_other_robot" => Head::new(name, Kind::Whole),
         "controller" | "violated" | "first_law" => Head::new(name, Kind::Text),
         _ => Head::new(name, Kind::Number),
     });
@@ -35,6 +35,8 @@ fn push(rows: &mut Rows, run: i64, controller: &str, violating: bool) {
         number(1.0 + 0.01 * size(run)),
         first(word("degree")),
         first(number(0.5)),
+        first(Some(Cell::Whole(2))),
+        None,
         first(number(3.0)),
         first(number(4.0)),
         number(4.0 + size(run % 7)),

@@ -49,6 +49,11 @@ impl Law {
     /// How many there are.
     pub const COUNT: usize = 12;
 
+    /// What thm:cbf-qp and thm:rs_robust promise for `composed` from a start in their safe set. That programs have solutions
+    /// (c) is counted apart: METHOD.md 2.2.
+    pub const COMPOSED: [Self; 7] =
+        [Self::Degree, Self::Distance, Self::Interval, Self::Agreement, Self::Input, Self::Spare, Self::Path];
+
     /// What `budget` promises where its assumptions hold.
     pub const PROMISED: [Self; 10] = [
         Self::Degree,

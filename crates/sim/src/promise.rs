@@ -35,6 +35,8 @@ pub(crate) struct Promise<const D: usize> {
     apart: Vec<bool>,
     /// Robot-ticks of normal robots, those of them guaranteed, and those with a negative own h.
     counted: [u64; 3],
+    /// Ticks, and those in which every assumption held.
+    ticks: [u64; 2],
     /// Longest time from the end of trouble until all were guaranteed again, in ticks.
     recovery_ticks: u32,
     /// Least squared distance of two robots yet, m².
@@ -70,6 +72,7 @@ impl<const D: usize> Promise<D> {
             kept: vec![false; usize::from(scenario.robots)],
             apart: Vec::new(),
             counted: [0; 3],
+            ticks: [0; 2],
             recovery_ticks: 0,
             least_m2: f64::INFINITY,
         }
@@ -92,6 +95,9 @@ impl<const D: usize> Promise<D> {
         }
         let moves = !frame.broken && covered;
         let claims = moves && since(self.broken, tick) > self.told_ticks;
+        for (counter, counts) in self.ticks.iter_mut().zip([true, claims]) {
+            *counter += u64::from(counts);
+        }
         if self.params.settings().controller == Controller::Budget {
             self.watch_modes(tick, frame, truth, claims, verdicts);
         }
@@ -103,21 +109,24 @@ impl<const D: usize> Promise<D> {
         });
         now.truth.clone_from(truth);
         now.positions_m.clone_from(&frame.positions_m);
-        self.carry(truth, &now, [moves, claims]);
+        self.carry(frame, truth, &now, [moves, claims]);
         (now.moves, now.claims) = (moves, claims);
         self.before = Some(now);
     }
 
-    /// What is safe now, or was and must still be, must be so at the next tick.
-    fn carry(&mut self, truth: &Truth, before: &Before<D>, [moves, claims]: [bool; 2]) {
+    /// What is safe now, or was and must still be, must be so at the next tick. `composed` promises nothing before every
+    /// φ_i ≥ 0 (thm:cbf-qp).
+    fn carry(&mut self, frame: &Frame<D>, truth: &Truth, before: &Before<D>, [moves, claims]: [bool; 2]) {
         let least_m = self.params.budget().distance_min_m;
         let limit_m2 = least_m * least_m - ROUNDING * self.params.settings().radius_m.powi(2);
+        let budget = self.params.settings().controller == Controller::Budget;
+        let inside = budget || frame.phis.iter().all(|phi| *phi >= 0.0);
         for (kept, spare) in self.kept.iter_mut().zip(&truth.spares) {
-            *kept = claims && (*spare >= 0.0 || (*kept && before.claims));
+            *kept = claims && ((inside && *spare >= 0.0) || (*kept && before.claims));
         }
         self.apart.resize(truth.pairs_m2.len(), false);
         for (apart, pair_m2) in self.apart.iter_mut().zip(&truth.pairs_m2) {
-            *apart = moves && (*pair_m2 >= limit_m2 || (*apart && before.moves));
+            *apart = moves && ((inside && *pair_m2 >= limit_m2) || (*apart && before.moves));
         }
     }
 
@@ -134,7 +143,11 @@ impl<const D: usize> Promise<D> {
             }
             if truth.degrees[index] < required {
                 let seen = f64::from(truth.degrees[index]);
-                verdicts.broke(Law::Degree, at(seen, f64::from(required)), spare >= 0.0 || carried.is_some());
+                verdicts.broke(
+                    Law::Degree,
+                    at(seen, f64::from(required)),
+                    (budget && spare >= 0.0) || carried.is_some(),
+                );
             }
             if let Some(before) = before.filter(|_| budget) {
                 let floor = (1.0 - self.params.budget().gamma) * before.truth.spares[index];
@@ -255,12 +268,14 @@ impl<const D: usize> Promise<D> {
             .any(|other| other != robot && counts(other) && truth.pair_m2(robot, other) < limit_m2)
     }
 
-    /// Share of time in which normal robots were guaranteed, and in which their own h was negative.
+    /// Shares of time in which normal robots were guaranteed, in which their own h was negative, and in which every assumption
+    /// held.
     #[must_use]
-    pub(crate) fn shares(&self) -> [f64; 2] {
+    pub(crate) fn shares(&self) -> [f64; 3] {
         #[expect(clippy::cast_precision_loss, reason = "counts")]
-        let share = |index: usize| self.counted[index] as f64 / self.counted[0].max(1) as f64;
-        [share(1), share(2)]
+        let share = |part: u64, whole: u64| part as f64 / whole.max(1) as f64;
+        let [all, guaranteed, negative] = self.counted;
+        [share(guaranteed, all), share(negative, all), share(self.ticks[1], self.ticks[0])]
     }
 
     /// Longest time from the end of trouble until all were guaranteed again, in ticks.

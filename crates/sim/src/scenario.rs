@@ -117,6 +117,23 @@ impl Controller {
             Self::None => "none",
         }
     }
+
+    /// The controller of that name.
+    #[must_use]
+    pub fn named(name: &str) -> Option<Self> {
+        Self::ALL.into_iter().find(|controller| controller.name() == name)
+    }
+
+    /// The laws that sweeps hold it to where its assumptions hold. Without a filter nothing is promised, and all that may be
+    /// expected counts wherever it is broken.
+    #[must_use]
+    pub fn promises(self) -> &'static [Law] {
+        match self {
+            Self::Budget => &Law::PROMISED,
+            Self::Composed => &Law::COMPOSED,
+            Self::None => &Law::EXPECTED,
+        }
+    }
 }
 
 /// Initial values y_i(t₀).

@@ -48,6 +48,8 @@ pub struct Summary {
     pub guaranteed_share: f64,
     /// Share of it in which their own h was negative: with free liars they stand still then.
     pub negative_share: f64,
+    /// Share of ticks in which every assumption of `budget` held, and long enough for what was told to be true.
+    pub covered_share: f64,
     /// Longest time from the end of trouble until all said again that they were guaranteed, s.
     pub recovery_s: f64,
     /// How many malicious robots had fewer than F′ neighbours at some time.
@@ -65,14 +67,21 @@ impl Summary {
         self.verdicts.of(law).count
     }
 
-    /// What was broken although everything held that it rests on, counted and located so: with `budget` any of
-    /// [`Law::PROMISED`], with others of [`Law::EXPECTED`]. Each is a bug, or a hole in a theorem.
+    /// What counts against the controller, counted and located so: what it promises ([`Controller::promises`]) and what was
+    /// broken although everything held that the promise rests on. With `budget` that is a bug, or a hole in the theorem.
     pub fn violations(&self, scenario: &Scenario) -> impl Iterator<Item = Verdict> {
-        let promised = scenario.controller == Controller::Budget;
-        let laws: &[Law] = if promised { &Law::PROMISED } else { &Law::EXPECTED };
-        let covered =
-            self.verdicts.iter().filter(|verdict| verdict.covered > 0 && laws.contains(&verdict.law));
-        covered.map(|verdict| Verdict { count: verdict.covered, first: verdict.first_covered, ..*verdict })
+        let laws = scenario.controller.promises();
+        let all = scenario.controller == Controller::None;
+        let counted =
+            self.verdicts.iter().filter(|verdict| laws.contains(&verdict.law)).map(move |verdict| {
+                let (count, first) = if all {
+                    (verdict.count, verdict.first)
+                } else {
+                    (verdict.covered, verdict.first_covered)
+                };
+                Verdict { count, first, ..*verdict }
+            });
+        counted.filter(|verdict| verdict.count > 0)
     }
 
     /// Expected laws that were broken.
@@ -113,7 +122,7 @@ impl Collector {
         monitors: &Monitors<D>,
     ) -> Summary {
         let speeds = frame.velocities_m_s.iter().map(|velocity| squared_distance(velocity, &[0.0; D]));
-        let [guaranteed_share, negative_share] = monitors.promise().shares();
+        let [guaranteed_share, negative_share, covered_share] = monitors.promise().shares();
         let below = self.malicious_below.iter().filter(|below| **below).count();
         Summary {
             start: self.start.unwrap_or(NO_START),
@@ -126,6 +135,7 @@ impl Collector {
             spreading_m_s: [self.spreading_start_m_s, spreading(frame)],
             guaranteed_share,
             negative_share,
+            covered_share,
             recovery_s: f64::from(monitors.promise().recovery_ticks()) * scenario.tick_s(),
             malicious_below: u16::try_from(below).unwrap_or(u16::MAX),
             rounds: scenario.ticks() / scenario.ticks_per_round(),

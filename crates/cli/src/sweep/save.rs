@@ -4,6 +4,7 @@ use anyhow::Result;
 use closeranks_report::content::{Figure, Page, Section};
 use closeranks_report::html::html;
 use closeranks_report::png::{SCALE_200_DPI, png};
+use closeranks_report::sweep::broken;
 use closeranks_report::sweep::figure::{gyrations, shares};
 use closeranks_report::sweep::spread::Spread;
 use closeranks_report::sweep::tables::{controllers, values};
@@ -42,7 +43,10 @@ fn came_to(outcome: &Outcome<'_>, laws: String, gyration: String) -> Section {
     let figure = |caption: &str, svg| Figure { caption: caption.to_owned(), svg };
     Section {
         title: "What it came to".to_owned(),
-        tables: vec![(caption.to_owned(), controllers(outcome.tally, outcome.laws))],
+        tables: vec![
+            (caption.to_owned(), controllers(outcome.tally, outcome.laws)),
+            (broken::CAPTION.to_owned(), broken::table(outcome.tally)),
+        ],
         figures: vec![
             figure("Share of runs in which each law was violated; hollow where it never was.", laws),
             figure("Radius of gyration of the team at the end: farther right is wider.", gyration),

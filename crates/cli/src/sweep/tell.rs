@@ -2,9 +2,10 @@
 
 use core::fmt::Write as _;
 
+use closeranks_report::sweep::broken;
 use closeranks_report::sweep::confidence::upper_95;
 use closeranks_report::sweep::tables::{controllers, values};
-use closeranks_report::sweep::tally::{Share, Tally, Violating};
+use closeranks_report::sweep::tally::{Share, Tally, Violating, promises};
 use closeranks_report::table::{number, telling, text};
 use closeranks_sim::law::Law;
 use serde_json::{Map, Value, json};
@@ -67,11 +68,12 @@ impl Outcome<'_> {
         let told = |one: &Violating| {
             let of = |value: Option<f64>| telling(value.unwrap_or(f64::NAN), 4);
             let what = format!(
-                "run {} under {}: {} at t = {} s: {}, demanded {}",
+                "run {} under {}: {} at t = {} s{}: {}, demanded {}",
                 one.run,
                 one.controller,
                 one.law,
                 number(one.time_s.unwrap_or(f64::NAN), 3),
+                who(&one.robots),
                 of(one.seen),
                 of(one.demanded)
             );
@@ -83,6 +85,7 @@ impl Outcome<'_> {
     /// For people.
     pub(crate) fn text(&self) -> String {
         let mut out = format!("{}\n\n{}", self.head(), text(&controllers(self.tally, self.laws)));
+        let _ = write!(out, "\n{}\n{}", broken::CAPTION, text(&broken::table(self.tally)));
         let by_value = values(self.tally);
         if !by_value.rows.is_empty() {
             let _ = write!(out, "\n{}", text(&by_value));
@@ -100,10 +103,11 @@ impl Outcome<'_> {
     /// For machines.
     pub(crate) fn json(&self) -> Value {
         let controllers =
-            self.tally.controllers.iter().map(|(name, share)| (name.clone(), self.share(share)));
+            self.tally.controllers.iter().map(|(name, share)| (name.clone(), self.share(name, share)));
         let violating = self.tally.violating.iter().map(|one| {
             json!({
                 "run": one.run, "controller": one.controller, "law": one.law, "time_s": one.time_s,
+                "robots": one.robots,
                 "seen": one.seen, "demanded": one.demanded, "command": self.command(one),
             })
         });
@@ -121,8 +125,8 @@ impl Outcome<'_> {
         })
     }
 
-    fn share(&self, share: &Share) -> Value {
-        let laws = self.laws.iter().map(|law| {
+    fn share(&self, name: &str, share: &Share) -> Value {
+        let laws = self.laws.iter().filter(|law| promises(name, law)).map(|law| {
             let runs = share.laws.get(*law).copied().unwrap_or(0);
             ((*law).to_owned(), json!(runs))
         });
@@ -131,6 +135,7 @@ impl Outcome<'_> {
             "violations": share.violating,
             "upper_95": upper_95(share.violating, share.runs),
             "by_invariant": laws.collect::<Map<_, _>>(),
+            "broken_at_all": share.broken,
             "gyration_m": share.gyration_mean_m(),
         })
     }
@@ -145,6 +150,15 @@ impl Outcome<'_> {
             Some((path.clone(), Value::Object(values.collect())))
         });
         Value::Object(fields.collect())
+    }
+}
+
+/// The robots of a violation.
+fn who(robots: &[i64]) -> String {
+    match robots {
+        [] => String::new(),
+        [robot] => format!(", robot {robot}"),
+        [robot, other, ..] => format!(", robots {robot} and {other}"),
     }
 }
 

@@ -8,7 +8,8 @@ use closeranks_report::sweep::entry::{Entry, heads};
 use closeranks_report::sweep::file::{Writer, read};
 use closeranks_report::sweep::rows::Rows;
 use closeranks_report::sweep::spread::Spread;
-use closeranks_report::sweep::tally::Tally;
+use closeranks_report::sweep::tally::{BROKEN, Tally};
+use closeranks_sim::law::Law;
 use closeranks_sim::sweep::Plan;
 use closeranks_sim::world::{self, Options};
 use rayon::prelude::*;
@@ -112,7 +113,9 @@ impl Work<'_> {
         let path = store.path(store.rows());
         let broken = || format!("`{}` is broken; remove it and repeat the command", path.display());
         let few = self.plan.fields().iter().filter(|field| field.few).map(|field| field.path.as_str());
-        let names: Vec<&str> = Tally::COLUMNS.into_iter().chain(few).collect();
+        let broken_laws = Law::ALL.map(|law| format!("{BROKEN}{}", law.name()));
+        let laws = broken_laws.iter().map(String::as_str);
+        let names: Vec<&str> = Tally::COLUMNS.into_iter().chain(few).chain(laws).collect();
         let mut tally = Tally::new(self.plan.fields());
         read(File::open(&path).with_context(broken)?, &names, &mut |rows| tally.add(&rows))
             .with_context(broken)?;

@@ -33,6 +33,7 @@ pub const METRICS: &[Metric] = &[
     ("spreading_end_m_s", |run| Some(run.spreading_m_s[1])),
     ("guaranteed_share", |run| Some(run.guaranteed_share)),
     ("negative_share", |run| Some(run.negative_share)),
+    ("covered_share", |run| Some(run.covered_share)),
     ("recovery_s", |run| Some(run.recovery_s)),
     ("rounds", |run| Some(f64::from(run.rounds))),
     ("ticks", |run| Some(f64::from(run.ticks))),

@@ -3,7 +3,7 @@
 use super::confidence::{lower_95, upper_95};
 use super::spread::Spread;
 use super::style::{legend, names, style};
-use super::tally::{Share, Tally};
+use super::tally::{Share, Tally, promises};
 use crate::axes::{Axes, Decoration, Place};
 use crate::layout::{Grid, Row};
 use crate::palette::{FRAME, INK, LABEL, LINK, NUMBER};
@@ -45,6 +45,9 @@ pub fn shares(tally: &Tally, laws: &[&str]) -> String {
         }
         for (place, (name, share)) in tally.controllers.iter().enumerate() {
             let y = top + 0.5 * BETWEEN + LINE * (count(place) + 0.5);
+            if !promises(name, law) {
+                continue;
+            }
             draw_share(&mut svg, &scale, y, name, [share.laws.get(*law).copied().unwrap_or(0), share.runs]);
         }
     }

@@ -8,6 +8,7 @@
 //! | what a share of runs proves | [`confidence`] |
 //! | tables and figures | [`tables`], [`figure`] |
 
+pub mod broken;
 pub mod confidence;
 pub mod entry;
 pub mod figure;

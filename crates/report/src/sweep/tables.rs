@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 
 use super::confidence::upper_95;
-use super::tally::{Share, Tally};
+use super::tally::{Share, Tally, promises};
 use crate::content::Table;
 use crate::table::number;
 
@@ -29,7 +29,8 @@ fn row(name: &str, share: &Share, laws: &[&str]) -> Vec<String> {
         percent(part),
         percent(upper_95(share.violating, share.runs)),
     ];
-    row.extend(laws.iter().map(|law| share.laws.get(*law).copied().unwrap_or(0).to_string()));
+    let runs = |law: &str| share.laws.get(law).copied().unwrap_or(0).to_string();
+    row.extend(laws.iter().map(|law| if promises(name, law) { runs(law) } else { "-".to_owned() }));
     row.push(share.gyration_mean_m().map_or("-".to_owned(), |mean| number(mean, 3)));
     row
 }
@@ -48,14 +49,15 @@ pub fn percent(share: f64) -> String {
     format!("{percent:.digits$} %")
 }
 
-/// Violating runs of all runs for every value of every drawn field with few values: one line a value.
+/// Violating runs of all runs for every value of every drawn field with few values: one line a value. Of chosen tables, which
+/// was chosen; JSON has their fields too.
 #[must_use]
 pub fn values(tally: &Tally) -> Table {
     let names: BTreeSet<&str> = tally.controllers.keys().map(String::as_str).collect();
     let mut heads = vec!["drawn".to_owned(), "value".to_owned()];
     heads.extend(names.iter().map(|name| format!("{name}\nviolating of runs")));
     let mut rows = Vec::new();
-    for (path, values) in &tally.fields {
+    for (path, values) in tally.fields.iter().filter(|(path, _)| !is_part(tally, path)) {
         let mut values: Vec<_> = values.iter().flatten().collect();
         values.sort_by(|(a, _), (b, _)| order(a, b));
         rows.extend(values.into_iter().enumerate().map(|(index, (value, counts))| {
@@ -67,6 +69,16 @@ pub fn values(tally: &Tally) -> Table {
         }));
     }
     Table { heads, rows }
+}
+
+/// True for a field of a chosen table that has a name of its own, or a `kind`: which one was chosen says it already.
+fn is_part(tally: &Tally, path: &str) -> bool {
+    let ends = path.match_indices('.').map(|(end, _)| &path[..end]);
+    let mut parents = ends.filter(|parent| {
+        let kind = format!("{parent}.kind");
+        kind != path && (tally.fields.contains_key(*parent) || tally.fields.contains_key(&kind))
+    });
+    parents.next().is_some()
 }
 
 /// Numbers by size, words by the alphabet.

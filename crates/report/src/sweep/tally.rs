@@ -2,12 +2,19 @@
 
 use std::collections::BTreeMap;
 
+use closeranks_sim::scenario::Controller;
 use closeranks_sim::sweep::Field;
 
 use super::rows::{Rows, Values};
 
 /// Violating runs of each controller that are shown.
 const SHOWN: usize = 3;
+
+/// How the names of columns begin that count how often a law was broken.
+pub const BROKEN: &str = "broken_";
+
+/// Columns with the robots of a violation.
+const ROBOTS: [&str; 2] = ["first_robot", "first_other_robot"];
 
 /// A field with more values than this is not counted by value.
 const FEW: usize = 24;
@@ -21,6 +28,8 @@ pub struct Share {
     pub violating: u64,
     /// Runs in which each law was violated, by its name.
     pub laws: BTreeMap<String, u64>,
+    /// Runs in which each law was broken at all, whether or not anything promised it.
+    pub broken: BTreeMap<String, u64>,
     /// Sum of the radii of gyration at the end, in the order of rows, m.
     pub gyration_sum_m: f64,
     /// Least and greatest of them, m.
@@ -44,6 +53,8 @@ pub struct Violating {
     pub law: String,
     /// When, s.
     pub time_s: Option<f64>,
+    /// The robot or the two robots it is about.
+    pub robots: Vec<i64>,
     /// What was seen.
     pub seen: Option<f64>,
     /// What was demanded.
@@ -91,7 +102,7 @@ impl Share {
 
 impl Tally {
     /// Columns that [`Tally::add`] needs besides the fields.
-    pub const COLUMNS: [&'static str; 9] = [
+    pub const COLUMNS: [&'static str; 11] = [
         "run",
         "controller",
         "redraws",
@@ -99,6 +110,8 @@ impl Tally {
         "gyration_m",
         "first_law",
         "first_time_s",
+        "first_robot",
+        "first_other_robot",
         "first_seen",
         "first_demanded",
     ];
@@ -127,8 +140,22 @@ impl Tally {
             self.controllers.entry(name.to_owned()).or_default().add(violated, gyrations[row]);
             self.note(rows, row, name);
         }
+        self.add_broken(rows);
         for (path, values) in &mut self.fields {
             count(values, rows, path);
+        }
+    }
+
+    fn add_broken(&mut self, rows: &Rows) {
+        let columns = rows.heads().iter().zip(rows.columns());
+        for (head, column) in columns.filter(|(head, _)| head.name.starts_with(BROKEN)) {
+            let Values::Whole(column) = column else { continue };
+            let law = &head.name[BROKEN.len()..];
+            for (count, name) in column.iter().zip(rows.text("controller")) {
+                let share = self.controllers.entry(name.clone().unwrap_or_default()).or_default();
+                *share.broken.entry(law.to_owned()).or_default() +=
+                    u64::from(count.is_some_and(|count| count > 0));
+            }
         }
     }
 
@@ -142,11 +169,19 @@ impl Tally {
                 controller: controller.to_owned(),
                 law,
                 time_s: rows.number("first_time_s")[row],
+                robots: ROBOTS.iter().filter_map(|column| rows.whole(column)[row]).collect(),
                 seen: rows.number("first_seen")[row],
                 demanded: rows.number("first_demanded")[row],
             });
         }
     }
+}
+
+/// True if sweeps hold the controller `name` to the law.
+#[must_use]
+pub fn promises(name: &str, law: &str) -> bool {
+    let laws = Controller::named(name).map_or(&[][..], Controller::promises);
+    laws.iter().any(|promised| promised.name() == law)
 }
 
 /// Counts the values of one field, until there are too many.

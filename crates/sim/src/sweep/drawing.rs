@@ -44,6 +44,9 @@ impl Drawer<'_> {
             }
             _ => {
                 let value = self.draw(node);
+                if let (Node::Choice { .. }, Value::Table(entries)) = (node, &value) {
+                    self.name(path, entries);
+                }
                 self.note(path, &value);
                 value
             }
@@ -80,6 +83,15 @@ impl Drawer<'_> {
         let point = self.random.uniform(0.0, sums.last().copied().unwrap_or(1.0));
         let place = sums.iter().position(|sum| point < *sum).unwrap_or(0);
         items.get(place).map_or(Value::Boolean(false), |item| self.draw(item))
+    }
+
+    /// A chosen table without a `kind` goes by the names of its fields.
+    fn name(&mut self, path: &str, entries: &toml::Table) {
+        if !entries.contains_key("kind") {
+            let names: Vec<&str> = entries.keys().map(String::as_str).collect();
+            let name = if names.is_empty() { "nothing".to_owned() } else { names.join(" + ") };
+            self.drawn.insert(path.to_owned(), Drawn::Text(name));
+        }
     }
 
     /// Notes a drawn value; of tables, every field.

@@ -74,7 +74,23 @@ impl Node {
             }
             Self::Whole { .. } => note(found, path, true, true),
             Self::Number { .. } => note(found, path, true, false),
-            Self::Choice { items, .. } => items.iter().for_each(|item| item.fields(path, true, found)),
+            Self::Choice { items, .. } => {
+                if items.iter().any(Self::is_nameless) {
+                    note(found, path, false, true);
+                }
+                items.iter().for_each(|item| item.fields(path, true, found));
+            }
+        }
+    }
+}
+
+impl Node {
+    /// True for a table without a `kind`, which goes by the names of its fields.
+    pub(super) fn is_nameless(&self) -> bool {
+        match self {
+            Self::Table(entries) => !entries.contains_key("kind"),
+            Self::Plain(Value::Table(entries)) => !entries.contains_key("kind"),
+            _ => false,
         }
     }
 }

@@ -1,0 +1,23 @@
+//! What was broken at all, as a table: also where nothing promised that it would hold.
+
+use closeranks_sim::law::Law;
+
+use super::tally::Tally;
+use crate::content::Table;
+
+/// What the table shows.
+pub const CAPTION: &str = "Runs in which something was broken at all, also where assumptions did not hold:";
+
+/// One line a law that is about the network or the values, one column a controller.
+#[must_use]
+pub fn table(tally: &Tally) -> Table {
+    let mut heads = vec!["law".to_owned()];
+    heads.extend(tally.controllers.keys().cloned());
+    let laws = Law::ALL.into_iter().filter(|law| !matches!(law, Law::Composition | Law::Shares));
+    let runs = |law: Law| {
+        let counts =
+            tally.controllers.values().map(move |share| share.broken.get(law.name()).copied().unwrap_or(0));
+        core::iter::once(law.name().to_owned()).chain(counts.map(|count| count.to_string())).collect()
+    };
+    Table { heads, rows: laws.map(runs).collect() }
+}
