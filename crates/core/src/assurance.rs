@@ -41,7 +41,9 @@ impl<const D: usize> Assurance<D> {
         let margin = params.budget().margin;
         let blur_m = ROUNDING * (1.0 + length(&sensed)) + CLOCK * length(&subtract(&expected, &position));
         let away_m = length(&subtract(&sensed, &expected));
-        if away_m.is_nan() || away_m > margin.offset_m + blur_m {
+        // The error of one sensed position against a reference that is known; else those of two.
+        let most_m = if margin.away_m > 0.0 { margin.sensed_m() } else { margin.offset_m };
+        if away_m.is_nan() || away_m > most_m + blur_m {
             self.broken = Some((now, Reason::Moved));
             return sensed;
         }

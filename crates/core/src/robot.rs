@@ -262,6 +262,13 @@ impl<'memory, const D: usize> Robot<'memory, D> {
         self.level_timer.due().min(self.value_timer.due())
     }
 
+    /// Where it counts itself in this tick, m: where it sensed itself, or with a tracking error where its moves have taken it
+    /// since it last had to begin anew. `None` without a usable position.
+    #[must_use]
+    pub fn reference(&self) -> Option<Vector<D>> {
+        self.position
+    }
+
     /// The robot's number.
     #[must_use]
     pub fn id(&self) -> RobotId {

@@ -37,6 +37,8 @@ pub struct Frame<const D: usize> {
     pub sensed_wrong: Vec<bool>,
     /// True if in this tick some assumption of `budget` did not hold, whether or not a robot could know.
     pub broken: bool,
+    /// True if in this tick some reference is not the last one plus its move: what held before says nothing about it.
+    pub renewed: bool,
     /// True if in this tick some normal robot did not run, or began anew.
     pub unsteady: bool,
     /// Number of links, each counted once.
@@ -64,6 +66,7 @@ impl<const D: usize> Frame<D> {
             heard: vec![[0; 2]; robots],
             sensed_wrong: vec![false; robots],
             broken: false,
+            renewed: false,
             unsteady: false,
             links: 0,
         }

@@ -88,8 +88,9 @@ impl<const D: usize> Promise<D> {
         verdicts: &mut Verdicts,
     ) {
         let before = self.before.take();
-        self.watch_spares(tick, truth, before.as_ref().filter(|_| covered), verdicts);
-        self.watch_pairs(tick, frame, truth, before.as_ref().filter(|_| covered), verdicts);
+        let carried = before.as_ref().filter(|_| covered && !frame.renewed);
+        self.watch_spares(tick, truth, carried, verdicts);
+        self.watch_pairs(tick, frame, truth, carried, verdicts);
         if frame.broken || !covered {
             self.broken = Some(tick);
         }

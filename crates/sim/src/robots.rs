@@ -5,12 +5,12 @@
 
 use closeranks_core::budget::knowledge::{Assume, Sighting};
 use closeranks_core::budget::row::Row;
-use closeranks_core::math::Vector;
+use closeranks_core::math::{Vector, add_scaled};
 use closeranks_core::message::Message;
 use closeranks_core::neighbor::{RobotId, Slot};
 use closeranks_core::params::Params;
 use closeranks_core::refusal::RobotError;
-use closeranks_core::report::{Mode, Reason};
+use closeranks_core::report::Mode;
 use closeranks_core::robot::Robot;
 
 use crate::attack::MotionAttack;
@@ -73,6 +73,8 @@ pub struct Fleet<'memory, const D: usize> {
     clocks: Shown,
     senses: Senses<D>,
     bodies: Bodies<D>,
+    /// Where each reference is if it is the last one plus its move, m.
+    expected_m: Vec<Vector<D>>,
     ticks_per_round: u32,
     tick: u32,
     tick_s: f64,
@@ -112,6 +114,7 @@ impl<'memory, const D: usize> Fleet<'memory, D> {
             clocks: Shown::new(scenario),
             senses: Senses::new(scenario),
             bodies: Bodies::new(scenario, positions_m),
+            expected_m: positions_m.to_vec(),
             ticks_per_round: scenario.ticks_per_round(),
             tick: 0,
             tick_s: params.settings().level_period.as_secs_f64(),
@@ -132,6 +135,10 @@ impl<'memory, const D: usize> Fleet<'memory, D> {
 
     /// Moves everybody to the next tick.
     pub fn integrate(&mut self, frame: &mut Frame<D>) {
+        let moves = frame.references_m.iter().zip(&frame.velocities_m_s);
+        for (expected, (reference, velocity)) in self.expected_m.iter_mut().zip(moves) {
+            *expected = add_scaled(reference, self.tick_s, velocity);
+        }
         self.bodies.integrate(&mut frame.positions_m, &frame.velocities_m_s);
     }
 
@@ -258,25 +265,53 @@ impl<'memory, const D: usize> Fleet<'memory, D> {
     }
 
     /// Which assumptions of the theorem hold in this tick, as only the world can know.
-    fn judge(&self, frame: &mut Frame<D>) {
-        let (settings, margin) = (self.params.settings(), self.params.budget().margin);
+    fn judge(&mut self, frame: &mut Frame<D>) {
+        self.refer(frame);
+        let settings = self.params.settings();
         let error_m = settings.position_error_m * (1.0 + ROUNDING) + ROUNDING;
-        let away_m = self.bodies.away_m(&frame.positions_m);
-        let anew = |mode: &Mode| matches!(mode, Mode::Degraded(Reason::Late | Reason::Moved) | Mode::Stopped);
         for (index, wrong) in frame.sensed_wrong.iter_mut().enumerate() {
             *wrong = self.senses.error_m(index) > error_m;
         }
         frame.broken = self.disobeyed
             || self.bodies.blind()
             || self.clocks.difference_s(self.tick) > settings.clock_error.as_secs_f64() + 1e-9
-            || away_m > settings.tracking_error_m * (1.0 + ROUNDING) + ROUNDING
+            || self.away(frame)
             || frame.sensed_wrong.contains(&true)
-            || (margin.away_m > 0.0 && frame.modes.iter().any(anew));
-        let own = if margin.away_m > 0.0 { self.bodies.references_m() } else { &frame.positions_m };
-        frame.references_m.clone_from_slice(own);
+            || frame.renewed;
+    }
+
+    /// Takes over where robots count themselves, which is what the theorem is about; whoever is down stays where it was.
+    fn refer(&mut self, frame: &mut Frame<D>) {
+        frame.renewed = false;
+        if self.params.budget().margin.away_m == 0.0 {
+            return frame.references_m.clone_from_slice(&frame.positions_m);
+        }
+        for (index, robot) in self.robots.iter().enumerate() {
+            let reference = robot.reference().filter(|_| !self.bodies.down(index));
+            let last = self.bodies.references_m()[index];
+            let reference = reference.unwrap_or(last);
+            let blur_m = BLUR * self.params.reach().longest_m();
+            let expected = &self.expected_m[index];
+            frame.renewed |= squared_distance(&reference, expected) > blur_m * blur_m;
+            frame.references_m[index] = reference;
+        }
+    }
+
+    /// True if some robot is farther from its reference than is stated.
+    fn away(&self, frame: &Frame<D>) -> bool {
+        let most_m = self.params.budget().margin.away_m;
+        if most_m == 0.0 {
+            return self.bodies.away_m(&frame.positions_m) > STILL_M;
+        }
+        let away = frame.references_m.iter().zip(&frame.positions_m);
+        away.map(|(x, y)| squared_distance(x, y)).any(|away_m2| away_m2 > most_m * most_m * (1.0 + ROUNDING))
     }
 }
 
+/// A clock that drifts makes this share of a move.
+const BLUR: f64 = 0.02;
+/// Rounding of a position, m.
+const STILL_M: f64 = 1e-13;
 /// Of positions and errors.
 const ROUNDING: f64 = 1e-9;
 
