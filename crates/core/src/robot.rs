@@ -174,7 +174,8 @@ impl<'memory, const D: usize> Robot<'memory, D> {
         Ok(if slot.linked { Observed::Neighbor } else { Observed::InView })
     }
 
-    /// What to tell now: the level when τ₁ has passed, with the value when τ₂ has.
+    /// What to tell now: the level when τ₁ has passed, with the value when τ₂ has. A robot that is late for a round by more
+    /// than a velocity may be held, as after a crash, waits for the next one, so that all have theirs at the same time.
     ///
     /// Forgets robots that were not observed in this tick. `None` while nothing is due or the own position is unknown.
     //= paper eq:connectivity
@@ -182,7 +183,7 @@ impl<'memory, const D: usize> Robot<'memory, D> {
         self.position?;
         self.forget_unsensed();
         let level_due = self.level_timer.fires(self.now);
-        let value_due = self.value_timer.fires(self.now);
+        let value_due = self.value_timer.fires_in_turn(self.now, self.params.settings().hold_max());
         if level_due {
             self.level = self.own_level();
             self.level_at = self.now;

@@ -59,18 +59,29 @@ impl Timer {
         self.due
     }
 
-    /// True once for each time it was due; after a long pause it fires once and stays on its grid.
+    /// True once for each time it was due; after a long pause it fires once, at once, and stays on its grid.
     pub(crate) fn fires(&mut self, now: Instant) -> bool {
-        if now < self.due {
-            return false;
+        let due = now >= self.due;
+        if due {
+            self.skip(now);
         }
+        due
+    }
+
+    /// The same, but who is later than `slack` for its turn waits for the next one.
+    pub(crate) fn fires_in_turn(&mut self, now: Instant, slack: Duration) -> bool {
+        let period = u64::try_from(self.period.as_nanos()).unwrap_or(u64::MAX).max(1);
+        let late = now.0.saturating_sub(self.due.0) % period;
+        self.fires(now) && u128::from(late) <= slack.as_nanos()
+    }
+
+    fn skip(&mut self, now: Instant) {
         self.due = self.due.after(self.period);
         if self.due <= now {
             let period = u64::try_from(self.period.as_nanos()).unwrap_or(u64::MAX).max(1);
             let late = now.0 - self.due.0;
             self.due = Instant(now.0.saturating_add(period - late % period));
         }
-        true
     }
 }
 
@@ -87,6 +98,17 @@ mod tests {
         assert_eq!(timer.due(), at(200), "late by 5 ms, the grid stays");
         assert!(timer.fires(at(1_030)) && !timer.fires(at(1_050)));
         assert_eq!(timer.due(), at(1_100));
+    }
+
+    #[test]
+    fn who_is_too_late_for_a_turn_waits_for_the_next_one() {
+        let mut timer = Timer::new(Instant::START, Duration::from_millis(100));
+        let at = |ms: u64| Instant::from_nanos(ms * 1_000_000);
+        let mut fires = |ms| timer.fires_in_turn(at(ms), Duration::from_millis(5));
+        assert!(fires(0) && fires(105));
+        assert!(!fires(206) && !fires(250) && fires(300));
+        assert!(!fires(430) && fires(901));
+        assert_eq!(timer.due(), at(1_000));
     }
 
     #[test]

@@ -100,7 +100,7 @@ impl<const D: usize> Promise<D> {
             *counter += u64::from(counts);
         }
         if self.params.settings().controller == Controller::Budget {
-            self.watch_modes(tick, frame, truth, claims, verdicts);
+            self.watch_modes(tick, frame, truth, verdicts);
         }
         let mut now = before.unwrap_or_else(|| Before {
             truth: Truth::default(),
@@ -216,16 +216,9 @@ impl<const D: usize> Promise<D> {
     }
 
     /// Nobody promises what is not so, as far as it can know; and all promise again soon after everything holds.
-    fn watch_modes(
-        &mut self,
-        tick: u32,
-        frame: &Frame<D>,
-        truth: &Truth,
-        claims: bool,
-        verdicts: &mut Verdicts,
-    ) {
+    fn watch_modes(&mut self, tick: u32, frame: &Frame<D>, truth: &Truth, verdicts: &mut Verdicts) {
         let stopped = frame.modes.contains(&Mode::Stopped);
-        let safe = (0..truth.own.len()).all(|robot| truth.own[robot] >= 0.0)
+        let safe = (0..truth.own.len()).all(|robot| truth.own[robot] >= ROUNDING)
             && (0..truth.own.len()).all(|robot| !self.crowded(robot, truth, true));
         let well = safe && !stopped && !frame.broken;
         if !well {
@@ -241,11 +234,7 @@ impl<const D: usize> Promise<D> {
                 *counter += u64::from(counts);
             }
             let at = |seen| Violation { tick, robots: [robot, 0], seen, demanded: 0.0 };
-            let can_know = if self.exact { !frame.sensed_wrong[index] } else { claims };
-            let untrue = truth.spares[index] < -ROUNDING
-                || truth.degrees[index] < self.required()
-                || self.crowded(index, truth, false);
-            if guaranteed && can_know && untrue {
+            if guaranteed && !frame.sensed_wrong[index] && self.untrue(index, truth) {
                 verdicts.broke(Law::Mode, at(truth.spares[index]), true);
             }
             if !guaranteed && healed {
@@ -257,12 +246,26 @@ impl<const D: usize> Promise<D> {
         }
     }
 
+    /// True when a robot that senses within the stated errors must know that its h is negative, its degree too low, or another
+    /// robot too close.
+    fn untrue(&self, robot: usize, truth: &Truth) -> bool {
+        let budget = self.params.budget();
+        let blur = 4.0 * budget.margin.offset_m * budget.curvature.fall_max() * f64::from(budget.robots);
+        let degree_low = self.exact && truth.degrees[robot] < self.required();
+        degree_low || truth.spares[robot] < -ROUNDING - blur || self.crowded(robot, truth, false)
+    }
+
     /// True when another robot is certainly too close to `robot`; `anybody` counts disobedient ones too.
     fn crowded(&self, robot: usize, truth: &Truth, anybody: bool) -> bool {
-        let least_m = self.params.budget().distance_min_m;
+        let budget = self.params.budget();
         let blur_m2 = ROUNDING * self.params.settings().radius_m.powi(2);
         // A hair more for who must promise than for who may not: at the limit itself either is right.
-        let limit_m2 = least_m * least_m + if anybody { blur_m2 } else { -blur_m2 };
+        let limit_m2 = if anybody {
+            budget.distance_min_m * budget.distance_min_m + blur_m2
+        } else {
+            let least_m = (budget.distance_min_m - 2.0 * budget.margin.offset_m).max(0.0);
+            least_m * least_m - blur_m2
+        };
         let counts =
             |other: usize| anybody || !(self.free && (self.malicious[robot] || self.malicious[other]));
         (0..truth.own.len())

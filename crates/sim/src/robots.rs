@@ -268,7 +268,7 @@ impl<'memory, const D: usize> Fleet<'memory, D> {
     fn judge(&mut self, frame: &mut Frame<D>) {
         self.refer(frame);
         let settings = self.params.settings();
-        let error_m = settings.position_error_m * (1.0 + ROUNDING) + ROUNDING;
+        let error_m = settings.position_error_m + STILL_M;
         for (index, wrong) in frame.sensed_wrong.iter_mut().enumerate() {
             *wrong = self.senses.error_m(index) > error_m;
         }

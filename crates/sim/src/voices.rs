@@ -20,6 +20,13 @@ pub(crate) struct Voices {
     required_normal: u16,
 }
 
+/// True if no value of a round can be taken for one of the next: it is told up to `hold_max` late, with a level up to τ₁ older,
+/// and clocks may differ.
+fn in_time(scenario: &Scenario) -> bool {
+    let late = scenario.hold_max.unwrap_or(scenario.tau_1) + scenario.tau_1 + scenario.clock_error;
+    scenario.trouble.network.delay_max_s == 0.0 || late <= scenario.tau_2
+}
+
 impl Voices {
     /// For the robots of `scenario`.
     #[must_use]
@@ -27,8 +34,7 @@ impl Voices {
         let malicious = u16::try_from(scenario.malicious.len()).unwrap_or(u16::MAX);
         Self {
             one_voice: scenario.value_attack.one_voice() && scenario.level_attack != LevelAttack::Garbage,
-            same_time: scenario.trouble.clocks == Clocks::default()
-                && scenario.clock_error + scenario.tau_1 <= scenario.tau_2,
+            same_time: scenario.trouble.clocks == Clocks::default() && in_time(scenario),
             steady: false,
             heard: Vec::new(),
             required: scenario.faults + scenario.robots / 2,
