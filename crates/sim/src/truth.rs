@@ -105,7 +105,6 @@ fn weigh<const D: usize>(
 fn trimmed<const D: usize>(params: &Params<D>, frame: &Frame<D>, robot: usize) -> f64 {
     let own = frame.positions_m[robot];
     let others = frame.positions_m.iter().enumerate().filter(|(other, _)| *other != robot);
-    let sightings: Vec<Sighting<D>> =
-        others.map(|(_, x)| Sighting { offset_m: subtract(&own, x), claim: None }).collect();
+    let sightings: Vec<Sighting<D>> = others.map(|(_, x)| Sighting::new(subtract(&own, x), None)).collect();
     params.budget().level(&sightings, &mut vec![0.0; sightings.len()])
 }
