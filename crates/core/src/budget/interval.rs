@@ -132,7 +132,8 @@ impl Budget {
     }
 
     /// True if the level is the plain sum of the weights of all links.
-    pub(crate) fn is_plain(&self) -> bool {
+    #[must_use]
+    pub fn is_plain(&self) -> bool {
         self.is_exact() && self.assume == Assume::Obedient
     }
 
