@@ -8,7 +8,7 @@ use closeranks_core::barrier::degree_barrier;
 use closeranks_core::budget::knowledge::{Claim, Known};
 use closeranks_core::budget::row::Row;
 use closeranks_core::budget::survey::Seen;
-use closeranks_core::budget::tie::{Neighbor, Tie};
+use closeranks_core::budget::tie::{Knowledge, Neighbor, Tie};
 use closeranks_core::composed::Sum;
 use closeranks_core::math::{Vector, dot, subtract};
 use closeranks_core::params::Params;
@@ -35,6 +35,9 @@ pub struct Allies<const D: usize> {
     claims: Vec<Option<Claim>>,
     /// What those know of each robot who see everybody.
     knowns: Vec<Known>,
+    /// What another sees of each robot: the sum of its weights and their number.
+    lows: Vec<f64>,
+    degrees: Vec<f64>,
     rows: Vec<Row<D>>,
 }
 
@@ -64,6 +67,8 @@ impl<const D: usize> Allies<D> {
             ties: vec![nobody; robots * robots],
             claims: vec![None; robots],
             knowns: vec![nothing; robots],
+            lows: vec![0.0; robots],
+            degrees: vec![0.0; robots],
             rows: vec![Row::default(); 2 * D + 2 * robots + 1],
         })
     }
@@ -123,9 +128,10 @@ impl<const D: usize> Allies<D> {
         for (robot, level) in frame.levels.iter().enumerate() {
             frame.spares[robot] = degree_barrier(*level, budget.required());
             frame.told[robot] = liars.level(robot, *level);
-            self.claims[robot] = settings.claim(frame.told[robot], settings.clock_error);
-            let seen = Seen { low: *level, degree: f64::from(frame.degrees[robot]), unseen: 0 };
-            self.knowns[robot] = budget.known_from(&seen, 0.0, self.claims[robot]);
+            let claim = settings.claim(frame.told[robot], settings.clock_error);
+            let seen = Seen { low: *level, degree: f64::from(frame.degrees[robot]), unseen: 0, claim };
+            self.claims[robot] = claim;
+            self.knowns[robot] = budget.known_from(&seen, 0.0);
         }
     }
 
@@ -165,13 +171,16 @@ impl<const D: usize> Allies<D> {
     /// Rows and answer of one robot.
     fn control(&mut self, robot: usize, frame: &mut Frame<D>) {
         let (params, robots) = (self.params, self.claims.len());
-        let mut rows = core::mem::take(&mut self.rows);
         let (degree, position) = (frame.degrees[robot], frame.positions_m[robot]);
         let unseen = robots - 1 - usize::from(degree);
+        if unseen > 0 {
+            self.look_around(robot);
+        }
+        let mut rows = core::mem::take(&mut self.rows);
         let neighbors = (0..robots).filter(|other| self.linked(robot, *other)).map(|other| Neighbor {
             offset_m: subtract(&position, &frame.positions_m[other]),
             tie: self.ties[robot * robots + other],
-            known: if unseen == 0 { self.knowns[other] } else { self.known(robot, other, unseen) },
+            knowledge: self.knowledge(other, unseen),
         });
         let desired_m = params.desired_m(&frame.desired_m_s[robot]);
         let own = (frame.levels[robot], degree);
@@ -183,19 +192,29 @@ impl<const D: usize> Allies<D> {
         frame.modes[robot] = params.mode(answer.doubt, degree, frame.spares[robot]);
     }
 
-    /// What `robot`, who does not see everybody, knows of `other`.
-    fn known(&self, robot: usize, other: usize, unseen: usize) -> Known {
+    /// What a robot knows of `other` that does not see so many.
+    fn knowledge(&self, other: usize, unseen: usize) -> Knowledge {
+        if unseen == 0 {
+            return Knowledge::Known(self.knowns[other]);
+        }
+        let degree = self.degrees[other] + u32::try_from(unseen).map_or(f64::MAX, f64::from);
+        Knowledge::Seen(Seen { low: self.lows[other], degree, unseen, claim: self.claims[other] })
+    }
+
+    /// What `robot` sees of the links of each other one: sums over the robots that it sees, in order of their numbers.
+    fn look_around(&mut self, robot: usize) {
         let robots = self.claims.len();
-        let line = |robot: usize| &self.weights[robot * robots..(robot + 1) * robots];
-        let unseen_f64 = u32::try_from(unseen).map_or(f64::MAX, f64::from);
-        let mut seen = Seen { low: 0.0, degree: unseen_f64, unseen };
-        for (index, (weight, own)) in line(other).iter().zip(line(robot)).enumerate() {
-            if *weight >= 0.0 && (*own >= 0.0 || index == robot) {
-                seen.low += weight;
-                seen.degree += 1.0;
+        self.lows.fill(0.0);
+        self.degrees.fill(0.0);
+        for other in 0..robots {
+            if other != robot && !self.linked(robot, other) {
+                continue;
+            }
+            let line = &self.weights[other * robots..(other + 1) * robots];
+            for ((low, degree), weight) in self.lows.iter_mut().zip(&mut self.degrees).zip(line) {
+                *low += weight.max(0.0);
+                *degree += if *weight >= 0.0 { 1.0 } else { 0.0 };
             }
         }
-        let distance_m = self.ties[robot * robots + other].distance_m;
-        self.params.budget().known_from(&seen, distance_m, self.claims[other])
     }
 }

@@ -168,7 +168,8 @@ fn budget_with_other_ticks_holds_clocks_and_ranges() {
 
 #[test]
 fn budget_far_from_the_origin_is_not_computed_at_once() {
-    let far = |x: f64| (0..11).map(move |robot| vec![x + 0.6 * f64::from(robot % 4), 0.6 * f64::from(robot / 4)]);
+    let far =
+        |x: f64| (0..11).map(move |robot| vec![x + 0.6 * f64::from(robot % 4), 0.6 * f64::from(robot / 4)]);
     for x in [0.0, 9.9e4, 1e7, 1e9] {
         same_bits(&Scenario { start: Start::Listed(far(x).collect()), ..budget("far") });
     }

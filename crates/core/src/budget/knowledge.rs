@@ -104,13 +104,20 @@ impl Budget {
     /// the low one where it cannot matter: where h_k ≥ 0 is seen and nothing more is claimed. If nobody is unseen, the
     /// distance does not matter, and all who see it know the same.
     #[must_use]
-    pub fn known_from(&self, seen: &Seen, distance_m: f64, claim: Option<Claim>) -> Known {
-        let Seen { low, degree, .. } = *seen;
+    pub fn known_from(&self, seen: &Seen, distance_m: f64) -> Known {
+        let Seen { low, degree, claim, .. } = *seen;
         let spare = low - f64::from(self.required());
         let claimed = claim.map(|claim| self.discounted(&claim));
         let more = self.trust != Trust::Seen && claimed.is_some_and(|claimed| claimed > spare);
         let high = if spare < 0.0 || more { self.high(seen, distance_m) } else { low };
         self.weigh(&Interval { low, high, degree_max: degree.max(1.0) }, claimed)
+    }
+
+    /// No more than is known for certain, without an exponential; nothing where h_k < 0 is seen.
+    pub(crate) fn least_known(&self, seen: &Seen) -> Option<Known> {
+        let Seen { low, degree, claim, .. } = *seen;
+        let interval = Interval { low, high: low, degree_max: degree.max(1.0) };
+        (low >= f64::from(self.required())).then(|| self.believe(&interval, claim))
     }
 
     pub(crate) fn believe(&self, interval: &Interval, claim: Option<Claim>) -> Known {

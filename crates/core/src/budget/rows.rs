@@ -1,13 +1,13 @@
 //! All rows of one robot in one tick, and recovery from starts outside the set.
 
 use crate::budget::interval::number;
-use crate::budget::knowledge::Sighting;
+use crate::budget::knowledge::{Known, Sighting};
 use crate::budget::project::{Closest, Program};
 use crate::budget::reach::Reach;
 use crate::budget::row::Row;
 use crate::budget::settings::{Budget, Form};
 use crate::budget::survey::Survey;
-use crate::budget::tie::{NO_SLOPE, Neighbor, Tie};
+use crate::budget::tie::{Knowledge, NO_SLOPE, Neighbor, Tie};
 use crate::math::{Vector, add_scaled, dot, is_finite, length};
 
 /// Memory that the caller lends for one tick.
@@ -149,8 +149,8 @@ impl Budget {
         for (index, &Sighting { offset_m, claim, .. }) in sightings.iter().enumerate() {
             if self.bounds_move(&offset_m, rows) {
                 let tie = self.tie(dot(&offset_m, &offset_m), survey.slopes[index]);
-                let known = self.known_from(&survey.seen(index), tie.distance_m, claim);
-                self.push_neighbor(&mut own, &Neighbor { offset_m, tie, known }, rows);
+                let knowledge = Knowledge::Seen(survey.seen(index, claim));
+                self.push_neighbor(&mut own, &Neighbor { offset_m, tie, knowledge }, rows);
             }
         }
         self.push_own(&own, rows);
@@ -181,8 +181,8 @@ impl Budget {
             };
             let slope = self.link(&offset_m).map_or(NO_SLOPE, |link| link.slope);
             let tie = self.tie(dot(&offset_m, &offset_m), slope);
-            let known = self.believe(&interval, claim);
-            self.push_neighbor(&mut own, &Neighbor { offset_m, tie, known }, rows);
+            let knowledge = Knowledge::Known(self.believe(&interval, claim));
+            self.push_neighbor(&mut own, &Neighbor { offset_m, tie, knowledge }, rows);
         }
         self.push_own(&own, rows);
     }
@@ -226,11 +226,18 @@ impl Budget {
     fn push_far<const D: usize>(
         &self,
         own: &mut Own<D>,
-        Neighbor { offset_m: offset, tie, known }: &Neighbor<D>,
+        Neighbor { offset_m: offset, tie, knowledge }: &Neighbor<D>,
         gradient: &Vector<D>,
         rows: &mut Rows<'_, D>,
     ) {
         let &Tie { bend, wrong, .. } = tie;
+        let known = match knowledge {
+            Knowledge::Known(known) => *known,
+            Knowledge::Seen(seen) => match self.least_known(seen) {
+                Some(least) if self.is_slack(gradient, tie, &least, rows) => least,
+                _ => self.known_from(seen, tie.distance_m),
+            },
+        };
         match self.form() {
             Form::Link => {
                 let error_m = self.margin.offset_m;
@@ -242,8 +249,8 @@ impl Budget {
             }
             Form::Level => {
                 (own.bend, own.wrong) = (own.bend + bend, own.wrong + wrong);
-                let spend = self.gamma * known.budget / (known.degree_max + 1.0);
-                if !rows.program.surely_holds(gradient, wrong, bend, spend) {
+                if !self.is_slack(gradient, tie, &known, rows) {
+                    let spend = self.spend(&known);
                     rows.push(gradient, wrong, |gradient| Row::far_level(gradient, bend, spend));
                 }
             }
@@ -252,6 +259,18 @@ impl Budget {
             rows.count(true);
             rows.raise(gradient, self.mend_m(known.deficit, gradient));
         }
+    }
+
+    /// True when (far′) surely holds wherever the robot can go.
+    fn is_slack<const D: usize>(
+        &self,
+        gradient: &Vector<D>,
+        tie: &Tie,
+        known: &Known,
+        rows: &Rows<'_, D>,
+    ) -> bool {
+        let spend = self.spend(known);
+        self.form() == Form::Level && rows.program.surely_holds(gradient, tie.wrong, tie.bend, spend)
     }
 
     fn push_own<const D: usize>(&self, own: &Own<D>, rows: &mut Rows<'_, D>) {

@@ -3,7 +3,7 @@
 use core::ops::Range;
 
 use crate::budget::interval::number;
-use crate::budget::knowledge::{Assume, Sighting, place};
+use crate::budget::knowledge::{Assume, Claim, Sighting, place};
 use crate::budget::settings::Budget;
 use crate::budget::tie::NO_SLOPE;
 use crate::math::subtract;
@@ -21,7 +21,7 @@ pub(crate) struct Survey<'memory> {
     unseen: usize,
 }
 
-/// What a robot sees of the links of another.
+/// What a robot sees of the links of another, and hears from it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Seen {
     /// Sum of the weights that it sees, its own link to the other among them, in order of numbers.
@@ -30,6 +30,8 @@ pub struct Seen {
     pub degree: f64,
     /// Robots that it does not see.
     pub unseen: usize,
+    /// What the other told.
+    pub claim: Option<Claim>,
 }
 
 impl Budget {
@@ -120,8 +122,8 @@ impl Survey<'_> {
         }
     }
 
-    /// What is seen of the links of a sighting.
-    pub(crate) fn seen(&self, index: usize) -> Seen {
-        Seen { low: self.lows[index], degree: self.degrees[index], unseen: self.unseen }
+    /// What is seen of the links of a sighting that told `claim`.
+    pub(crate) fn seen(&self, index: usize, claim: Option<Claim>) -> Seen {
+        Seen { low: self.lows[index], degree: self.degrees[index], unseen: self.unseen, claim }
     }
 }

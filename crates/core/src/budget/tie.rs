@@ -2,6 +2,7 @@
 
 use crate::budget::knowledge::{Assume, Known};
 use crate::budget::settings::{Budget, Form};
+use crate::budget::survey::Seen;
 use crate::math::{Vector, sqrt};
 
 /// Stands for no link; slopes are never positive.
@@ -30,7 +31,16 @@ pub struct Neighbor<const D: usize> {
     /// What holds for both ends.
     pub tie: Tie,
     /// What is known of its spare connectivity.
-    pub known: Known,
+    pub knowledge: Knowledge,
+}
+
+/// What a robot knows of h_j, or what it follows from: most rows hold wherever the robot can go, whatever the rest is.
+#[derive(Clone, Copy, Debug)]
+pub enum Knowledge {
+    /// All of it.
+    Known(Known),
+    /// For [`Budget::known_from`].
+    Seen(Seen),
 }
 
 impl Budget {
@@ -46,6 +56,12 @@ impl Budget {
             ),
         };
         Tie { distance_m2, distance_m, slope, bend, wrong }
+    }
+
+    /// What a robot may spend of h_k by moving: `γ b_ik/(δ⁺_ik + 1)`.
+    //= method far-prime
+    pub(crate) fn spend(&self, known: &Known) -> f64 {
+        self.gamma * known.budget / (known.degree_max + 1.0)
     }
 
     pub(crate) fn form(&self) -> Form {
