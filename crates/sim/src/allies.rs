@@ -29,7 +29,7 @@ pub struct Allies<const D: usize> {
     params: Params<D>,
     tick: u32,
     consensus: Consensus,
-    /// Weight and tie of every robot with every other, line after line.
+    /// Weight of every robot with every other, line after line, and its tie with those of higher numbers.
     weights: Vec<f64>,
     ties: Vec<Tie>,
     claims: Vec<Option<Claim>>,
@@ -110,9 +110,7 @@ impl<const D: usize> Allies<D> {
                 self.weights[places[0]] = weight;
                 self.weights[places[1]] = weight;
                 let Some(link) = link else { continue };
-                let tie = budget.tie(distance_m2, link.slope);
-                self.ties[places[0]] = tie;
-                self.ties[places[1]] = tie;
+                self.ties[places[0]] = budget.tie(distance_m2, link.slope);
                 for end in [first, second] {
                     frame.levels[end] += weight;
                     frame.degrees[end] += 1;
@@ -160,7 +158,7 @@ impl<const D: usize> Allies<D> {
         let robots = frame.told.len();
         let linked = || (0..robots).filter(|other| self.linked(robot, *other));
         let levels = linked().map(|other| frame.told[other]);
-        let distances_m2 = linked().map(|other| self.ties[robot * robots + other].distance_m2);
+        let distances_m2 = linked().map(|other| self.ties[robot.min(other) * robots + robot.max(other)].distance_m2);
         self.params.composed().phi(frame.told[robot], levels.clone(), distances_m2.clone())
     }
 
@@ -179,7 +177,7 @@ impl<const D: usize> Allies<D> {
         let mut rows = core::mem::take(&mut self.rows);
         let neighbors = (0..robots).filter(|other| self.linked(robot, *other)).map(|other| Neighbor {
             offset_m: subtract(&position, &frame.positions_m[other]),
-            tie: self.ties[robot * robots + other],
+            tie: &self.ties[robot.min(other) * robots + robot.max(other)],
             knowledge: self.knowledge(other, unseen),
         });
         let desired_m = params.desired_m(&frame.desired_m_s[robot]);
@@ -193,9 +191,9 @@ impl<const D: usize> Allies<D> {
     }
 
     /// What a robot knows of `other` that does not see so many.
-    fn knowledge(&self, other: usize, unseen: usize) -> Knowledge {
+    fn knowledge(&self, other: usize, unseen: usize) -> Knowledge<'_> {
         if unseen == 0 {
-            return Knowledge::Known(self.knowns[other]);
+            return Knowledge::Known(&self.knowns[other]);
         }
         let degree = self.degrees[other] + u32::try_from(unseen).map_or(f64::MAX, f64::from);
         Knowledge::Seen(Seen { low: self.lows[other], degree, unseen, claim: self.claims[other] })

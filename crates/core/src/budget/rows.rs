@@ -120,10 +120,10 @@ impl Budget {
     /// The same rows for a robot with this own `level` and `degree`, from all its `neighbors` in order of their numbers: for
     /// whoever computes a whole team at once.
     #[must_use]
-    pub fn rows_between<'memory, const D: usize>(
+    pub fn rows_between<'memory, 'a, const D: usize>(
         &self,
         (level, degree): (f64, u16),
-        neighbors: impl Iterator<Item = Neighbor<D>>,
+        neighbors: impl Iterator<Item = Neighbor<'a, D>>,
         desired_m: &Vector<D>,
         reach: Reach<D>,
         memory: &'memory mut [Row<D>],
@@ -148,7 +148,7 @@ impl Budget {
         rows.h = own.h;
         for (index, &Sighting { offset_m, claim, .. }) in sightings.iter().enumerate() {
             if self.bounds_move(&offset_m, rows) {
-                let tie = self.tie(dot(&offset_m, &offset_m), survey.slopes[index]);
+                let tie = &self.tie(dot(&offset_m, &offset_m), survey.slopes[index]);
                 let knowledge = Knowledge::Seen(survey.seen(index, claim));
                 self.push_neighbor(&mut own, &Neighbor { offset_m, tie, knowledge }, rows);
             }
@@ -180,8 +180,8 @@ impl Budget {
                 self.interval(index, sightings, weights)
             };
             let slope = self.link(&offset_m).map_or(NO_SLOPE, |link| link.slope);
-            let tie = self.tie(dot(&offset_m, &offset_m), slope);
-            let knowledge = Knowledge::Known(self.believe(&interval, claim));
+            let tie = &self.tie(dot(&offset_m, &offset_m), slope);
+            let knowledge = Knowledge::Known(&self.believe(&interval, claim));
             self.push_neighbor(&mut own, &Neighbor { offset_m, tie, knowledge }, rows);
         }
         self.push_own(&own, rows);
@@ -214,25 +214,25 @@ impl Budget {
     fn push_neighbor<const D: usize>(
         &self,
         own: &mut Own<D>,
-        neighbor: &Neighbor<D>,
+        neighbor: &Neighbor<'_, D>,
         rows: &mut Rows<'_, D>,
     ) {
         let gradient = &neighbor.tie.gradient(&neighbor.offset_m);
         own.gradient = add_scaled(&own.gradient, 1.0, gradient);
         self.push_far(own, neighbor, gradient, rows);
-        self.push_near(&neighbor.offset_m, &neighbor.tie, rows);
+        self.push_near(&neighbor.offset_m, neighbor.tie, rows);
     }
 
     fn push_far<const D: usize>(
         &self,
         own: &mut Own<D>,
-        Neighbor { offset_m: offset, tie, knowledge }: &Neighbor<D>,
+        Neighbor { offset_m: offset, tie, knowledge }: &Neighbor<'_, D>,
         gradient: &Vector<D>,
         rows: &mut Rows<'_, D>,
     ) {
-        let &Tie { bend, wrong, .. } = tie;
+        let &Tie { bend, wrong, .. } = *tie;
         let known = match knowledge {
-            Knowledge::Known(known) => *known,
+            Knowledge::Known(known) => **known,
             Knowledge::Seen(seen) => match self.least_known(seen) {
                 Some(least) if self.is_slack(gradient, tie, &least, rows) => least,
                 _ => self.known_from(seen, tie.distance_m),

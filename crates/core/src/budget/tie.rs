@@ -25,26 +25,27 @@ pub struct Tie {
 
 /// A neighbour, with all that its rows need.
 #[derive(Clone, Copy, Debug)]
-pub struct Neighbor<const D: usize> {
+pub struct Neighbor<'a, const D: usize> {
     /// x_i − x_j, m.
     pub offset_m: Vector<D>,
     /// What holds for both ends.
-    pub tie: Tie,
+    pub tie: &'a Tie,
     /// What is known of its spare connectivity.
-    pub knowledge: Knowledge,
+    pub knowledge: Knowledge<'a>,
 }
 
 /// What a robot knows of h_j, or what it follows from: most rows hold wherever the robot can go, whatever the rest is.
 #[derive(Clone, Copy, Debug)]
-pub enum Knowledge {
+pub enum Knowledge<'a> {
     /// All of it.
-    Known(Known),
+    Known(&'a Known),
     /// For [`Budget::known_from`].
     Seen(Seen),
 }
 
 impl Budget {
     /// The tie of two robots at Δ², m², with the `slope` of their link.
+    #[inline]
     #[must_use]
     pub fn tie(&self, distance_m2: f64, slope: f64) -> Tie {
         let (distance_m, error_m) = (sqrt(distance_m2), self.margin.offset_m);
