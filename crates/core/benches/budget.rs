@@ -51,7 +51,7 @@ fn scene<const D: usize>(period_s: f64, assume: Assume, form: Form) -> (Budget, 
     };
     let claim = Some(Claim { level: 7.05, age_ticks: 1 });
     let sightings =
-        OFFSETS.map(|[x, y]| Sighting { offset_m: core::array::from_fn(|d| [x, y, 0.3 * x * y][d]), claim });
+        OFFSETS.map(|[x, y]| Sighting::new(core::array::from_fn(|d| [x, y, 0.3 * x * y][d]), claim));
     (budget, reach, sightings)
 }
 

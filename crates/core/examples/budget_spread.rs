@@ -122,7 +122,7 @@ fn in_range(positions: &[Vector<2>; ROBOTS], i: usize, j: usize) -> bool {
 fn sightings(positions: &[Vector<2>; ROBOTS], i: usize) -> Vec<Sighting<2>> {
     (0..ROBOTS)
         .filter(|&j| j != i && in_range(positions, i, j))
-        .map(|j| Sighting { offset_m: subtract(&positions[i], &positions[j]), claim: None })
+        .map(|j| Sighting::new(subtract(&positions[i], &positions[j]), None))
         .collect()
 }
 

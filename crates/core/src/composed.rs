@@ -197,7 +197,9 @@ impl<const D: usize, N: Number> Sum<D, N> {
         self.collisions = self.collisions.plus(collision);
     }
 
-    fn phi(&self, composed: &Composed) -> N {
+    /// φ_i alone; in `f64` not finite if something overflowed, then use [`Composed::phi`].
+    #[must_use]
+    pub fn phi(&self, composed: &Composed) -> N {
         let whole = N::from_scaled(Scaled::new(1.0 / f64::from(composed.robots)));
         whole.plus(self.degrees.times_f64(-composed.portion())).plus(self.collisions.times_f64(-0.5))
     }

@@ -29,6 +29,7 @@
 
 mod allowance;
 pub mod allowed;
+pub mod answer;
 mod assurance;
 pub mod barrier;
 pub mod budget;

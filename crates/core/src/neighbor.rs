@@ -39,6 +39,8 @@ pub struct Slot<const D: usize> {
     /// Sensed in the tick before and not yet in this one.
     pub(crate) seen_before: bool,
     pub(crate) offset_m: Vector<D>,
+    /// As sensed.
+    pub(crate) position_m: Vector<D>,
     pub(crate) link: Link,
     /// Within R as sensed; false for a robot that only the margin of `budget` brings into view.
     pub(crate) linked: bool,
@@ -53,6 +55,7 @@ impl<const D: usize> Default for Slot<D> {
             sensed: false,
             seen_before: false,
             offset_m: [0.0; D],
+            position_m: [0.0; D],
             link: NO_LINK,
             linked: false,
             told: None,

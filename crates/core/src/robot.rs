@@ -36,7 +36,7 @@ use crate::time::{Instant, Timer};
 #[derive(Debug)]
 pub struct Robot<'memory, const D: usize> {
     pub(crate) params: Params<D>,
-    id: RobotId,
+    pub(crate) id: RobotId,
     pub(crate) slots: &'memory mut [Slot<D>],
     pub(crate) values: &'memory mut [f64],
     pub(crate) sightings: &'memory mut [Sighting<D>],
@@ -170,6 +170,7 @@ impl<'memory, const D: usize> Robot<'memory, D> {
             self.assurance.watch(&self.params, self.now, slot, &offset_m);
         }
         (slot.sensed, slot.seen_before, slot.offset_m) = (true, false, offset_m);
+        slot.position_m = position;
         (slot.linked, slot.link) = (link.is_some(), link.unwrap_or(NO_LINK));
         Ok(if slot.linked { Observed::Neighbor } else { Observed::InView })
     }
@@ -343,7 +344,7 @@ impl<'memory, const D: usize> Robot<'memory, D> {
         let mode = match self.params.settings().controller {
             Controller::Composed => Mode::Degraded(composed_reason(degree < required, outcome, phi, untold)),
             // With a margin, whoever is in view may be a neighbour.
-            Controller::Budget => self.budget_mode(small(self.sensed().count()) < required, h),
+            Controller::Budget => self.budget_mode(small(self.sensed().count()), h),
         };
         Report {
             degree,

@@ -148,9 +148,9 @@ fn any_sightings_are_safe() {
         let mut random = Seeded(seed);
         let mut number = || odd.get(random.below(12)).copied().unwrap_or(random.between(-3.0, 3.0));
         let sightings: Vec<Sighting<2>> = (0..6)
-            .map(|_| Sighting {
-                offset_m: [number(), number()],
-                claim: Some(Claim { level: number(), age_ticks: 3 }),
+            .map(|_| {
+                let offset_m = [number(), number()];
+                Sighting::new(offset_m, Some(Claim { level: number(), age_ticks: 3 }))
             })
             .collect();
         for index in 0..8 {

@@ -52,9 +52,11 @@ fn sightings<const D: usize>(random: &mut Seeded, budget: &Budget) -> Vec<Sighti
         let levels =
             [required + random.between(-2.0, 4.0), required + random.between(0.0, 0.1), 1e300, f64::NAN];
         let claim = Claim { level: levels[random.below(5).min(3)], age_ticks: [0, 1, 3][random.below(3)] };
-        Sighting { offset_m, claim: (random.below(8) > 0).then_some(claim) }
+        Sighting::new(offset_m, (random.below(8) > 0).then_some(claim))
     };
-    (0..[10, 10, 9, random.below(11)][random.below(4)]).map(|_| one(random)).collect()
+    let count = [10, 10, 9, random.below(11)][random.below(4)];
+    let lower = random.below(count + 1);
+    (0..count).map(|index| Sighting { lower: index < lower, ..one(random) }).collect()
 }
 
 fn bits<const D: usize>(rows: &[Row<D>]) -> Vec<Vec<u64>> {

@@ -59,7 +59,7 @@ fn tick(positions: &[Vector<2>], desired: impl Fn(usize) -> Vector<2>, form: For
     let sightings = |i: usize| -> Vec<Sighting<2>> {
         let offsets = positions.iter().enumerate().filter(|(j, _)| *j != i);
         let near = offsets.map(|(_, x)| subtract(&positions[i], x)).filter(|r| dot(r, r) <= 9.0);
-        near.map(|offset_m| Sighting { offset_m, claim: Some(Claim { level: -1e9, age_ticks: 0 }) }).collect()
+        near.map(|offset_m| Sighting::new(offset_m, Some(Claim { level: -1e9, age_ticks: 0 }))).collect()
     };
     let mut tick = Tick { positions: Vec::new(), h: Vec::new(), broken: 0 };
     for (i, x) in positions.iter().enumerate() {
@@ -129,9 +129,9 @@ fn any_floats_give_an_admissible_move() {
         let mut random = Seeded(seed);
         let mut number = || odd.get(random.below(30)).copied().unwrap_or(random.between(-2.0, 2.0));
         let sightings: Vec<Sighting<2>> = (0..8)
-            .map(|_| Sighting {
-                offset_m: [number(), number()],
-                claim: Some(Claim { level: number(), age_ticks: 2 }),
+            .map(|_| {
+                let offset_m = [number(), number()];
+                Sighting::new(offset_m, Some(Claim { level: number(), age_ticks: 2 }))
             })
             .collect();
         let (mut budget, mut reach) = budget([Form::Link, Form::Level][usize::from(number() > 0.0)]);

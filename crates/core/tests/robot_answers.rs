@@ -82,7 +82,7 @@ fn check_calls<const D: usize>(calls: &[Call<D>]) {
     let free = Settings { assume: Assume::Free, trust: Trust::Told, ..budget(Settings::default()) };
     let choices = [ordinary, extreme, Settings::default(), budget(ordinary), budget(extreme), free];
     lend_with(choices[calls.len() % choices.len()], |params, slots, values| {
-        let nobody = Sighting { offset_m: [0.0; D], claim: None };
+        let nobody = Sighting::new([0.0; D], None);
         // Every seventh time too little is lent.
         let (sightings, rows) = if calls.len().is_multiple_of(7) { (2, 4) } else { (3, 13) };
         let (mut sightings, mut rows) = (vec![nobody; sightings], vec![Row::default(); rows]);

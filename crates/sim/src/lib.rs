@@ -17,7 +17,9 @@
 //! | the theorems as code, and exact robustness round by round | [`law`], [`monitor`], [`robustness`] |
 //! | the run, its record and its table row | [`world`], [`record`], [`summary`] |
 
+pub mod allies;
 pub mod attack;
+mod consensus;
 pub mod faults;
 pub mod frame;
 pub mod law;

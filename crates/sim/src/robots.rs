@@ -40,7 +40,7 @@ impl<const D: usize> Memory<D> {
     pub fn new(robots: usize, margin: bool) -> Self {
         let corners = if margin { 1 << D } else { 1 };
         let rows_each = 2 * D + corners * (2 * robots + 1);
-        let nobody = Sighting { offset_m: [0.0; D], claim: None };
+        let nobody = Sighting::new([0.0; D], None);
         Self {
             slots: vec![Slot::default(); robots * robots],
             values: vec![0.0; robots * Self::values_each(robots)],

@@ -10,8 +10,8 @@ use closeranks_core::math::{Vector, dot, subtract};
 use closeranks_core::params::Params;
 use closeranks_core::program::closest;
 use closeranks_core::scaled::Scaled;
-use closeranks_core::wmsr;
 
+use crate::consensus::Consensus;
 use crate::frame::Frame;
 use crate::liars::Liars;
 use crate::scenario::{Controller, Scenario};
@@ -31,7 +31,6 @@ struct Pair<const D: usize> {
 pub struct Team<const D: usize> {
     params: Params<D>,
     controller: Controller,
-    ticks_per_round: u32,
     tick: u32,
     /// Linked robots of higher numbers, robot after robot, and where each robot's end.
     links: Vec<u16>,
@@ -39,10 +38,8 @@ pub struct Team<const D: usize> {
     pairs: Vec<Pair<D>>,
     terms: Vec<f64>,
     sums: Vec<Sum<D, f64>>,
-    next_values: Vec<f64>,
-    speakers: Vec<usize>,
+    consensus: Consensus,
     linked: Linked,
-    heard: Vec<f64>,
 }
 
 /// Who is linked to whom, a bit a pair.
@@ -87,17 +84,14 @@ impl<const D: usize> Team<D> {
         Self {
             params,
             controller: scenario.controller,
-            ticks_per_round: scenario.ticks_per_round(),
             tick: 0,
             links: Vec::new(),
             last_link: Vec::new(),
             pairs: Vec::new(),
             terms: vec![0.0; values.len()],
             sums: vec![Sum::new(0.0); values.len()],
-            next_values: values.to_vec(),
-            speakers: (0..values.len()).collect(),
+            consensus: Consensus::new(scenario, values),
             linked: Linked::new(values.len()),
-            heard: Vec::new(),
         }
     }
 
@@ -109,8 +103,10 @@ impl<const D: usize> Team<D> {
             frame.spares[index] = degree_barrier(*level, self.params.required_degree());
             frame.told[index] = liars.level(index, *level);
         }
-        if self.tick.is_multiple_of(self.ticks_per_round) {
-            self.consensus(frame, liars);
+        if self.consensus.is_due(self.tick) {
+            self.linked.fill(&self.links, &self.last_link);
+            let linked = &self.linked;
+            self.consensus.hold(frame, liars, |robot, other| linked.has(robot, other));
         }
         self.sum_rows(frame);
         self.control(frame);
@@ -164,28 +160,6 @@ impl<const D: usize> Team<D> {
             }
         }
         (frame.levels[first], frame.degrees[first]) = (level, degree);
-    }
-
-    /// A consensus round: values are told, then every robot updates its own.
-    ///
-    /// Speakers are sorted once for all, so that each robot hears values in order and has nothing left to sort.
-    fn consensus(&mut self, frame: &mut Frame<D>, liars: &mut Liars) {
-        liars.begin_round(self.next_values.iter().copied());
-        for (index, value) in frame.values.iter_mut().enumerate() {
-            *value = liars.value(index, self.next_values[index]);
-        }
-        self.linked.fill(&self.links, &self.last_link);
-        for (heard, degree) in frame.heard.iter_mut().zip(&frame.degrees) {
-            *heard = [*degree, 0];
-        }
-        self.speakers.sort_unstable_by(|a, b| frame.values[*a].total_cmp(&frame.values[*b]).then(a.cmp(b)));
-        let faults = self.params.settings().faults;
-        for (index, own) in self.next_values.iter_mut().enumerate() {
-            let speakers = self.speakers.iter().filter(|speaker| self.linked.has(index, **speaker));
-            self.heard.clear();
-            self.heard.extend(speakers.map(|speaker| frame.values[*speaker]));
-            *own = wmsr::update(*own, &mut self.heard, faults).value;
-        }
     }
 
     fn sum_rows(&mut self, frame: &Frame<D>) {

@@ -1,7 +1,7 @@
 //! The state of a team as only the world knows it: what the theorems are about.
 
 use closeranks_core::budget::knowledge::{Assume, Sighting};
-use closeranks_core::link::{Link, LinkShape};
+use closeranks_core::link::LinkShape;
 use closeranks_core::math::{Vector, subtract};
 use closeranks_core::params::{Controller, Params};
 
@@ -33,7 +33,8 @@ impl Truth {
         frame: &Frame<D>,
         plain: bool,
     ) {
-        self.pairs(&frame.references_m);
+        self.pairs_m2.clear();
+        self.pairs_m2.extend(pairs(&frame.references_m));
         if plain {
             let required = f64::from(required(params));
             self.levels.clone_from(&frame.levels);
@@ -45,37 +46,35 @@ impl Truth {
         }
         let free =
             params.settings().controller == Controller::Budget && params.settings().assume == Assume::Free;
-        let shape = params.budget().curvature.link();
         let margin = params.budget().margin.away_m > 0.0;
         let required = f64::from(required(params));
-        let count = frame.positions_m.len();
-        self.resize(count);
-        for robot in 0..count {
-            let counts = |other: usize| !(free && malicious[other]);
-            let actual = weigh(params.link(), &frame.positions_m, robot, |_| true);
-            self.levels[robot] = actual.0;
-            self.degrees[robot] =
-                if free { weigh(params.link(), &frame.positions_m, robot, counts).1 } else { actual.1 };
-            let kept =
-                if free || margin { weigh(shape, &frame.references_m, robot, counts).0 } else { actual.0 };
-            self.spares[robot] = kept - required;
-            self.own[robot] =
-                if free { trimmed(params, frame, robot) - required } else { self.spares[robot] };
+        let counts = |robot: usize| !(free && malicious[robot]);
+        let actual_m2 = margin.then(|| pairs(&frame.positions_m).collect::<Vec<_>>());
+        self.resize(frame.positions_m.len());
+        let actual_m2 = actual_m2.as_ref().unwrap_or(&self.pairs_m2);
+        weigh(params.link(), actual_m2, |_| true, &mut self.levels, &mut self.degrees);
+        self.spares.clone_from(&self.levels);
+        if free {
+            weigh(params.link(), actual_m2, counts, &mut self.spares, &mut self.degrees);
+        }
+        if free || margin {
+            let degrees = &mut vec![0; self.degrees.len()];
+            weigh(params.budget().curvature.link(), &self.pairs_m2, counts, &mut self.spares, degrees);
+        }
+        for spare in &mut self.spares {
+            *spare -= required;
+        }
+        self.own.clone_from(&self.spares);
+        if free {
+            for (robot, own) in self.own.iter_mut().enumerate() {
+                *own = trimmed(params, frame, robot) - required;
+            }
         }
     }
 
     fn resize(&mut self, count: usize) {
-        for column in [&mut self.levels, &mut self.spares, &mut self.own] {
-            column.resize(count, 0.0);
-        }
+        self.levels.resize(count, 0.0);
         self.degrees.resize(count, 0);
-    }
-
-    fn pairs<const D: usize>(&mut self, references_m: &[Vector<D>]) {
-        self.pairs_m2.clear();
-        for (second, x) in references_m.iter().enumerate() {
-            self.pairs_m2.extend(references_m[..second].iter().map(|y| squared_distance(x, y)));
-        }
     }
 
     /// Squared distance of two different robots, m².
@@ -86,26 +85,40 @@ impl Truth {
     }
 }
 
-/// Sum and number of the links of `robot` with the others that count, in order of their numbers.
-fn weigh<const D: usize>(
+/// Squared distances of all pairs, m², in the order of [`Truth::pairs_m2`].
+fn pairs<const D: usize>(positions_m: &[Vector<D>]) -> impl Iterator<Item = f64> {
+    let lines = positions_m.iter().enumerate();
+    lines.flat_map(|(second, x)| positions_m[..second].iter().map(move |y| squared_distance(x, y)))
+}
+
+/// Sum and number of the links of every robot with the others that count, in order of their numbers; each pair once.
+fn weigh(
     shape: &LinkShape,
-    positions_m: &[Vector<D>],
-    robot: usize,
+    pairs_m2: &[f64],
     counts: impl Fn(usize) -> bool,
-) -> (f64, u16) {
-    let own = &positions_m[robot];
-    let others = positions_m.iter().enumerate().filter(|(other, _)| *other != robot && counts(*other));
-    let links = others.filter_map(|(_, position)| {
-        let link: Option<Link<f64>> = shape.link(&subtract(own, position));
-        link
-    });
-    links.fold((0.0, 0), |(sum, count), link| (sum + link.weight, count + 1))
+    sums: &mut [f64],
+    degrees: &mut [u16],
+) {
+    sums.fill(0.0);
+    degrees.fill(0);
+    let mut pair = 0;
+    for second in 0..sums.len() {
+        for (first, pair_m2) in pairs_m2[pair..pair + second].iter().enumerate() {
+            let Some(link) = shape.link_at::<f64>(*pair_m2) else { continue };
+            for (end, other) in [(second, first), (first, second)] {
+                if counts(other) {
+                    sums[end] += link.weight;
+                    degrees[end] += 1;
+                }
+            }
+        }
+        pair += second;
+    }
 }
 
 fn trimmed<const D: usize>(params: &Params<D>, frame: &Frame<D>, robot: usize) -> f64 {
     let own = frame.positions_m[robot];
     let others = frame.positions_m.iter().enumerate().filter(|(other, _)| *other != robot);
-    let sightings: Vec<Sighting<D>> =
-        others.map(|(_, x)| Sighting { offset_m: subtract(&own, x), claim: None }).collect();
+    let sightings: Vec<Sighting<D>> = others.map(|(_, x)| Sighting::new(subtract(&own, x), None)).collect();
     params.budget().level(&sightings, &mut vec![0.0; sightings.len()])
 }

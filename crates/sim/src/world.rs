@@ -4,6 +4,7 @@ use closeranks_core::allowed::ParamsError;
 use closeranks_core::params::Params;
 use closeranks_core::refusal::RobotError;
 
+use crate::allies::Allies;
 use crate::frame::Frame;
 use crate::liars::Liars;
 use crate::monitor::Monitors;
@@ -20,7 +21,8 @@ use crate::team::Team;
 /// How robots are computed; both give the same bits.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Engine {
-    /// All at once ([`crate::team`]); controller `budget`, and any world that is not perfect, run one by one all the same.
+    /// All at once ([`crate::team`], for `budget` [`crate::allies`]); `budget` with free liars, and any world that is not
+    /// perfect, run one by one all the same.
     #[default]
     Team,
     /// One by one, with every message as bytes ([`crate::robots`]).
@@ -96,6 +98,9 @@ fn run_in<const D: usize>(
     if together && scenario.controller != Controller::Budget {
         return Ok(world.run(&mut Team::new(scenario, params, &values), progress));
     }
+    if together && let Some(mut allies) = Allies::new(scenario, params, &world.frame.positions_m, &values) {
+        return Ok(world.run(&mut allies, progress));
+    }
     let margin = params.budget().margin.offset_m > 0.0;
     let mut memory = Memory::new(usize::from(scenario.robots), margin);
     let mut fleet = Fleet::new(scenario, params, &world.frame.positions_m, &values, &mut memory)?;
@@ -133,6 +138,16 @@ impl<const D: usize> Robots<D> for Fleet<'_, D> {
 }
 
 impl<const D: usize> Robots<D> for Team<D> {
+    fn step(&mut self, frame: &mut Frame<D>, liars: &mut Liars) {
+        self.step(frame, liars);
+    }
+
+    fn integrate(&mut self, frame: &mut Frame<D>) {
+        frame.integrate(self.tick_s());
+    }
+}
+
+impl<const D: usize> Robots<D> for Allies<D> {
     fn step(&mut self, frame: &mut Frame<D>, liars: &mut Liars) {
         self.step(frame, liars);
     }

@@ -1,25 +1,25 @@
 //! The team computed at once and robots one by one, with every message as bytes, give the same bits.
 #![expect(clippy::unwrap_used, reason = "helpers of tests")]
 
+use core::time::Duration;
+
+use closeranks_core::budget::knowledge::Trust;
 use closeranks_core::composed::Share;
 use closeranks_sim::attack::{LevelAttack, ValueAttack};
-use closeranks_sim::record::Record;
-use closeranks_sim::scenario::Scenario;
+use closeranks_sim::scenario::{Controller, Scenario};
 use closeranks_sim::start::Start;
-use closeranks_sim::world::{Engine, Options, run};
+use closeranks_sim::world::{Engine, Options, Run, run};
 
-fn record(scenario: &Scenario, engine: Engine) -> Record {
-    run(scenario, Options { record: true, engine, ..Options::default() }, &mut |_| ())
-        .unwrap()
-        .record
-        .unwrap()
+fn recorded(scenario: &Scenario, engine: Engine) -> Run {
+    run(scenario, Options { record: true, engine, ..Options::default() }, &mut |_| ()).unwrap()
 }
 
 #[track_caller]
 fn same_bits(scenario: &Scenario) {
-    let (team, robots) = (record(scenario, Engine::Team), record(scenario, Engine::Robots));
-    assert_eq!(team.digest(), robots.digest(), "{}", scenario.name);
-    assert_eq!(team, robots, "{}", scenario.name);
+    let (team, robots) = (recorded(scenario, Engine::Team), recorded(scenario, Engine::Robots));
+    let digest = |run: &Run| run.record.as_ref().unwrap().digest();
+    assert_eq!(digest(&team), digest(&robots), "{scenario:?}");
+    assert_eq!(team, robots, "{scenario:?}");
 }
 
 fn short(name: &str) -> Scenario {
@@ -82,5 +82,95 @@ fn teams_of_other_sizes_and_no_liars() {
         let start = Start::Hexagon { spacing_m: 0.5 };
         let malicious = (1..=faults).collect();
         same_bits(&Scenario { robots, faults, malicious, start, ..short("size") });
+    }
+}
+
+fn budget(name: &str) -> Scenario {
+    Scenario { controller: Controller::Budget, ..short(name) }
+}
+
+const TRUSTS: [Trust; 3] = [Trust::Told, Trust::ToldOrSeen, Trust::Seen];
+
+#[test]
+fn budget_with_every_trust_and_lie() {
+    let lies = [
+        LevelAttack::None,
+        LevelAttack::Bias(-2.5),
+        LevelAttack::Bias(3.5),
+        LevelAttack::Bias(1e6),
+        LevelAttack::Step { bias: -4.0, from_s: 1.0 },
+        LevelAttack::Sine { amplitude: 5.0, period_s: 0.9 },
+        LevelAttack::Ramp { rate_per_s: -3.0 },
+        LevelAttack::Random { min: -20.0, max: 20.0 },
+        LevelAttack::Replay { age_s: 0.5 },
+    ];
+    for level_attack in lies {
+        for trust in TRUSTS {
+            same_bits(&Scenario { trust, level_attack: level_attack.clone(), ..budget("lies") });
+        }
+    }
+}
+
+/// The published start is outside the set; long runs and wide starts have robots out of sight.
+#[test]
+fn budget_from_starts_inside_and_outside() {
+    for seed in 0..24 {
+        let [half_side_m, distance_min_m] = [[1.1, 0.4], [2.5, 0.2], [1.8, 0.35]][seed as usize % 3];
+        let (start, q2) = (Start::Random { half_side_m, distance_min_m }, [0.1, 0.3, 0.9][seed as usize / 8]);
+        let (level_attack, trust) = (LevelAttack::Bias(2.0), TRUSTS[seed as usize % 3]);
+        same_bits(&Scenario { start, seed, q2, level_attack, trust, ..budget("start") });
+    }
+    same_bits(&Scenario { start: Start::Published, ..budget("published") });
+    for bias in [3.5, -2.5] {
+        same_bits(&Scenario { duration_s: 10.0, level_attack: LevelAttack::Bias(bias), ..budget("long") });
+    }
+}
+
+#[test]
+fn budget_in_teams_and_spaces_of_any_size() {
+    for robots in 2..=14_u16 {
+        let faults = (robots - 1) / 3;
+        let malicious: Vec<u16> = (1..=faults).collect();
+        for (dimension, half_side_m) in [(2, 1.3), (3, 1.1)] {
+            let start = Start::Random { half_side_m, distance_min_m: 0.3 };
+            let (low, high) = (vec![-1.5; dimension], vec![1.5; dimension]);
+            same_bits(&Scenario {
+                dimension,
+                robots,
+                faults,
+                malicious: malicious.clone(),
+                start,
+                seed: u64::from(robots),
+                input_min_m_s: low,
+                input_max_m_s: high,
+                level_attack: LevelAttack::Bias(0.3),
+                ..budget("size")
+            });
+        }
+    }
+}
+
+#[test]
+fn budget_with_other_ticks_holds_clocks_and_ranges() {
+    for (tick_ms, q2) in [(1, 0.3), (20, 0.9), (50, 0.3), (100, 0.1)] {
+        let (tau_1, tau_2) = (Duration::from_millis(tick_ms), Duration::from_millis(100));
+        same_bits(&Scenario { tau_1, tau_2, q2, level_attack: LevelAttack::Bias(3.5), ..budget("ticks") });
+    }
+    let hold_max = Some(Duration::from_millis(30));
+    same_bits(&Scenario { hold_max, ..budget("hold") });
+    for clock_error in [1, 7, 2_000].map(Duration::from_millis) {
+        same_bits(&Scenario { clock_error, level_attack: LevelAttack::Bias(1.0), ..budget("clocks") });
+    }
+    same_bits(&Scenario { radius_m: 30.0, q2: 0.9, ..budget("cluster") });
+    same_bits(&Scenario { radius_m: 1.4, ..budget("near-sighted") });
+    same_bits(&Scenario { level_attack: LevelAttack::Bias(-900_000.0), radius_m: 9.0, ..budget("wild") });
+}
+
+#[test]
+fn budget_far_from_the_origin_is_not_computed_at_once() {
+    let far =
+        |x: f64| (0..11).map(move |robot| vec![x + 0.6 * f64::from(robot % 4), 0.6 * f64::from(robot / 4)]);
+    for x in [0.0, 9.9e4, 1e7, 1e9] {
+        same_bits(&Scenario { start: Start::Listed(far(x).collect()), ..budget("far") });
     }
 }

@@ -42,7 +42,7 @@ fn play<const D: usize>(params: Params<D>, source: &mut Source<'_>) {
     let wide = if source.byte() & 1 == 0 { slots } else { slots * slots };
     let numbers = short(source, wide);
     let mut memory = (vec![Slot::default(); slots], vec![0.0; numbers]);
-    let nobody = Sighting { offset_m: [0.0; D], claim: None };
+    let nobody = Sighting::new([0.0; D], None);
     let mut sightings = vec![nobody; short(source, slots)];
     let mut rows = vec![Row::default(); short(source, 2 * D + (1 << D) * (2 * slots + 1))];
     let value = if source.byte() < 240 { source.near() } else { source.number() };

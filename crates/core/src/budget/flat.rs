@@ -14,6 +14,9 @@ const TOUCHING: f64 = 1e-12;
 /// Of the balls, the most curved stays; the difference of another and its multiple is a plane. The planes leave a flat of
 /// `D − (count − 1)` dimensions, the ball a sphere in it. One Newton step removes most of the rounding.
 pub(crate) fn closest_on<const D: usize>(rows: &[&Row<D>], point: &Vector<D>) -> Option<Vector<D>> {
+    if let &[row] = rows {
+        return closest_on_one(row, point);
+    }
     let mut sphere = *rows.first()?;
     for row in rows {
         if row.curvature() > sphere.curvature() {
@@ -36,11 +39,38 @@ pub(crate) fn closest_on<const D: usize>(rows: &[&Row<D>], point: &Vector<D>) ->
         polish(rows, &mut closest);
     }
     for row in rows {
-        if let Some(axis) = row.axis() {
-            closest[axis] = row.bound() / row.normal()[axis];
-        }
+        straighten(row, &mut closest);
     }
     Some(closest)
+}
+
+/// The same for one boundary.
+fn closest_on_one<const D: usize>(row: &Row<D>, point: &Vector<D>) -> Option<Vector<D>> {
+    let mut closest = if row.curvature() > 0.0 {
+        Flat::whole().closest_on_sphere(row, point)?
+    } else {
+        step_onto(row, row.normal(), point)?
+    };
+    if !row.holds(&closest) {
+        let gradient = add_scaled(row.normal(), 2.0 * row.curvature(), &closest);
+        closest = step_onto(row, &gradient, &closest).unwrap_or(closest);
+    }
+    straighten(row, &mut closest);
+    Some(closest)
+}
+
+/// Where the boundary of `row` is, seen from `v` along its `gradient` there.
+fn step_onto<const D: usize>(row: &Row<D>, gradient: &Vector<D>, v: &Vector<D>) -> Option<Vector<D>> {
+    let square = dot(gradient, gradient);
+    let step = (row.bound() - row.value(v)) / square;
+    (square > 0.0).then(|| add_scaled(v, step, gradient))
+}
+
+/// On a side of the box the coordinate is known to the last digit.
+fn straighten<const D: usize>(row: &Row<D>, v: &mut Vector<D>) {
+    if let Some(axis) = row.axis() {
+        v[axis] = row.bound() / row.normal()[axis];
+    }
 }
 
 /// One Newton step onto all boundaries at once, the shortest there is; none if they touch.

@@ -1,6 +1,6 @@
 //! Bounds of a neighbour's level from positions alone: the verified interval.
 
-use crate::budget::knowledge::{Assume, Sighting};
+use crate::budget::knowledge::{Assume, Sighting, place};
 use crate::budget::settings::Budget;
 use crate::link::Link;
 use crate::math::{Vector, dot, is_finite, length, subtract};
@@ -52,31 +52,37 @@ impl Budget {
         sightings: &[Sighting<D>],
         weights: &mut [f64],
     ) -> Interval {
-        let Some(of) = sightings.get(index).map(|sighting| sighting.offset_m) else {
+        let Some(Sighting { offset_m: of, position_m, .. }) = sightings.get(index).copied() else {
             return self.nothing();
         };
-        let row = sightings.iter().enumerate().map(|(other, sighting)| {
-            let offset = if other == index { of } else { subtract(&sighting.offset_m, &of) };
-            self.entry(&offset)
+        let others = sightings.iter().enumerate().map(|(other, sighting)| {
+            let entry = self.entry(&subtract(&sighting.position_m, &position_m));
+            (other != index).then_some(entry)
         });
+        let (lower, own) = (place(sightings), Some(self.entry(&of)));
+        let row = others.clone().take(lower).chain([own]).chain(others.skip(lower)).flatten();
         let unseen = self.unseen(sightings);
         fill(row, weights).map_or_else(|| self.nothing(), |weights| self.bounds(&of, weights, unseen))
     }
 
     /// The weights that [`interval`](Self::interval) adds up, of every sighting with every other one, each computed
-    /// once: line j of the table belongs to sighting j and holds its link to robot i in column j. False if `table` is
-    /// shorter than the square of the sightings.
+    /// once: line j of the table belongs to sighting j and holds its links in order of numbers, that to robot i among them.
+    /// False if `table` is shorter than the square of the sightings.
     pub(crate) fn tabulate<const D: usize>(&self, sightings: &[Sighting<D>], table: &mut [f64]) -> bool {
         let count = sightings.len();
         if count.checked_mul(count).is_none_or(|square| table.len() < square) {
             return false;
         }
+        let own = place(sightings);
+        // robot i itself stands among the others
+        let number = |index: usize| index + usize::from(index >= own);
+        let column = |line: usize, other: usize| other - usize::from(other > number(line));
         for (line, of) in sightings.iter().enumerate() {
-            table[line * count + line] = self.entry(&of.offset_m);
-            for (column, other) in sightings[..line].iter().enumerate() {
-                let entry = self.entry(&subtract(&other.offset_m, &of.offset_m));
-                table[line * count + column] = entry;
-                table[column * count + line] = entry;
+            table[line * count + column(line, own)] = self.entry(&of.offset_m);
+            for (before, other) in sightings[..line].iter().enumerate() {
+                let entry = self.entry(&subtract(&other.position_m, &of.position_m));
+                table[line * count + column(line, number(before))] = entry;
+                table[before * count + column(before, number(line))] = entry;
             }
         }
         true
@@ -96,14 +102,14 @@ impl Budget {
         let high = blur
             + match unseen {
                 0 => low,
-                _ => self.total(weights, self.weight(&[self.nearest_m(offset)]), unseen),
+                _ => self.total(weights, self.weight(&[self.nearest_m(length(offset))]), unseen),
             };
         Interval { low, high, degree_max: number(degree.max(1)) }
     }
 
-    /// No robot out of sight is closer than this to one at `offset`, m.
-    pub(crate) fn nearest_m<const D: usize>(&self, offset: &Vector<D>) -> f64 {
-        (self.curvature.link().radius_m - length(offset) - self.margin.offset_m).max(0.0)
+    /// No robot out of sight is closer than this to one at `distance_m`, m.
+    pub(crate) fn nearest_m(&self, distance_m: f64) -> f64 {
+        (self.curvature.link().radius_m - distance_m - self.margin.offset_m).max(0.0)
     }
 
     /// Robots of the team that are not among the sightings.
@@ -126,7 +132,8 @@ impl Budget {
     }
 
     /// True if the level is the plain sum of the weights of all links.
-    pub(crate) fn is_plain(&self) -> bool {
+    #[must_use]
+    pub fn is_plain(&self) -> bool {
         self.is_exact() && self.assume == Assume::Obedient
     }
 

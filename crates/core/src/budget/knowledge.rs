@@ -2,7 +2,7 @@
 
 use crate::budget::interval::Interval;
 use crate::budget::settings::Budget;
-use crate::budget::survey::Survey;
+use crate::budget::survey::Seen;
 use crate::math::Vector;
 
 /// What a robot believes about the levels of its neighbours.
@@ -40,8 +40,25 @@ pub struct Claim {
 pub struct Sighting<const D: usize> {
     /// x_i − x_j, m.
     pub offset_m: Vector<D>,
+    /// x_j, m, in a frame that all sightings share: what lies between two neighbours is the same for whoever sees them.
+    pub position_m: Vector<D>,
+    /// True if its number is lower than that of robot i. Sums are taken in order of numbers, robot i among the others.
+    pub lower: bool,
     /// The last that it told.
     pub claim: Option<Claim>,
+}
+
+impl<const D: usize> Sighting<D> {
+    /// As seen from the origin, by the robot of the lowest number.
+    #[must_use]
+    pub fn new(offset_m: Vector<D>, claim: Option<Claim>) -> Self {
+        Self { offset_m, position_m: offset_m.map(|component| -component), lower: false, claim }
+    }
+}
+
+/// How many of `sightings` have lower numbers than the robot that has them.
+pub(crate) fn place<const D: usize>(sightings: &[Sighting<D>]) -> usize {
+    sightings.iter().take_while(|sighting| sighting.lower).count()
 }
 
 /// What robot i knows of h_j.
@@ -83,22 +100,24 @@ impl Budget {
         self.believe(&interval, sightings.get(index).and_then(|sighting| sighting.claim))
     }
 
-    /// The same from what all pairs come to. The high end costs an exponential and is left at the low one where it
-    /// cannot matter: where h_k ≥ 0 is seen and nothing more is claimed.
-    pub(crate) fn known_from<const D: usize>(
-        &self,
-        survey: &Survey<'_>,
-        index: usize,
-        offset: &Vector<D>,
-        claim: Option<Claim>,
-        unseen: usize,
-    ) -> Known {
-        let (low, degree) = (survey.lows[index], survey.degrees[index]);
-        let seen = low - f64::from(self.required());
+    /// The same of a robot at `distance_m` (m), from sums over its links. The high end costs an exponential and is left at
+    /// the low one where it cannot matter: where h_k ≥ 0 is seen and nothing more is claimed. If nobody is unseen, the
+    /// distance does not matter, and all who see it know the same.
+    #[must_use]
+    pub fn known_from(&self, seen: &Seen, distance_m: f64) -> Known {
+        let Seen { low, degree, claim, .. } = *seen;
+        let spare = low - f64::from(self.required());
         let claimed = claim.map(|claim| self.discounted(&claim));
-        let more = self.trust != Trust::Seen && claimed.is_some_and(|claimed| claimed > seen);
-        let high = if seen < 0.0 || more { self.high(low, offset, degree, unseen) } else { low };
+        let more = self.trust != Trust::Seen && claimed.is_some_and(|claimed| claimed > spare);
+        let high = if spare < 0.0 || more { self.high(seen, distance_m) } else { low };
         self.weigh(&Interval { low, high, degree_max: degree.max(1.0) }, claimed)
+    }
+
+    /// No more than is known for certain, without an exponential; nothing where h_k < 0 is seen.
+    pub(crate) fn least_known(&self, seen: &Seen) -> Option<Known> {
+        let Seen { low, degree, claim, .. } = *seen;
+        let interval = Interval { low, high: low, degree_max: degree.max(1.0) };
+        (low >= f64::from(self.required())).then(|| self.believe(&interval, claim))
     }
 
     pub(crate) fn believe(&self, interval: &Interval, claim: Option<Claim>) -> Known {

@@ -23,6 +23,7 @@
 //! | one row, what "holds" means in floating point | [`row`] |
 //! | T U_i | [`reach`] |
 //! | what wrong positions and lag cost | [`margin`] |
+//! | what both ends of a pair share | [`tie`] |
 //! | all rows of a tick, recovery | [`rows`] |
 //! | the closest point | [`project`] |
 //! | γ, γ_c and the rest | [`settings`] |
@@ -37,4 +38,5 @@ pub mod reach;
 pub mod row;
 pub mod rows;
 pub mod settings;
-mod survey;
+pub mod survey;
+pub mod tie;

@@ -151,10 +151,13 @@ impl<'memory, const D: usize> Program<'memory, D> {
 /// active with the newcomer: for two rows of which it breaks neither, it is the closest point already.
 fn repair<const D: usize>(rows: &[Row<D>], before: &Vector<D>, desired: &Vector<D>) -> Vector<D> {
     let Some((newcomer, others)) = rows.split_last() else { return *before };
-    let mut search = Search { rows, desired, best: settle(rows, shorten(newcomer, before)) };
     let alone = closest_on(&[newcomer], desired);
-    if alone.is_some_and(|alone| search.consider(alone)) {
-        return search.best;
+    if let Some(alone) = alone.filter(|alone| is_finite(alone) && rows.iter().all(|row| row.holds(alone))) {
+        return alone;
+    }
+    let mut search = Search { rows, desired, best: settle(rows, shorten(newcomer, before)) };
+    if let Some(alone) = alone {
+        search.consider(alone);
     }
     let breaks = |row: &Row<D>| alone.is_none_or(|alone| !row.holds(&alone));
     for (index, first) in others.iter().enumerate() {
@@ -184,14 +187,14 @@ impl<const D: usize> Search<'_, D> {
         }
     }
 
-    /// Takes the candidate if it is the best yet; true when it breaks no row just as it is.
-    fn consider(&mut self, candidate: Vector<D>) -> bool {
+    /// Takes the candidate if it is the best yet.
+    fn consider(&mut self, candidate: Vector<D>) {
         if !is_finite(&candidate) || !self.is_closer(&candidate) {
-            return false;
+            return;
         }
         if self.rows.iter().all(|row| row.holds(&candidate)) {
             self.best = candidate;
-            return true;
+            return;
         }
         if self.rows.iter().all(|row| row.nearly_holds(&candidate, NEARLY)) {
             let settled = settle(self.rows, candidate);
@@ -199,7 +202,6 @@ impl<const D: usize> Search<'_, D> {
                 self.best = settled;
             }
         }
-        false
     }
 
     /// `|v − desired|² < |best − desired|²`, without the cancellation.

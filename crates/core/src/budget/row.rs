@@ -91,6 +91,9 @@ impl<const D: usize> Row<D> {
     /// lets a robot slide along a row whose bound is 0.
     #[must_use]
     pub fn holds(&self, v: &Vector<D>) -> bool {
+        if self.value(v) <= self.bound {
+            return true;
+        }
         let (value, size) = self.value_and_size(v);
         value <= self.bound + ROUNDING * (size - value)
     }
@@ -103,6 +106,9 @@ impl<const D: usize> Row<D> {
 
     /// By how much v breaks the row, scaled; 0 if it holds.
     pub(crate) fn excess(&self, v: &Vector<D>) -> f64 {
+        if self.value(v) <= self.bound {
+            return 0.0;
+        }
         let (value, size) = self.value_and_size(v);
         if value <= self.bound + ROUNDING * (size - value) { 0.0 } else { value - self.bound }
     }

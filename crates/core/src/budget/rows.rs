@@ -1,12 +1,13 @@
 //! All rows of one robot in one tick, and recovery from starts outside the set.
 
 use crate::budget::interval::number;
-use crate::budget::knowledge::{Assume, Known, Sighting};
+use crate::budget::knowledge::{Known, Sighting};
 use crate::budget::project::{Closest, Program};
 use crate::budget::reach::Reach;
 use crate::budget::row::Row;
 use crate::budget::settings::{Budget, Form};
 use crate::budget::survey::Survey;
+use crate::budget::tie::{Knowledge, NO_SLOPE, Neighbor, Tie};
 use crate::math::{Vector, add_scaled, dot, is_finite, length};
 
 /// Memory that the caller lends for one tick.
@@ -46,7 +47,13 @@ struct Own<const D: usize> {
     wrong: f64,
 }
 
-impl<const D: usize> Rows<'_, D> {
+impl<'memory, const D: usize> Rows<'memory, D> {
+    /// The box alone.
+    fn new(desired_m: &Vector<D>, reach: Reach<D>, memory: &'memory mut [Row<D>]) -> Self {
+        let desired_m = desired_m.map(|component| if component.is_finite() { component } else { 0.0 });
+        Self { program: Program::new(memory, reach), desired_m, h: 0.0, broken: 0, doubtful: 0 }
+    }
+
     /// The displacement, m: closest to the desired one, every row holds.
     #[must_use]
     pub fn closest(&mut self) -> Closest<D> {
@@ -102,13 +109,32 @@ impl Budget {
         memory: Memory<'memory, D>,
     ) -> Rows<'memory, D> {
         let Memory { rows, weights } = memory;
-        let desired_m = desired_m.map(|component| if component.is_finite() { component } else { 0.0 });
-        let program = Program::new(rows, reach);
-        let mut rows = Rows { program, desired_m, h: 0.0, broken: 0, doubtful: 0 };
+        let mut rows = Rows::new(desired_m, reach, rows);
         match self.survey(sightings, weights) {
             Some(survey) => self.push_surveyed(sightings, &survey, &mut rows),
             None => self.push_tabulated(sightings, weights, &mut rows),
         }
+        rows
+    }
+
+    /// The same rows for a robot with this own `level` and `degree`, from all its `neighbors` in order of their numbers: for
+    /// whoever computes a whole team at once.
+    #[must_use]
+    pub fn rows_between<'memory, 'a, const D: usize>(
+        &self,
+        (level, degree): (f64, u16),
+        neighbors: impl Iterator<Item = Neighbor<'a, D>>,
+        desired_m: &Vector<D>,
+        reach: Reach<D>,
+        memory: &'memory mut [Row<D>],
+    ) -> Rows<'memory, D> {
+        let mut rows = Rows::new(desired_m, reach, memory);
+        let mut own = self.own(level, f64::from(degree));
+        rows.h = own.h;
+        for neighbor in neighbors {
+            self.push_neighbor(&mut own, &neighbor, &mut rows);
+        }
+        self.push_own(&own, &mut rows);
         rows
     }
 
@@ -118,14 +144,13 @@ impl Budget {
         survey: &Survey<'_>,
         rows: &mut Rows<'_, D>,
     ) {
-        let unseen = self.unseen(sightings);
-        let mut own = self.own(sightings, survey.level);
+        let mut own = self.own(survey.level, self.degree(sightings));
         rows.h = own.h;
-        for (index, Sighting { offset_m, claim }) in sightings.iter().enumerate() {
-            if self.bounds_move(offset_m, rows) {
-                let known = self.known_from(survey, index, offset_m, *claim, unseen);
-                let gradient = survey.gradient(index, offset_m);
-                self.push_neighbor(&mut own, offset_m, &gradient, &known, rows);
+        for (index, &Sighting { offset_m, claim, .. }) in sightings.iter().enumerate() {
+            if self.bounds_move(&offset_m, rows) {
+                let tie = &self.tie(dot(&offset_m, &offset_m), survey.slopes[index]);
+                let knowledge = Knowledge::Seen(survey.seen(index, claim));
+                self.push_neighbor(&mut own, &Neighbor { offset_m, tie, knowledge }, rows);
             }
         }
         self.push_own(&own, rows);
@@ -138,24 +163,26 @@ impl Budget {
         weights: &mut [f64],
         rows: &mut Rows<'_, D>,
     ) {
-        let mut own = self.own(sightings, self.level(sightings, weights));
+        let mut own = self.own(self.level(sightings, weights), self.degree(sightings));
         rows.h = own.h;
         if weights.len() < sightings.len() {
             rows.program.push(stay());
         }
         let (count, unseen) = (sightings.len(), self.unseen(sightings));
         let tabulated = self.tabulate(sightings, weights);
-        for (index, Sighting { offset_m, claim }) in sightings.iter().enumerate() {
-            if !self.bounds_move(offset_m, rows) {
+        for (index, &Sighting { offset_m, claim, .. }) in sightings.iter().enumerate() {
+            if !self.bounds_move(&offset_m, rows) {
                 continue;
             }
             let interval = if tabulated {
-                self.bounds(offset_m, &mut weights[index * count..(index + 1) * count], unseen)
+                self.bounds(&offset_m, &mut weights[index * count..(index + 1) * count], unseen)
             } else {
                 self.interval(index, sightings, weights)
             };
-            let gradient = self.link(offset_m).map_or([0.0; D], |link| link.gradient(offset_m));
-            self.push_neighbor(&mut own, offset_m, &gradient, &self.believe(&interval, *claim), rows);
+            let slope = self.link(&offset_m).map_or(NO_SLOPE, |link| link.slope);
+            let tie = &self.tie(dot(&offset_m, &offset_m), slope);
+            let knowledge = Knowledge::Known(&self.believe(&interval, claim));
+            self.push_neighbor(&mut own, &Neighbor { offset_m, tie, knowledge }, rows);
         }
         self.push_own(&own, rows);
     }
@@ -187,40 +214,43 @@ impl Budget {
     fn push_neighbor<const D: usize>(
         &self,
         own: &mut Own<D>,
-        offset: &Vector<D>,
-        gradient: &Vector<D>,
-        known: &Known,
+        neighbor: &Neighbor<'_, D>,
         rows: &mut Rows<'_, D>,
     ) {
+        let gradient = &neighbor.tie.gradient(&neighbor.offset_m);
         own.gradient = add_scaled(&own.gradient, 1.0, gradient);
-        self.push_far(own, offset, gradient, known, rows);
-        self.push_near(offset, rows);
+        self.push_far(own, neighbor, gradient, rows);
+        self.push_near(&neighbor.offset_m, neighbor.tie, rows);
     }
 
     fn push_far<const D: usize>(
         &self,
         own: &mut Own<D>,
-        offset: &Vector<D>,
+        Neighbor { offset_m: offset, tie, knowledge }: &Neighbor<'_, D>,
         gradient: &Vector<D>,
-        known: &Known,
         rows: &mut Rows<'_, D>,
     ) {
-        let (distance_m, error_m) = (length(offset), self.margin.offset_m);
+        let &Tie { bend, wrong, .. } = *tie;
+        let known = match knowledge {
+            Knowledge::Known(known) => **known,
+            Knowledge::Seen(seen) => match self.least_known(seen) {
+                Some(least) if self.is_slack(gradient, tie, &least, rows) => least,
+                _ => self.known_from(seen, tie.distance_m),
+            },
+        };
         match self.form() {
             Form::Link => {
-                let slope = self.curvature.slope_max(distance_m, self.move_max_m, error_m);
+                let error_m = self.margin.offset_m;
                 let own_share = own.h.max(0.0) / own.degree.max(1.0);
-                let beta_m2 = self.beta_m2(slope, own_share, known.budget / known.degree_max);
+                let beta_m2 = self.beta_m2(bend, own_share, known.budget / known.degree_max);
                 if !rows.program.surely_holds(offset, error_m, 1.0, beta_m2) {
                     rows.push(offset, error_m, |offset| Row::far(offset, beta_m2));
                 }
             }
             Form::Level => {
-                let bend = self.curvature.bend_max(distance_m, self.move_max_m, error_m);
-                let wrong = self.curvature.gradient_error(distance_m, error_m);
                 (own.bend, own.wrong) = (own.bend + bend, own.wrong + wrong);
-                let spend = self.gamma * known.budget / (known.degree_max + 1.0);
-                if !rows.program.surely_holds(gradient, wrong, bend, spend) {
+                if !self.is_slack(gradient, tie, &known, rows) {
+                    let spend = self.spend(&known);
                     rows.push(gradient, wrong, |gradient| Row::far_level(gradient, bend, spend));
                 }
             }
@@ -229,6 +259,18 @@ impl Budget {
             rows.count(true);
             rows.raise(gradient, self.mend_m(known.deficit, gradient));
         }
+    }
+
+    /// True when (far′) surely holds wherever the robot can go.
+    fn is_slack<const D: usize>(
+        &self,
+        gradient: &Vector<D>,
+        tie: &Tie,
+        known: &Known,
+        rows: &Rows<'_, D>,
+    ) -> bool {
+        let spend = self.spend(known);
+        self.form() == Form::Level && rows.program.surely_holds(gradient, tie.wrong, tie.bend, spend)
     }
 
     fn push_own<const D: usize>(&self, own: &Own<D>, rows: &mut Rows<'_, D>) {
@@ -242,47 +284,43 @@ impl Budget {
         }
     }
 
-    fn push_near<const D: usize>(&self, offset: &Vector<D>, rows: &mut Rows<'_, D>) {
+    fn push_near<const D: usize>(&self, offset: &Vector<D>, tie: &Tie, rows: &mut Rows<'_, D>) {
         let error_m = self.margin.offset_m;
-        let spare_m2 = self.spare_m2(offset, -error_m);
+        let spare_m2 = self.spare_m2(tie, -error_m);
         let give_m2 = 0.5 * self.gamma_c * spare_m2.max(0.0);
         if !rows.program.surely_holds(offset, error_m, 0.0, 0.5 * give_m2) {
             rows.push(offset, error_m, |offset| Row::near(offset, give_m2));
         }
         if spare_m2 < 0.0 {
-            rows.count(self.spare_m2(offset, error_m) < 0.0);
-            let missing_m = self.distance_min_m + error_m - length(offset);
+            rows.count(self.spare_m2(tie, error_m) < 0.0);
+            let missing_m = self.distance_min_m + error_m - tie.distance_m;
             rows.raise(offset, (0.5 * missing_m).min(self.move_max_m));
         }
     }
 
-    /// `D − Δ_d²`, m², for an offset longer by `more_m`.
-    fn spare_m2<const D: usize>(&self, offset: &Vector<D>, more_m: f64) -> f64 {
+    /// `D − Δ_d²`, m², for a pair farther apart by `more_m`.
+    fn spare_m2(&self, tie: &Tie, more_m: f64) -> f64 {
         let least_m2 = self.distance_min_m * self.distance_min_m;
         if more_m == 0.0 {
-            return dot(offset, offset) - least_m2;
+            return tie.distance_m2 - least_m2;
         }
-        let distance_m = (length(offset) + more_m).max(0.0);
+        let distance_m = (tie.distance_m + more_m).max(0.0);
         distance_m * distance_m - least_m2
     }
 
     /// h_i and δ_i; the gradient and κ_ii are summed with the rows.
-    fn own<const D: usize>(&self, sightings: &[Sighting<D>], level: f64) -> Own<D> {
+    fn own<const D: usize>(&self, level: f64, degree: f64) -> Own<D> {
         let h = level - f64::from(self.required());
-        let degree = sightings.iter().filter(|sighting| self.in_range(&sighting.offset_m)).count();
-        Own { h, degree: number(degree), gradient: [0.0; D], bend: 0.0, wrong: 0.0 }
+        Own { h, degree, gradient: [0.0; D], bend: 0.0, wrong: 0.0 }
+    }
+
+    fn degree<const D: usize>(&self, sightings: &[Sighting<D>]) -> f64 {
+        number(sightings.iter().filter(|sighting| self.in_range(&sighting.offset_m)).count())
     }
 
     /// How far to go along `gradient` (1/m) to make up for `deficit`, m, at most ρ.
     fn mend_m<const D: usize>(&self, deficit: f64, gradient: &Vector<D>) -> f64 {
         (deficit / length(gradient)).min(self.move_max_m)
-    }
-
-    fn form(&self) -> Form {
-        match self.assume {
-            Assume::Obedient => self.form,
-            Assume::Free => Form::Link,
-        }
     }
 }
 

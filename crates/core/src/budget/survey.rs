@@ -1,9 +1,12 @@
 //! What all pairs of a robot's sightings come to, each pair computed once and nothing kept but sums.
 
+use core::ops::Range;
+
 use crate::budget::interval::number;
-use crate::budget::knowledge::{Assume, Sighting};
+use crate::budget::knowledge::{Assume, Claim, Sighting, place};
 use crate::budget::settings::Budget;
-use crate::math::{Vector, subtract};
+use crate::budget::tie::NO_SLOPE;
+use crate::math::subtract;
 
 /// Sums over the links of a robot's sightings.
 #[derive(Debug)]
@@ -11,79 +14,103 @@ pub(crate) struct Survey<'memory> {
     /// The robot's own level.
     pub(crate) level: f64,
     /// Of each sighting [`Interval::low`](crate::budget::interval::Interval::low), and the neighbours that it may have, not yet at least 1.
-    pub(crate) lows: &'memory mut [f64],
-    pub(crate) degrees: &'memory mut [f64],
+    lows: &'memory mut [f64],
+    degrees: &'memory mut [f64],
     /// Of its link to the robot, [`NO_SLOPE`] without one.
-    slopes: &'memory mut [f64],
+    pub(crate) slopes: &'memory mut [f64],
+    unseen: usize,
 }
 
-/// Stands for no link; slopes are never positive.
-const NO_SLOPE: f64 = 1.0;
+/// What a robot sees of the links of another, and hears from it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Seen {
+    /// Sum of the weights that it sees, its own link to the other among them, in order of numbers.
+    pub low: f64,
+    /// How many these are, and every robot that it does not see.
+    pub degree: f64,
+    /// Robots that it does not see.
+    pub unseen: usize,
+    /// What the other told.
+    pub claim: Option<Claim>,
+}
 
 impl Budget {
     /// What `tabulate` does, where sums need no table: under [`Assume::Obedient`], in `memory` for
     /// three numbers a sighting. `None` otherwise.
     ///
-    /// Every weight is computed once and added for both ends, in order of the sightings; what is out of range would add 0.
+    /// Every weight is computed once and added for both ends, in order of numbers; what is out of range would add 0.
     pub(crate) fn survey<'memory, const D: usize>(
         &self,
         sightings: &[Sighting<D>],
         memory: &'memory mut [f64],
     ) -> Option<Survey<'memory>> {
-        let count = sightings.len();
+        let (count, own) = (sightings.len(), place(sightings));
         if self.assume == Assume::Free || memory.len() / 3 < count {
             return None;
         }
         let (lows, rest) = memory.split_at_mut(count);
         let (degrees, rest) = rest.split_at_mut(count);
-        let mut survey = Survey { level: 0.0, lows, degrees, slopes: &mut rest[..count] };
+        let unseen = self.unseen(sightings);
+        let mut survey = Survey { level: 0.0, lows, degrees, slopes: &mut rest[..count], unseen };
         survey.lows.fill(0.0);
-        survey.degrees.fill(number(self.unseen(sightings)));
-        for (first, Sighting { offset_m, .. }) in sightings.iter().enumerate() {
-            let link = self.link(offset_m);
-            survey.slopes[first] = link.map_or(NO_SLOPE, |link| link.slope);
-            let weight = match link {
-                Some(link) if self.is_exact() => link.weight,
-                _ => self.entry(offset_m),
-            };
-            survey.level += weight.max(0.0);
-            survey.add(first, weight);
-            self.add_pairs(first, sightings, &mut survey);
+        survey.degrees.fill(number(unseen));
+        for first in 0..own {
+            self.add_pairs(first, first + 1..own, sightings, &mut survey);
+            self.add_own(first, &sightings[first], &mut survey);
+            self.add_pairs(first, own..count, sightings, &mut survey);
+        }
+        for (first, sighting) in sightings.iter().enumerate().skip(own) {
+            self.add_own(first, sighting, &mut survey);
+        }
+        for first in own..count {
+            self.add_pairs(first, first + 1..count, sightings, &mut survey);
         }
         Some(survey)
     }
 
-    /// Adds the links of one sighting to all later ones.
-    fn add_pairs<const D: usize>(&self, first: usize, sightings: &[Sighting<D>], survey: &mut Survey<'_>) {
-        let (before, after) = sightings.split_at(first + 1);
-        let Some(Sighting { offset_m: of, .. }) = before.last() else { return };
-        let (low, lows) = split(survey.lows, first);
-        let (degree, degrees) = split(survey.degrees, first);
-        for ((other, other_low), other_degree) in after.iter().zip(lows).zip(degrees) {
-            let weight = self.entry(&subtract(&other.offset_m, of));
+    /// Adds the robot's own link to a sighting.
+    fn add_own<const D: usize>(&self, index: usize, sighting: &Sighting<D>, survey: &mut Survey<'_>) {
+        let link = self.link(&sighting.offset_m);
+        survey.slopes[index] = link.map_or(NO_SLOPE, |link| link.slope);
+        let weight = match link {
+            Some(link) if self.is_exact() => link.weight,
+            _ => self.entry(&sighting.offset_m),
+        };
+        survey.level += weight.max(0.0);
+        survey.add(index, weight);
+    }
+
+    /// Adds the links of one sighting to later ones.
+    fn add_pairs<const D: usize>(
+        &self,
+        first: usize,
+        later: Range<usize>,
+        sightings: &[Sighting<D>],
+        survey: &mut Survey<'_>,
+    ) {
+        let of = &sightings[first].position_m;
+        let (mut low, mut degree) = (survey.lows[first], survey.degrees[first]);
+        let sums = survey.lows[later.clone()].iter_mut().zip(&mut survey.degrees[later.clone()]);
+        for (other, (other_low, other_degree)) in sightings[later].iter().zip(sums) {
+            let weight = self.entry(&subtract(&other.position_m, of));
             if weight >= 0.0 {
-                *low += weight;
-                *degree += 1.0;
+                low += weight;
+                degree += 1.0;
                 *other_low += weight;
                 *other_degree += 1.0;
             }
         }
+        (survey.lows[first], survey.degrees[first]) = (low, degree);
     }
 
     /// [`Interval::high`](crate::budget::interval::Interval::high) where nothing is trimmed.
-    pub(crate) fn high<const D: usize>(
-        &self,
-        low: f64,
-        offset: &Vector<D>,
-        degree: f64,
-        unseen: usize,
-    ) -> f64 {
-        let blur = if self.is_exact() { 0.0 } else { degree * self.weight_error() };
-        let more = match unseen {
+    pub(crate) fn high(&self, seen: &Seen, distance_m: f64) -> f64 {
+        let blur = if self.is_exact() { 0.0 } else { seen.degree * self.weight_error() };
+        let more = match seen.unseen {
             0 => 0.0,
-            _ => number(unseen) * self.weight(&[self.nearest_m(offset)]),
+            unseen => number(unseen) * self.weight(&[self.nearest_m(distance_m)]),
         };
-        blur + (low + more)
+        blur + (seen.low + more)
     }
 }
 
@@ -95,15 +122,8 @@ impl Survey<'_> {
         }
     }
 
-    /// ∂a/∂x of the link to a sighting at `offset`, 1/m.
-    pub(crate) fn gradient<const D: usize>(&self, index: usize, offset: &Vector<D>) -> Vector<D> {
-        let slope = self.slopes[index];
-        if slope <= 0.0 { offset.map(|component| slope * component) } else { [0.0; D] }
+    /// What is seen of the links of a sighting that told `claim`.
+    pub(crate) fn seen(&self, index: usize, claim: Option<Claim>) -> Seen {
+        Seen { low: self.lows[index], degree: self.degrees[index], unseen: self.unseen, claim }
     }
-}
-
-/// Element `index` and those after it.
-fn split(numbers: &mut [f64], index: usize) -> (&mut f64, &mut [f64]) {
-    let (before, after) = numbers.split_at_mut(index + 1);
-    (&mut before[index], after)
 }

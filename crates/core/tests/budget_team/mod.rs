@@ -192,8 +192,7 @@ impl<const D: usize> Team<D> {
     pub(crate) fn sightings(&self, i: usize) -> Vec<Sighting<D>> {
         let near = (0..self.count()).filter(|&j| self.in_range(i, j) || (self.error_m > 0.0 && i != j));
         let own = self.sensed(i, i);
-        near.map(|j| Sighting { offset_m: subtract(&own, &self.sensed(i, j)), claim: self.heard[i][j] })
-            .collect()
+        near.map(|j| Sighting::new(subtract(&own, &self.sensed(i, j)), self.heard[i][j])).collect()
     }
 
     /// Where i senses j in this tick: anywhere up to the error from where it is, as a rule right at the bound.
