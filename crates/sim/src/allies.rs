@@ -158,7 +158,8 @@ impl<const D: usize> Allies<D> {
         let robots = frame.told.len();
         let linked = || (0..robots).filter(|other| self.linked(robot, *other));
         let levels = linked().map(|other| frame.told[other]);
-        let distances_m2 = linked().map(|other| self.ties[robot.min(other) * robots + robot.max(other)].distance_m2);
+        let distances_m2 =
+            linked().map(|other| self.ties[robot.min(other) * robots + robot.max(other)].distance_m2);
         self.params.composed().phi(frame.told[robot], levels.clone(), distances_m2.clone())
     }
 

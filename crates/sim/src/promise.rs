@@ -1,20 +1,18 @@
-//! The theorem of `budget` from tick to tick: what was safe stays safe wherever its assumptions hold, and robots say so.
+//! The theorem of `budget` from tick to tick: what was safe stays safe wherever its assumptions hold.
 
 use closeranks_core::budget::knowledge::Assume;
 use closeranks_core::math::{Vector, add_scaled, dot, sqrt, subtract};
 use closeranks_core::params::{Controller, Params};
-use closeranks_core::report::Mode;
 
 use crate::attack::MotionAttack;
 use crate::frame::Frame;
+use crate::honesty::Honesty;
 use crate::law::{Law, Verdicts, Violation};
 use crate::scenario::Scenario;
 use crate::truth::Truth;
 
 /// Sums of weights, and squares of distances as a share of R², are rounded by far less than this.
 pub(crate) const ROUNDING: f64 = 1e-11;
-/// Ticks in which all must have noticed that everything holds again.
-const NOTICE_TICKS: u32 = 2;
 
 /// The tick before, and what has not held since when.
 #[derive(Clone, Debug)]
@@ -23,22 +21,17 @@ pub(crate) struct Promise<const D: usize> {
     malicious: Vec<bool>,
     /// Pairs with a malicious robot may collide: it goes where it likes.
     free: bool,
-    /// Robots know their own state exactly.
-    exact: bool,
     told_ticks: u32,
     before: Option<Before<D>>,
-    /// The last tick in which an assumption was broken, and the last in which a robot could have noticed anything wrong.
+    /// The last tick in which an assumption was broken.
     broken: Option<u32>,
-    unwell: Option<u32>,
     /// Robots and pairs that were safe once and must have been ever since: no assumption was broken.
     kept: Vec<bool>,
     apart: Vec<bool>,
-    /// Robot-ticks of normal robots, those of them guaranteed, and those with a negative own h.
-    counted: [u64; 3],
+    /// What robots say of it.
+    honesty: Honesty<D>,
     /// Ticks, and those in which every assumption held.
     ticks: [u64; 2],
-    /// Longest time from the end of trouble until all were guaranteed again, in ticks.
-    recovery_ticks: u32,
     /// Least squared distance of two robots yet, m².
     least_m2: f64,
 }
@@ -59,21 +52,18 @@ impl<const D: usize> Promise<D> {
         let settings = params.settings();
         let aged = settings.told_max + settings.clock_error;
         let told_ticks = aged.as_nanos().div_ceil(settings.level_period.as_nanos().max(1));
-        let steady = scenario.trouble.clocks == crate::faults::Clocks::default();
+        let told_ticks = u32::try_from(told_ticks).unwrap_or(u32::MAX).saturating_add(1);
         Self {
             malicious: scenario.malicious_mask(),
             free: scenario.motion_attack != MotionAttack::Obedient,
-            exact: params.budget().margin.offset_m == 0.0 && steady,
-            told_ticks: u32::try_from(told_ticks).unwrap_or(u32::MAX).saturating_add(1),
+            told_ticks,
+            honesty: Honesty::new(scenario, params, told_ticks),
             params,
             before: None,
             broken: None,
-            unwell: None,
             kept: vec![false; usize::from(scenario.robots)],
             apart: Vec::new(),
-            counted: [0; 3],
             ticks: [0; 2],
-            recovery_ticks: 0,
             least_m2: f64::INFINITY,
         }
     }
@@ -100,7 +90,7 @@ impl<const D: usize> Promise<D> {
             *counter += u64::from(counts);
         }
         if self.params.settings().controller == Controller::Budget {
-            self.watch_modes(tick, frame, truth, verdicts);
+            self.honesty.watch(tick, frame, truth, verdicts);
         }
         let mut now = before.unwrap_or_else(|| Before {
             truth: Truth::default(),
@@ -215,77 +205,17 @@ impl<const D: usize> Promise<D> {
         }
     }
 
-    /// Nobody promises what is not so, as far as it can know; and all promise again soon after everything holds.
-    fn watch_modes(&mut self, tick: u32, frame: &Frame<D>, truth: &Truth, verdicts: &mut Verdicts) {
-        let stopped = frame.modes.contains(&Mode::Stopped);
-        let safe = (0..truth.own.len()).all(|robot| truth.own[robot] >= ROUNDING)
-            && (0..truth.own.len()).all(|robot| !self.crowded(robot, truth, true));
-        let well = safe && !stopped && !frame.broken;
-        if !well {
-            self.unwell = Some(tick);
-        }
-        let healed = self.exact && since(self.unwell, tick) > self.told_ticks + NOTICE_TICKS;
-        let mut all = true;
-        for (robot, index) in (1_u16..).zip(0..truth.spares.len()).filter(|(_, k)| !self.malicious[*k]) {
-            let guaranteed = frame.modes[index] == Mode::Guaranteed;
-            all &= guaranteed;
-            let negative = truth.own[index] < 0.0;
-            for (counter, counts) in self.counted.iter_mut().zip([true, guaranteed, negative]) {
-                *counter += u64::from(counts);
-            }
-            let at = |seen| Violation { tick, robots: [robot, 0], seen, demanded: 0.0 };
-            if guaranteed && !frame.sensed_wrong[index] && self.untrue(index, truth) {
-                verdicts.broke(Law::Mode, at(truth.spares[index]), true);
-            }
-            if !guaranteed && healed {
-                verdicts.broke(Law::Mode, at(f64::from(since(self.unwell, tick))), true);
-            }
-        }
-        if well && !all {
-            self.recovery_ticks = self.recovery_ticks.max(since(self.unwell, tick).min(tick));
-        }
-    }
-
-    /// True when a robot that senses within the stated errors must know that its h is negative, its degree too low, or another
-    /// robot too close.
-    fn untrue(&self, robot: usize, truth: &Truth) -> bool {
-        let budget = self.params.budget();
-        let blur = 4.0 * budget.margin.offset_m * budget.curvature.fall_max() * f64::from(budget.robots);
-        let degree_low = self.exact && truth.degrees[robot] < self.required();
-        degree_low || truth.spares[robot] < -ROUNDING - blur || self.crowded(robot, truth, false)
-    }
-
-    /// True when another robot is certainly too close to `robot`; `anybody` counts disobedient ones too.
-    fn crowded(&self, robot: usize, truth: &Truth, anybody: bool) -> bool {
-        let budget = self.params.budget();
-        let blur_m2 = ROUNDING * self.params.settings().radius_m.powi(2);
-        // A hair more for who must promise than for who may not: at the limit itself either is right.
-        let limit_m2 = if anybody {
-            budget.distance_min_m * budget.distance_min_m + blur_m2
-        } else {
-            let least_m = (budget.distance_min_m - 2.0 * budget.margin.offset_m).max(0.0);
-            least_m * least_m - blur_m2
-        };
-        let counts =
-            |other: usize| anybody || !(self.free && (self.malicious[robot] || self.malicious[other]));
-        (0..truth.own.len())
-            .any(|other| other != robot && counts(other) && truth.pair_m2(robot, other) < limit_m2)
-    }
-
     /// Shares of time in which normal robots were guaranteed, in which their own h was negative, and in which every assumption
     /// held.
     #[must_use]
     pub(crate) fn shares(&self) -> [f64; 3] {
-        #[expect(clippy::cast_precision_loss, reason = "counts")]
-        let share = |part: u64, whole: u64| part as f64 / whole.max(1) as f64;
-        let [all, guaranteed, negative] = self.counted;
-        [share(guaranteed, all), share(negative, all), share(self.ticks[1], self.ticks[0])]
+        let [guaranteed, negative] = self.honesty.shares();
+        [guaranteed, negative, share(self.ticks[1], self.ticks[0])]
     }
 
     /// Longest time from the end of trouble until all were guaranteed again, in ticks.
-    #[must_use]
     pub(crate) fn recovery_ticks(&self) -> u32 {
-        self.recovery_ticks
+        self.honesty.recovery_ticks()
     }
 
     /// Least squared distance of two robots yet, m².
@@ -301,8 +231,15 @@ pub(crate) fn required<const D: usize>(params: &Params<D>) -> u16 {
     faults + if free { (robots - faults) / 2 } else { robots / 2 }
 }
 
+/// `part/whole`, 0 of nothing.
+pub(crate) fn share(part: u64, whole: u64) -> f64 {
+    #[expect(clippy::cast_precision_loss, reason = "counts")]
+    let share = part as f64 / whole.max(1) as f64;
+    share
+}
+
 /// Ticks since `then`; for ever if it never was.
-fn since(then: Option<u32>, tick: u32) -> u32 {
+pub(crate) fn since(then: Option<u32>, tick: u32) -> u32 {
     then.map_or(u32::MAX, |then| tick - then)
 }
 

@@ -3,11 +3,10 @@
 //! This is the whole path that a robot in the world takes; [`crate::team`] gives the same bits faster where the world is
 //! perfect.
 
-use closeranks_core::budget::knowledge::{Assume, Sighting};
-use closeranks_core::budget::row::Row;
+use closeranks_core::budget::knowledge::Assume;
 use closeranks_core::math::{Vector, add_scaled};
 use closeranks_core::message::Message;
-use closeranks_core::neighbor::{RobotId, Slot};
+use closeranks_core::neighbor::RobotId;
 use closeranks_core::params::Params;
 use closeranks_core::refusal::RobotError;
 use closeranks_core::report::Mode;
@@ -20,42 +19,9 @@ use crate::faults::plant::Bodies;
 use crate::faults::sensing::Senses;
 use crate::frame::Frame;
 use crate::liars::Liars;
+use crate::memory::{Lent, Memory};
 use crate::scenario::{Controller, Scenario};
 use crate::start::squared_distance;
-
-/// Memory that a fleet lends to its robots.
-#[derive(Clone, Debug)]
-pub struct Memory<const D: usize> {
-    slots: Vec<Slot<D>>,
-    values: Vec<f64>,
-    sightings: Vec<Sighting<D>>,
-    rows: Vec<Row<D>>,
-    robots: usize,
-    rows_each: usize,
-}
-
-impl<const D: usize> Memory<D> {
-    /// For `robots` robots that may all be neighbours of each other, whose rows have a margin or none.
-    #[must_use]
-    pub fn new(robots: usize, margin: bool) -> Self {
-        let corners = if margin { 1 << D } else { 1 };
-        let rows_each = 2 * D + corners * (2 * robots + 1);
-        let nobody = Sighting::new([0.0; D], None);
-        Self {
-            slots: vec![Slot::default(); robots * robots],
-            values: vec![0.0; robots * Self::values_each(robots)],
-            sightings: vec![nobody; robots * robots],
-            rows: vec![Row::default(); robots * rows_each],
-            robots,
-            rows_each,
-        }
-    }
-
-    /// Enough for `budget` to compute each pair once; with free liars that takes a table, which large teams do without.
-    fn values_each(robots: usize) -> usize {
-        if robots <= 64 { robots * robots.max(3) } else { 3 * robots }
-    }
-}
 
 /// All robots of a run, with whatever goes wrong around them.
 #[derive(Debug)]
@@ -89,14 +55,9 @@ impl<'memory, const D: usize> Fleet<'memory, D> {
         values: &[f64],
         memory: &'memory mut Memory<D>,
     ) -> Result<Self, RobotError> {
-        let chunk = memory.robots.max(1);
-        let scratch = memory.values.chunks_mut(Memory::<D>::values_each(chunk));
-        let lent = memory.slots.chunks_mut(chunk).zip(scratch);
-        let rows = memory.rows.chunks_mut(memory.rows_each.max(1));
-        let more = memory.sightings.chunks_mut(chunk).zip(rows);
-        let robots = (1..).zip(values).zip(lent.zip(more));
-        let robots = robots.map(|((id, value), ((slots, scratch), (sightings, rows)))| {
-            let robot = Robot::new(params, RobotId(id), *value, slots, scratch)?;
+        let robots = (1..).zip(values).zip(memory.lend());
+        let robots = robots.map(|((id, value), Lent { slots, values, sightings, rows })| {
+            let robot = Robot::new(params, RobotId(id), *value, slots, values)?;
             Ok(robot.with_budget_memory(sightings, rows))
         });
         let obedient = params.settings().assume == Assume::Obedient;
