@@ -78,7 +78,9 @@ impl Node {
                 if items.iter().any(Self::is_nameless) {
                     note(found, path, false, true);
                 }
-                items.iter().for_each(|item| item.fields(path, true, found));
+                for item in items {
+                    item.fields(path, true, found);
+                }
             }
         }
     }
