@@ -181,7 +181,7 @@ impl Budget {
             };
             let slope = self.link(&offset_m).map_or(NO_SLOPE, |link| link.slope);
             let tie = &self.tie(dot(&offset_m, &offset_m), slope);
-            let knowledge = Knowledge::Known(&self.believe(&interval, claim));
+            let knowledge = Knowledge::Known(&self.believe(&interval, claim.as_ref()));
             self.push_neighbor(&mut own, &Neighbor { offset_m, tie, knowledge }, rows);
         }
         self.push_own(&own, rows);
