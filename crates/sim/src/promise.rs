@@ -249,6 +249,9 @@ impl<const D: usize> Promise<D> {
         let blur_m2 = ROUNDING * self.params.settings().radius_m.powi(2);
         // A hair more for who must promise than for who may not: at the limit itself either is right.
         let limit_m2 = least_m * least_m + if anybody { blur_m2 } else { -blur_m2 };
+        if truth.least_m2 >= limit_m2 {
+            return false;
+        }
         let counts =
             |other: usize| anybody || !(self.free && (self.malicious[robot] || self.malicious[other]));
         (0..truth.own.len())
