@@ -29,9 +29,9 @@ impl<const D: usize> Robot<'_, D> {
         }
         let memory = Memory { rows: self.rows, weights: self.values };
         let desired_m = self.params.desired_m(desired);
-        let rows =
+        let mut rows =
             self.params.budget().rows(&self.sightings[..count], &desired_m, *self.params.reach(), memory);
-        let answer = self.params.answer(rows);
+        let answer = self.params.answer(&mut rows);
         self.assurance.doubt(self.now, answer.doubt);
         (answer.velocity_m_s, answer.outcome)
     }

@@ -30,7 +30,7 @@ impl<const D: usize> Params<D> {
 
     /// The velocity that keeps every row for as long as it may be held.
     #[must_use]
-    pub fn answer(&self, mut rows: Rows<'_, D>) -> Answer<D> {
+    pub fn answer(&self, rows: &mut Rows<'_, D>) -> Answer<D> {
         let hold_s = self.settings().hold_max().as_secs_f64();
         let closest = rows.closest();
         let doubt = match (rows.broken, rows.doubtful) {

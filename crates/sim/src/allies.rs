@@ -32,6 +32,9 @@ pub struct Allies<const D: usize> {
     /// Weight of every robot with every other, line after line, and its tie with those of higher numbers.
     weights: Vec<f64>,
     ties: Vec<Tie>,
+    /// Behind φ_i.
+    terms: Vec<f64>,
+    sums: Vec<Sum<0, f64>>,
     claims: Vec<Option<Claim>>,
     /// What those know of each robot who see everybody.
     knowns: Vec<Known>,
@@ -65,6 +68,8 @@ impl<const D: usize> Allies<D> {
             consensus: Consensus::new(scenario, values),
             weights: vec![NO_LINK; robots * robots],
             ties: vec![nobody; robots * robots],
+            terms: vec![0.0; robots],
+            sums: vec![Sum::new(0.0); robots],
             claims: vec![None; robots],
             knowns: vec![nothing; robots],
             lows: vec![0.0; robots],
@@ -96,28 +101,37 @@ impl<const D: usize> Allies<D> {
     /// Weights, ties, degrees and levels.
     //= paper eq:connectivity
     fn find_pairs(&mut self, frame: &mut Frame<D>) {
-        let (robots, budget) = (frame.positions_m.len(), self.params.budget());
         frame.levels.fill(0.0);
         frame.degrees.fill(0);
         frame.links = 0;
-        for first in 0..robots {
-            for second in first + 1..robots {
-                let offset_m = subtract(&frame.positions_m[first], &frame.positions_m[second]);
-                let distance_m2 = dot(&offset_m, &offset_m);
-                let link = self.params.link().link_at::<f64>(distance_m2);
-                let weight = link.map_or(NO_LINK, |link| link.weight);
-                let places = [first * robots + second, second * robots + first];
-                self.weights[places[0]] = weight;
-                self.weights[places[1]] = weight;
-                let Some(link) = link else { continue };
-                self.ties[places[0]] = budget.tie(distance_m2, link.slope);
-                for end in [first, second] {
-                    frame.levels[end] += weight;
-                    frame.degrees[end] += 1;
-                }
-                frame.links += 1;
-            }
+        for first in 0..frame.positions_m.len() {
+            self.find_links(first, frame);
         }
+    }
+
+    /// Links of `first` to robots of higher numbers.
+    fn find_links(&mut self, first: usize, frame: &mut Frame<D>) {
+        let (robots, after, position) = (self.claims.len(), first + 1, frame.positions_m[first]);
+        let (mut level, mut degree) = (frame.levels[first], frame.degrees[first]);
+        let others = frame.levels[after..].iter_mut().zip(&mut frame.degrees[after..]);
+        let others = frame.positions_m[after..].iter().zip(others).zip(after..);
+        let ties = &mut self.ties[first * robots..after * robots];
+        for ((other, (other_level, other_degree)), second) in others {
+            let offset_m = subtract(&position, other);
+            let distance_m2 = dot(&offset_m, &offset_m);
+            let link = self.params.link().link_at::<f64>(distance_m2);
+            let weight = link.map_or(NO_LINK, |link| link.weight);
+            self.weights[first * robots + second] = weight;
+            self.weights[second * robots + first] = weight;
+            let Some(link) = link else { continue };
+            ties[second] = self.params.budget().tie(distance_m2, link.slope);
+            level += weight;
+            *other_level += weight;
+            degree += 1;
+            *other_degree += 1;
+        }
+        frame.links += u32::from(degree - frame.degrees[first]);
+        (frame.levels[first], frame.degrees[first]) = (level, degree);
     }
 
     /// Levels, as they are and as they are told, and what comes of them for who sees everybody.
@@ -134,21 +148,30 @@ impl<const D: usize> Allies<D> {
     }
 
     /// φ_i, which nothing depends on but records and monitors.
-    fn sum_phis(&self, frame: &mut Frame<D>) {
-        let (robots, composed) = (frame.told.len(), self.params.composed());
-        let terms: Vec<f64> = frame.told.iter().map(|told| composed.degree_term(*told)).collect();
-        let mut sums: Vec<Sum<0, f64>> = terms.iter().map(|term| Sum::new(*term)).collect();
-        for first in 0..robots {
-            for second in (first + 1..robots).filter(|second| self.linked(first, *second)) {
-                let collision = composed.collision_term(self.ties[first * robots + second].distance_m2);
-                for (end, other) in [(first, second), (second, first)] {
-                    sums[end].add_told(composed.shared(terms[other]));
-                    sums[end].add_link(&[], 0.0, collision);
-                }
-            }
+    fn sum_phis(&mut self, frame: &mut Frame<D>) {
+        let (robots, composed) = (frame.told.len(), *self.params.composed());
+        for ((sum, term), told) in self.sums.iter_mut().zip(&mut self.terms).zip(&frame.told) {
+            *term = composed.degree_term(*told);
+            *sum = Sum::new(*term);
         }
-        for (robot, sum) in sums.iter().enumerate() {
-            let phi = sum.phi(composed);
+        for first in 0..robots {
+            let mut own = self.sums[first];
+            for second in first + 1..robots {
+                let tie = &self.ties[first * robots + second];
+                if self.weights[first * robots + second] < 0.0 {
+                    continue;
+                }
+                let collision = composed.collision_term(tie.distance_m2);
+                own.add_told(composed.shared(self.terms[second]));
+                own.add_link(&[], 0.0, collision);
+                let other = &mut self.sums[second];
+                other.add_told(composed.shared(self.terms[first]));
+                other.add_link(&[], 0.0, collision);
+            }
+            self.sums[first] = own;
+        }
+        for robot in 0..robots {
+            let phi = self.sums[robot].phi(&composed);
             frame.phis[robot] = if phi.is_finite() { phi } else { self.careful_phi(robot, frame) };
         }
     }
@@ -183,8 +206,8 @@ impl<const D: usize> Allies<D> {
         });
         let desired_m = params.desired_m(&frame.desired_m_s[robot]);
         let own = (frame.levels[robot], degree);
-        let program = params.budget().rows_between(own, neighbors, &desired_m, *params.reach(), &mut rows);
-        let answer = params.answer(program);
+        let mut program = params.budget().rows_between(own, neighbors, &desired_m, *params.reach(), &mut rows);
+        let answer = params.answer(&mut program);
         self.rows = rows;
         frame.velocities_m_s[robot] = answer.velocity_m_s;
         frame.outcomes[robot] = answer.outcome;

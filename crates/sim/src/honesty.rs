@@ -99,6 +99,9 @@ impl<const D: usize> Honesty<D> {
             let least_m = (budget.distance_min_m - 2.0 * budget.margin.offset_m).max(0.0);
             least_m * least_m - blur_m2
         };
+        if truth.least_m2 >= limit_m2 {
+            return false;
+        }
         let counts =
             |other: usize| anybody || !(self.free && (self.malicious[robot] || self.malicious[other]));
         (0..truth.own.len())

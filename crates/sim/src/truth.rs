@@ -10,7 +10,7 @@ use crate::promise::required;
 use crate::start::squared_distance;
 
 /// True levels, degrees and distances of one tick.
-#[derive(Clone, Debug, Default)]
+#[derive(Debug, Default)]
 pub(crate) struct Truth {
     /// c_i within R.
     pub(crate) levels: Vec<f64>,
@@ -22,6 +22,26 @@ pub(crate) struct Truth {
     pub(crate) own: Vec<f64>,
     /// Squared distances of references, m², pair (first, second) at `second (second − 1)/2 + first`.
     pub(crate) pairs_m2: Vec<f64>,
+    /// The least of them.
+    pub(crate) least_m2: f64,
+}
+
+impl Clone for Truth {
+    fn clone(&self) -> Self {
+        let mut clone = Self::default();
+        clone.clone_from(self);
+        clone
+    }
+
+    /// In the memory that is there.
+    fn clone_from(&mut self, other: &Self) {
+        self.levels.clone_from(&other.levels);
+        self.degrees.clone_from(&other.degrees);
+        self.spares.clone_from(&other.spares);
+        self.own.clone_from(&other.own);
+        self.pairs_m2.clone_from(&other.pairs_m2);
+        self.least_m2 = other.least_m2;
+    }
 }
 
 impl Truth {
@@ -35,6 +55,7 @@ impl Truth {
     ) {
         self.pairs_m2.clear();
         self.pairs_m2.extend(pairs(&frame.references_m));
+        self.least_m2 = self.pairs_m2.iter().copied().fold(f64::INFINITY, f64::min);
         if plain {
             let required = f64::from(required(params));
             self.levels.clone_from(&frame.levels);

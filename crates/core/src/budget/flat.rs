@@ -7,6 +7,8 @@ use crate::math::{Vector, add_scaled, dot, sqrt, subtract};
 const PARALLEL: f64 = 1e-24;
 /// Boundaries count as touching while the square of the radius they leave is negative by no more than this share.
 const TOUCHING: f64 = 1e-12;
+/// Boundaries cross well from this square of the sine of their angle on.
+const CROSSING: f64 = 1e-4;
 
 /// The point closest to `point` among those where all of `rows` (at most D) hold with equality; `None` if there is none,
 /// if several are equally close, or if the boundaries are parallel.
@@ -75,6 +77,12 @@ fn straighten<const D: usize>(row: &Row<D>, v: &mut Vector<D>) {
 
 /// One Newton step onto all boundaries at once, the shortest there is; none if they touch.
 fn polish<const D: usize>(rows: &[&Row<D>], v: &mut Vector<D>) {
+    if let &[one, other] = rows
+        && let Some(step) = step_onto_both(one, other, v)
+    {
+        *v = add_scaled(v, 1.0, &step);
+        return;
+    }
     let mut step = Flat::whole();
     for row in rows {
         let gradient = add_scaled(row.normal(), 2.0 * row.curvature(), v);
@@ -83,6 +91,19 @@ fn polish<const D: usize>(rows: &[&Row<D>], v: &mut Vector<D>) {
         }
     }
     *v = add_scaled(v, 1.0, &step.base);
+}
+
+/// The same for two boundaries that are far from parallel, without roots.
+fn step_onto_both<const D: usize>(one: &Row<D>, other: &Row<D>, v: &Vector<D>) -> Option<Vector<D>> {
+    let [a, b] = [one, other].map(|row| add_scaled(row.normal(), 2.0 * row.curvature(), v));
+    let [missing_a, missing_b] = [one, other].map(|row| row.bound() - row.value(v));
+    let (aa, ab, bb) = (dot(&a, &a), dot(&a, &b), dot(&b, &b));
+    let square = aa * bb - ab * ab;
+    let inverse = 1.0 / square;
+    let along_a = (bb * missing_a - ab * missing_b) * inverse;
+    let along_b = (aa * missing_b - ab * missing_a) * inverse;
+    let step = add_scaled(&a.map(|component| along_a * component), along_b, &b);
+    (square > CROSSING * aa * bb).then_some(step)
 }
 
 /// An intersection of planes: `base` plus everything perpendicular to the first `count` of `axes`.

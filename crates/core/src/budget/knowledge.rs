@@ -97,7 +97,7 @@ impl Budget {
         weights: &mut [f64],
     ) -> Known {
         let interval = self.interval(index, sightings, weights);
-        self.believe(&interval, sightings.get(index).and_then(|sighting| sighting.claim))
+        self.believe(&interval, sightings.get(index).and_then(|sighting| sighting.claim.as_ref()))
     }
 
     /// The same of a robot at `distance_m` (m), from sums over its links. The high end costs an exponential and is left at
@@ -105,9 +105,9 @@ impl Budget {
     /// distance does not matter, and all who see it know the same.
     #[must_use]
     pub fn known_from(&self, seen: &Seen, distance_m: f64) -> Known {
-        let Seen { low, degree, claim, .. } = *seen;
+        let (low, degree) = (seen.low, seen.degree);
         let spare = low - f64::from(self.required());
-        let claimed = claim.map(|claim| self.discounted(&claim));
+        let claimed = seen.claim.as_ref().map(|claim| self.discounted(claim));
         let more = self.trust != Trust::Seen && claimed.is_some_and(|claimed| claimed > spare);
         let high = if spare < 0.0 || more { self.high(seen, distance_m) } else { low };
         self.weigh(&Interval { low, high, degree_max: degree.max(1.0) }, claimed)
@@ -115,15 +115,16 @@ impl Budget {
 
     /// No more than is known for certain, without an exponential; nothing where h_k < 0 is seen.
     pub(crate) fn least_known(&self, seen: &Seen) -> Option<Known> {
-        let Seen { low, degree, claim, .. } = *seen;
+        let (low, degree) = (seen.low, seen.degree);
         let interval = Interval { low, high: low, degree_max: degree.max(1.0) };
-        (low >= f64::from(self.required())).then(|| self.believe(&interval, claim))
+        (low >= f64::from(self.required())).then(|| self.believe(&interval, seen.claim.as_ref()))
     }
 
-    pub(crate) fn believe(&self, interval: &Interval, claim: Option<Claim>) -> Known {
-        self.weigh(interval, claim.map(|claim| self.discounted(&claim)))
+    pub(crate) fn believe(&self, interval: &Interval, claim: Option<&Claim>) -> Known {
+        self.weigh(interval, claim.map(|claim| self.discounted(claim)))
     }
 
+    #[inline]
     fn weigh(&self, interval: &Interval, claimed: Option<f64>) -> Known {
         let required = f64::from(self.required());
         let seen = interval.low - required;

@@ -60,11 +60,16 @@ impl<'memory, const D: usize> Program<'memory, D> {
     /// True when a row with these coefficients, those of the normal up to `wrong`, surely holds in the whole box: then
     /// [`push`](Self::push) would not add it. Much cheaper than making the row, and decisive for most.
     pub(crate) fn surely_holds(&self, normal: &Vector<D>, wrong: f64, curvature: f64, bound: f64) -> bool {
+        self.most(normal, wrong, curvature) <= bound
+    }
+
+    /// More than the left-hand side of such a row is anywhere in the box; NaN if the curvature is no curvature.
+    pub(crate) fn most(&self, normal: &Vector<D>, wrong: f64, curvature: f64) -> f64 {
         let mut most = 0.0;
         for (component, far_m) in normal.iter().zip(&self.far_m) {
             most += (component.abs() + wrong + curvature * far_m) * far_m;
         }
-        curvature >= 0.0 && most * SURELY <= bound
+        if curvature >= 0.0 { most * SURELY } else { f64::NAN }
     }
 
     /// The rows kept, those of the box included.

@@ -181,7 +181,7 @@ impl Budget {
             };
             let slope = self.link(&offset_m).map_or(NO_SLOPE, |link| link.slope);
             let tie = &self.tie(dot(&offset_m, &offset_m), slope);
-            let knowledge = Knowledge::Known(&self.believe(&interval, claim));
+            let knowledge = Knowledge::Known(&self.believe(&interval, claim.as_ref()));
             self.push_neighbor(&mut own, &Neighbor { offset_m, tie, knowledge }, rows);
         }
         self.push_own(&own, rows);
@@ -231,10 +231,11 @@ impl Budget {
         rows: &mut Rows<'_, D>,
     ) {
         let &Tie { bend, wrong, .. } = *tie;
+        let most = rows.program.most(gradient, wrong, bend);
         let known = match knowledge {
             Knowledge::Known(known) => **known,
             Knowledge::Seen(seen) => match self.least_known(seen) {
-                Some(least) if self.is_slack(gradient, tie, &least, rows) => least,
+                Some(least) if self.is_slack(most, &least) => least,
                 _ => self.known_from(seen, tie.distance_m),
             },
         };
@@ -249,7 +250,7 @@ impl Budget {
             }
             Form::Level => {
                 (own.bend, own.wrong) = (own.bend + bend, own.wrong + wrong);
-                if !self.is_slack(gradient, tie, &known, rows) {
+                if !self.is_slack(most, &known) {
                     let spend = self.spend(&known);
                     rows.push(gradient, wrong, |gradient| Row::far_level(gradient, bend, spend));
                 }
@@ -261,16 +262,10 @@ impl Budget {
         }
     }
 
-    /// True when (far′) surely holds wherever the robot can go.
-    fn is_slack<const D: usize>(
-        &self,
-        gradient: &Vector<D>,
-        tie: &Tie,
-        known: &Known,
-        rows: &Rows<'_, D>,
-    ) -> bool {
-        let spend = self.spend(known);
-        self.form() == Form::Level && rows.program.surely_holds(gradient, tie.wrong, tie.bend, spend)
+    /// True when (far′), whose left-hand side is `most` wherever the robot can go, surely holds. No quotient: this is asked
+    /// of every neighbour, up to twice.
+    fn is_slack(&self, most: f64, known: &Known) -> bool {
+        self.form() == Form::Level && most * (known.degree_max + 1.0) <= self.gamma * known.budget
     }
 
     fn push_own<const D: usize>(&self, own: &Own<D>, rows: &mut Rows<'_, D>) {
