@@ -18,6 +18,8 @@ const CLOCK: f64 = 0.01;
 pub(crate) struct Assurance<const D: usize> {
     /// The reference of the last tick and the velocity since.
     last: Option<(Instant, Vector<D>, Vector<D>)>,
+    /// The reference of this tick is not the last one plus its move.
+    pub(crate) anew: bool,
     /// The last time an assumption was seen broken, and which.
     broken: Option<(Instant, Reason)>,
     /// What speaks against the state of this tick; `Uncertain` only if the theorem does not carry over from an earlier one.
@@ -25,12 +27,13 @@ pub(crate) struct Assurance<const D: usize> {
 }
 
 impl<const D: usize> Assurance<D> {
-    pub(crate) const NEW: Self = Self { last: None, broken: None, doubt: Some(Reason::Uncertain) };
+    pub(crate) const NEW: Self = Self { last: None, anew: true, broken: None, doubt: Some(Reason::Uncertain) };
 
     /// Where the robot counts itself: where it senses itself, or with a tracking error where its moves have taken it.
     ///
     /// Notes when it is not where it should be, or was not called in time. It then begins anew from where it is.
     pub(crate) fn place(&mut self, params: &Params<D>, now: Instant, sensed: Vector<D>) -> Vector<D> {
+        self.anew = true;
         let Some((then, position, velocity)) = self.last else { return sensed };
         let (elapsed, hold_max) = (now.since(then), params.settings().hold_max());
         let expected = add_scaled(&position, elapsed.min(hold_max).as_secs_f64(), &velocity);
@@ -47,6 +50,7 @@ impl<const D: usize> Assurance<D> {
             self.broken = Some((now, Reason::Moved));
             return sensed;
         }
+        self.anew = false;
         if margin.away_m > 0.0 { expected } else { sensed }
     }
 

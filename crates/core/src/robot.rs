@@ -271,6 +271,13 @@ impl<'memory, const D: usize> Robot<'memory, D> {
         self.position
     }
 
+    /// True if it had to begin anew in this tick: it is not where its last move should have taken it, or was not called in
+    /// time. Only under `budget`.
+    #[must_use]
+    pub fn began_anew(&self) -> bool {
+        self.assurance.anew
+    }
+
     /// The robot's number.
     #[must_use]
     pub fn id(&self) -> RobotId {

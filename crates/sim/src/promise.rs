@@ -79,7 +79,7 @@ impl<const D: usize> Promise<D> {
     ) {
         let before = self.before.take();
         let carried = before.as_ref().filter(|_| covered && !frame.renewed);
-        self.watch_spares(tick, truth, carried, verdicts);
+        self.watch_spares(tick, frame, truth, carried, verdicts);
         self.watch_pairs(tick, frame, truth, carried, verdicts);
         if frame.broken || !covered {
             self.broken = Some(tick);
@@ -122,7 +122,14 @@ impl<const D: usize> Promise<D> {
     }
 
     /// h of normal robots, and their degrees, which follow from it (lem:connectivity).
-    fn watch_spares(&self, tick: u32, truth: &Truth, before: Option<&Before<D>>, verdicts: &mut Verdicts) {
+    fn watch_spares(
+        &self,
+        tick: u32,
+        frame: &Frame<D>,
+        truth: &Truth,
+        before: Option<&Before<D>>,
+        verdicts: &mut Verdicts,
+    ) {
         let budget = self.params.settings().controller == Controller::Budget;
         let required = self.required();
         for (robot, index) in (1_u16..).zip(0..truth.spares.len()).filter(|(_, k)| !self.malicious[*k]) {
@@ -137,7 +144,7 @@ impl<const D: usize> Promise<D> {
                 verdicts.broke(
                     Law::Degree,
                     at(seen, f64::from(required)),
-                    (budget && spare >= 0.0) || carried.is_some(),
+                    (budget && !frame.broken && spare >= 0.0) || carried.is_some(),
                 );
             }
             if let Some(before) = before.filter(|_| budget) {

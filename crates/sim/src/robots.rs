@@ -4,7 +4,7 @@
 //! perfect.
 
 use closeranks_core::budget::knowledge::Assume;
-use closeranks_core::math::{Vector, add_scaled};
+use closeranks_core::math::Vector;
 use closeranks_core::message::Message;
 use closeranks_core::neighbor::RobotId;
 use closeranks_core::params::Params;
@@ -39,8 +39,6 @@ pub struct Fleet<'memory, const D: usize> {
     clocks: Shown,
     senses: Senses<D>,
     bodies: Bodies<D>,
-    /// Where each reference is if it is the last one plus its move, m.
-    expected_m: Vec<Vector<D>>,
     ticks_per_round: u32,
     tick: u32,
     tick_s: f64,
@@ -75,7 +73,6 @@ impl<'memory, const D: usize> Fleet<'memory, D> {
             clocks: Shown::new(scenario),
             senses: Senses::new(scenario),
             bodies: Bodies::new(scenario, positions_m),
-            expected_m: positions_m.to_vec(),
             ticks_per_round: scenario.ticks_per_round(),
             tick: 0,
             tick_s: params.settings().level_period.as_secs_f64(),
@@ -96,10 +93,6 @@ impl<'memory, const D: usize> Fleet<'memory, D> {
 
     /// Moves everybody to the next tick.
     pub fn integrate(&mut self, frame: &mut Frame<D>) {
-        let moves = frame.references_m.iter().zip(&frame.velocities_m_s);
-        for (expected, (reference, velocity)) in self.expected_m.iter_mut().zip(moves) {
-            *expected = add_scaled(reference, self.tick_s, velocity);
-        }
         self.bodies.integrate(&mut frame.positions_m, &frame.velocities_m_s);
     }
 
@@ -249,12 +242,8 @@ impl<'memory, const D: usize> Fleet<'memory, D> {
         }
         for (index, robot) in self.robots.iter().enumerate() {
             let reference = robot.reference().filter(|_| !self.bodies.down(index));
-            let last = self.bodies.references_m()[index];
-            let reference = reference.unwrap_or(last);
-            let blur_m = BLUR * self.params.reach().longest_m();
-            let expected = &self.expected_m[index];
-            frame.renewed |= squared_distance(&reference, expected) > blur_m * blur_m;
-            frame.references_m[index] = reference;
+            frame.renewed |= reference.is_none() || robot.began_anew();
+            frame.references_m[index] = reference.unwrap_or(self.bodies.references_m()[index]);
         }
     }
 
@@ -269,8 +258,6 @@ impl<'memory, const D: usize> Fleet<'memory, D> {
     }
 }
 
-/// A clock that drifts makes this share of a move.
-const BLUR: f64 = 0.02;
 /// Rounding of a position, m.
 const STILL_M: f64 = 1e-13;
 /// Of positions and errors.
