@@ -64,6 +64,7 @@ fn settings(gamma: f64, period_s: f64, form: Form, assume: Assume) -> Budget {
         distance_min_m: 0.3,
         move_max_m: reach(period_s).longest_m(),
         gamma,
+        rise: 0.0,
         gamma_c: 0.2,
         trust: Trust::ToldOrSeen,
         assume,

@@ -15,6 +15,7 @@ pub enum Field {
     Alpha,
     Gamma,
     GammaC,
+    Rise,
     InputMinMS,
     InputMaxMS,
     LevelPeriod,

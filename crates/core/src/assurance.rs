@@ -27,7 +27,8 @@ pub(crate) struct Assurance<const D: usize> {
 }
 
 impl<const D: usize> Assurance<D> {
-    pub(crate) const NEW: Self = Self { last: None, anew: true, broken: None, doubt: Some(Reason::Uncertain) };
+    pub(crate) const NEW: Self =
+        Self { last: None, anew: true, broken: None, doubt: Some(Reason::Uncertain) };
 
     /// Where the robot counts itself: where it senses itself, or with a tracking error where its moves have taken it.
     ///

@@ -46,6 +46,8 @@ pub struct Settings<const D: usize> {
     /// γ of `budget`: the share of h_k that may be lost in a tick, in (0, 1]; `None` for a rate of 2/s, which lets robots
     /// get farther than METHOD.md's 0.2 a tick ([`share_of_rate`]).
     pub gamma: Option<f64>,
+    /// κ of `budget`, at least 0: by how much that share rises with h_k.
+    pub rise: f64,
     /// γ_c of `budget`: the share of D − Δ_d² that may be lost in a tick, in (0, 1].
     pub gamma_c: f64,
     /// What `budget` believes of levels.
@@ -87,6 +89,7 @@ impl<const D: usize> Default for Settings<D> {
             share: Share::Neighbours,
             controller: Controller::Composed,
             gamma: None,
+            rise: 0.0,
             gamma_c: 0.2,
             trust: Trust::ToldOrSeen,
             assume: Assume::Obedient,

@@ -83,7 +83,7 @@ fn trust_decides_what_counts() {
     let interval = team.budget.interval(0, &sightings, &mut [0.0; 12]);
     let known = |trust, required: u16, sightings: &[Sighting<2>]| {
         // F = 0 and n = 2·required make the least level `required`; robots out of sight are then fewer
-        let budget = Budget { trust, gamma: 0.25, ..team.budget };
+        let budget = Budget { trust, gamma: 0.25, rise: 0.0, ..team.budget };
         assert_eq!(required, budget.required());
         budget.known(0, sightings, &mut [0.0; 12]).budget
     };

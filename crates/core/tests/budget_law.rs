@@ -108,20 +108,25 @@ fn rows<const D: usize>(mutant: Mutant, budget: &Budget, sightings: &[Sighting<D
             let gradient = shape.link(offset_m).map_or([0.0; D], |link: Link<f64>| link.gradient(offset_m));
             let bend = mutant.square * budget.curvature.bend_max(distance_m, move_m, 0.0);
             let share = mutant.degree.unwrap_or(known.degree_max + 1.0);
-            rows.push(Row::far_level(&gradient, bend, mutant.factor * budget.gamma * known.budget / share));
+            rows.push(Row::far_level(&gradient, bend, mutant.factor * budget.loss_max(known.budget) / share));
             own_gradient = add_scaled(&own_gradient, 1.0, &gradient);
             own_bend += bend;
         } else {
             let slope = budget.curvature.slope_max(distance_m, move_m, 0.0);
             let share = mutant.degree.unwrap_or(known.degree_max);
-            let beta = mutant.factor * budget.beta_m2(slope, own_h / degree, known.budget / share);
+            let beta = mutant.factor
+                * budget.beta_m2(
+                    slope,
+                    budget.loss_max(own_h) / degree,
+                    budget.loss_max(known.budget) / share,
+                );
             rows.push(Row::new(*offset_m, mutant.square, beta));
         }
         let spare = dot(offset_m, offset_m) - budget.distance_min_m * budget.distance_min_m;
         rows.push(Row::near(offset_m, mutant.near * 0.5 * budget.gamma_c * spare.max(0.0)));
     }
     if budget.form == Form::Level {
-        let spend = mutant.factor * budget.gamma * own_h / (degree + 1.0);
+        let spend = mutant.factor * budget.loss_max(own_h) / (degree + 1.0);
         rows.push(Row::far_level(&own_gradient, own_bend, spend));
     }
     rows

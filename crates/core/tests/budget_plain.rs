@@ -28,6 +28,7 @@ fn settings<const D: usize>(random: &mut Seeded, form: Form) -> (Budget, Reach<D
         distance_min_m: 0.3,
         move_max_m: reach.longest_m(),
         gamma: [0.01, 0.2, 1.0][random.below(3)],
+        rise: [0.0, 3.0][random.below(2)],
         gamma_c: [0.2, 1.0][random.below(2)],
         trust: [Trust::Told, Trust::ToldOrSeen, Trust::Seen][random.below(3)],
         assume: [Assume::Obedient, Assume::Obedient, Assume::Free][random.below(3)],

@@ -38,6 +38,7 @@ fn budget(form: Form) -> (Budget, Reach<2>) {
         distance_min_m: 0.3,
         move_max_m: reach.longest_m(),
         gamma: 0.2,
+        rise: 0.0,
         gamma_c: 0.2,
         trust: Trust::ToldOrSeen,
         assume: Assume::Obedient,

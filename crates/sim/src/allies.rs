@@ -206,7 +206,8 @@ impl<const D: usize> Allies<D> {
         });
         let desired_m = params.desired_m(&frame.desired_m_s[robot]);
         let own = (frame.levels[robot], degree);
-        let mut program = params.budget().rows_between(own, neighbors, &desired_m, *params.reach(), &mut rows);
+        let mut program =
+            params.budget().rows_between(own, neighbors, &desired_m, *params.reach(), &mut rows);
         let answer = params.answer(&mut program);
         self.rows = rows;
         frame.velocities_m_s[robot] = answer.velocity_m_s;

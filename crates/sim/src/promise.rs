@@ -148,7 +148,7 @@ impl<const D: usize> Promise<D> {
                 );
             }
             if let Some(before) = before.filter(|_| budget) {
-                let floor = (1.0 - self.params.budget().gamma) * before.truth.spares[index];
+                let floor = left(&self.params, before.truth.spares[index]);
                 if floor >= 0.0 && spare < floor - ROUNDING {
                     verdicts.broke(Law::Decay, at(spare, floor), carried.is_some());
                 }
@@ -229,6 +229,12 @@ impl<const D: usize> Promise<D> {
     pub(crate) fn least_m2(&self) -> f64 {
         self.least_m2
     }
+}
+
+/// What a tick leaves of h at least (docs/budget.md), written down once more.
+fn left<const D: usize>(params: &Params<D>, h: f64) -> f64 {
+    let (gamma, rise) = (params.settings().gamma(), params.settings().rise);
+    if h < 0.0 { h } else { (1.0 - gamma) * h / (1.0 + rise * gamma * h) }
 }
 
 /// F′, or θ with free liars: written down once more, so that monitors do not rest on what they watch.

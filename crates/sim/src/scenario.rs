@@ -49,6 +49,8 @@ pub struct Scenario {
     pub alpha: f64,
     /// γ of `budget`, or the share of a rate of 2/s.
     pub gamma: Option<f64>,
+    /// κ of `budget`: by how much the share rises with h.
+    pub rise: f64,
     /// γ_c of `budget`.
     pub gamma_c: f64,
     /// What `budget` believes of levels.
@@ -170,6 +172,7 @@ impl Default for Scenario {
             w_c: settings.w_c,
             alpha: settings.alpha,
             gamma: settings.gamma,
+            rise: settings.rise,
             gamma_c: settings.gamma_c,
             trust: settings.trust,
             assume: settings.assume,
@@ -257,6 +260,7 @@ impl Scenario {
                 Controller::Composed | Controller::None => params::Controller::Composed,
             },
             gamma: self.gamma,
+            rise: self.rise,
             gamma_c: self.gamma_c,
             trust: self.trust,
             assume: self.assume,

@@ -141,26 +141,13 @@ impl Budget {
         }
     }
 
-    /// `(1−γ)ᵐ (c − required)⁺`; 0 for a claim that is not finite.
+    /// What m ticks leave of `(c − required)⁺`; 0 for a claim that is not finite.
     fn discounted(&self, claim: &Claim) -> f64 {
         let spare = claim.level - f64::from(self.required());
         match claim.age_ticks {
             _ if !spare.is_finite() => 0.0,
             0 => spare.max(0.0),
-            ticks => power(1.0 - self.gamma, ticks) * spare.max(0.0),
+            ticks => self.left(spare.max(0.0), ticks),
         }
     }
-}
-
-/// `baseᵉ` by squaring, in the same order on every target.
-fn power(base: f64, exponent: u32) -> f64 {
-    let (mut result, mut square, mut rest) = (1.0, base, exponent);
-    while rest > 0 {
-        if rest & 1 == 1 {
-            result *= square;
-        }
-        square *= square;
-        rest >>= 1;
-    }
-    result
 }

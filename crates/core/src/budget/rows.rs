@@ -199,7 +199,7 @@ impl Budget {
     /// β_ij, m²: what one link may spend. `+∞` where it cannot be weakened.
     ///
     /// ```text
-    /// β_ij = γ/(4 L_ij) min( h_i⁺/δ_i, b_ij/δ⁺_ij )
+    /// β_ij = min( s(h_i⁺)/δ_i, s(b_ij)/δ⁺_ij )/(4 L_ij)
     /// ```
     ///
     /// METHOD.md has n − 1 for δ⁺. The proof needs no more than shares that sum to at most 1 over the neighbours of j, and
@@ -208,7 +208,7 @@ impl Budget {
     #[must_use]
     pub fn beta_m2(&self, slope_max: f64, own_share: f64, known_share: f64) -> f64 {
         let least = own_share.min(known_share);
-        if slope_max <= 0.0 { f64::INFINITY } else { self.gamma / (4.0 * slope_max) * least }
+        if slope_max <= 0.0 { f64::INFINITY } else { least / (4.0 * slope_max) }
     }
 
     fn push_neighbor<const D: usize>(
@@ -242,8 +242,9 @@ impl Budget {
         match self.form() {
             Form::Link => {
                 let error_m = self.margin.offset_m;
-                let own_share = own.h.max(0.0) / own.degree.max(1.0);
-                let beta_m2 = self.beta_m2(bend, own_share, known.budget / known.degree_max);
+                let own_share = self.loss_max(own.h.max(0.0)) / own.degree.max(1.0);
+                let known_share = self.loss_max(known.budget) / known.degree_max;
+                let beta_m2 = self.beta_m2(bend, own_share, known_share);
                 if !rows.program.surely_holds(offset, error_m, 1.0, beta_m2) {
                     rows.push(offset, error_m, |offset| Row::far(offset, beta_m2));
                 }
@@ -265,12 +266,12 @@ impl Budget {
     /// True when (far′), whose left-hand side is `most` wherever the robot can go, surely holds. No quotient: this is asked
     /// of every neighbour, up to twice.
     fn is_slack(&self, most: f64, known: &Known) -> bool {
-        self.form() == Form::Level && most * (known.degree_max + 1.0) <= self.gamma * known.budget
+        self.form() == Form::Level && most * (known.degree_max + 1.0) <= self.loss_max(known.budget)
     }
 
     fn push_own<const D: usize>(&self, own: &Own<D>, rows: &mut Rows<'_, D>) {
         if self.form() == Form::Level {
-            let spend = self.gamma * own.h.max(0.0) / (own.degree + 1.0);
+            let spend = self.loss_max(own.h.max(0.0)) / (own.degree + 1.0);
             rows.push(&own.gradient, own.wrong, |gradient| Row::far_level(gradient, own.bend, spend));
         }
         if own.h < 0.0 {

@@ -33,6 +33,8 @@ pub struct Budget {
     pub move_max_m: f64,
     /// γ in (0, 1]: the share of h_k that may be lost in a tick, see [`share_of_rate`].
     pub gamma: f64,
+    /// κ ≥ 0, by how much the share rises with h_k, see [`loss_max`](Self::loss_max).
+    pub rise: f64,
     /// γ_c in (0, 1]: the share of D − Δ_d² that may be lost in a tick.
     pub gamma_c: f64,
     /// What is believed of levels.
@@ -52,6 +54,8 @@ pub enum Unsound {
     Gamma,
     /// γ_c is not in (0, 1].
     GammaC,
+    /// κ is negative or no number.
+    Rise,
     /// `R − 2ρ < Δ_d`: two robots that do not see each other yet could be too close a tick later.
     Blind,
     /// `q₁/2 (required − 1) ≥ required`: h ≥ 0 would not mean that many neighbours.
@@ -69,12 +73,52 @@ impl Budget {
         let checks = [
             (share(self.gamma), Unsound::Gamma),
             (share(self.gamma_c), Unsound::GammaC),
+            ((0.0..f64::INFINITY).contains(&self.rise), Unsound::Rise),
             (link.radius_m - 2.0 * self.move_max_m >= self.distance_min_m, Unsound::Blind),
             (0.5 * link.q1 * (required - 1.0) < required, Unsound::Height),
             (required < f64::from(self.robots), Unsound::Required),
         ];
         checks.into_iter().find(|(holds, _)| !holds).map_or(Ok(()), |(_, unsound)| Err(unsound))
     }
+
+    /// s(h): what all robots together may take of h_k ≥ 0 in a tick.
+    ///
+    /// ```text
+    /// s(h) = γ h (1 + κ h)/(1 + κγ h),      h − s(h) = (1 − γ) h/(1 + κγ h) ≥ 0
+    /// ```
+    ///
+    /// the loss of `ḣ = −α (h + κ h²)` in a tick, `γ = 1 − e^(−αT)`: far from the limit robots may spend faster than close to it.
+    /// The proof needs no more than `s(b) ≤ s(h) ≤ h` for `b ≤ h`, and s rises. With κ = 0 it is METHOD.md's `γ h`.
+    //= method far-prime
+    #[inline]
+    #[must_use]
+    pub fn loss_max(&self, h: f64) -> f64 {
+        self.gamma * h * ((1.0 + self.rise * h) / (1.0 + self.rise * self.gamma * h))
+    }
+
+    /// The least that `ticks` ticks leave of h: the same law over a longer time, since it is that of a differential equation.
+    ///
+    /// ```text
+    /// g h/(1 + κ (1 − g) h),   g = (1 − γ)^ticks
+    /// ```
+    #[must_use]
+    pub fn left(&self, h: f64, ticks: u32) -> f64 {
+        let kept = power(1.0 - self.gamma, ticks);
+        kept * h / (1.0 + self.rise * (1.0 - kept) * h)
+    }
+}
+
+/// `baseᵉ` by squaring, in the same order on every target.
+fn power(base: f64, exponent: u32) -> f64 {
+    let (mut result, mut square, mut rest) = (1.0, base, exponent);
+    while rest > 0 {
+        if rest & 1 == 1 {
+            result *= square;
+        }
+        square *= square;
+        rest >>= 1;
+    }
+    result
 }
 
 impl core::fmt::Display for Unsound {
@@ -82,6 +126,7 @@ impl core::fmt::Display for Unsound {
         f.write_str(match self {
             Self::Gamma => "gamma is not more than 0 and at most 1",
             Self::GammaC => "gamma_c is not more than 0 and at most 1",
+            Self::Rise => "rise is negative",
             Self::Blind => "two robots out of range of each other could collide within a tick",
             Self::Height => "epsilon is too large for the required number of neighbours",
             Self::Required => "more neighbours are required than there are other robots",
@@ -122,6 +167,7 @@ mod tests {
             distance_min_m: 0.3,
             move_max_m: 0.0107,
             gamma: share_of_rate(2.0, 0.005),
+            rise: 0.0,
             gamma_c: 0.2,
             trust: Trust::ToldOrSeen,
             assume: Assume::Obedient,
@@ -139,11 +185,31 @@ mod tests {
             (Budget { gamma: 0.0, ..paper() }, Unsound::Gamma),
             (Budget { gamma: f64::NAN, ..paper() }, Unsound::Gamma),
             (Budget { gamma_c: 1.1, ..paper() }, Unsound::GammaC),
+            (Budget { rise: -0.1, ..paper() }, Unsound::Rise),
             (Budget { move_max_m: 1.36, ..paper() }, Unsound::Blind),
             (Budget { curvature: tall, ..paper() }, Unsound::Height),
             (Budget { faults: 6, ..paper() }, Unsound::Required),
         ] {
             assert_eq!(budget.check(), Err(unsound));
+        }
+    }
+
+    /// s rises, leaves what `left` says, and m ticks of it leave what m ticks leave.
+    //= method far-prime type=test
+    #[test]
+    fn what_may_be_lost_follows_one_law() {
+        for (gamma, rise) in [(0.01, 0.0), (0.01, 3.0), (0.5, 0.7), (1.0, 2.0)] {
+            let budget = Budget { gamma, rise, ..paper() };
+            let mut last = -1e-300;
+            for k in 0..400 {
+                let h = 0.01 * f64::from(k);
+                let loss = budget.loss_max(h);
+                assert!(loss > last && loss <= h * (1.0 + 1e-15), "{loss} of {h}");
+                assert!((h - loss - budget.left(h, 1)).abs() < 1e-14);
+                let step_by_step = (0..7).fold(h, |h, _| budget.left(h, 1));
+                assert!((step_by_step - budget.left(h, 7)).abs() < 1e-14);
+                last = loss;
+            }
         }
     }
 

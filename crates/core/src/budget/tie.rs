@@ -59,10 +59,10 @@ impl Budget {
         Tie { distance_m2, distance_m, slope, bend, wrong }
     }
 
-    /// What a robot may spend of h_k by moving: `γ b_ik/(δ⁺_ik + 1)`.
+    /// What a robot may spend of h_k by moving: `s(b_ik)/(δ⁺_ik + 1)`.
     //= method far-prime
     pub(crate) fn spend(&self, known: &Known) -> f64 {
-        self.gamma * known.budget / (known.degree_max + 1.0)
+        self.loss_max(known.budget) / (known.degree_max + 1.0)
     }
 
     pub(crate) fn form(&self) -> Form {

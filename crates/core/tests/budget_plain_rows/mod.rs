@@ -73,14 +73,14 @@ impl<const D: usize> Tick<'_, D> {
         self.gradient = add_scaled(&self.gradient, 1.0, &gradient);
         if budget.form == Form::Link || budget.assume == Assume::Free {
             let slope = curvature.slope_max(distance_m, move_m, error_m);
-            let own_share = self.h.max(0.0) / self.degree.max(1.0);
-            let beta_m2 = budget.beta_m2(slope, own_share, known.budget / known.degree_max);
+            let own_share = self.budget.loss_max(self.h.max(0.0)) / self.degree.max(1.0);
+            let beta_m2 = budget.beta_m2(slope, own_share, budget.loss_max(known.budget) / known.degree_max);
             self.push(offset_m, error_m, |offset| Row::far(offset, beta_m2));
         } else {
             let bend = curvature.bend_max(distance_m, move_m, error_m);
             let wrong = curvature.gradient_error(distance_m, error_m);
             (self.bend, self.wrong) = (self.bend + bend, self.wrong + wrong);
-            let spend = budget.gamma * known.budget / (known.degree_max + 1.0);
+            let spend = budget.loss_max(known.budget) / (known.degree_max + 1.0);
             self.push(&gradient, wrong, |gradient| Row::far_level(gradient, bend, spend));
         }
         if known.deficit > 0.0 {
@@ -108,7 +108,7 @@ impl<const D: usize> Tick<'_, D> {
     fn own(&mut self) {
         let gradient = self.gradient;
         if self.budget.form == Form::Level && self.budget.assume == Assume::Obedient {
-            let spend = self.budget.gamma * self.h.max(0.0) / (self.degree + 1.0);
+            let spend = self.budget.loss_max(self.h.max(0.0)) / (self.degree + 1.0);
             let bend = self.bend;
             self.push(&gradient, self.wrong, |gradient| Row::far_level(gradient, bend, spend));
         }

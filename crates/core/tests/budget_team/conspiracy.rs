@@ -116,12 +116,12 @@ impl<const D: usize> Team<D> {
 
     /// Theorems B and D: what is kept decays by its share at most, at the tick and inside it, and so do the distances.
     fn check(&self, moves: &[Vector<D>]) -> Result<(), String> {
-        let (gamma, gamma_c) = (self.budget.gamma, self.budget.gamma_c);
+        let gamma_c = self.budget.gamma_c;
         for share in [0.3, 0.7, 1.0] {
             let after = self.at(moves, share);
             for k in self.honest() {
                 let (before, now) = (self.kept(&self.positions, k), self.kept(&after, k));
-                let floor = if before < 0.0 { before } else { (1.0 - gamma) * before };
+                let floor = if before < 0.0 { before } else { self.budget.left(before, 1) };
                 if now < floor - ROUNDING {
                     return Err(format!("h of {k} from {before:e} to {now:e}, allowed is {floor:e}"));
                 }

@@ -68,6 +68,7 @@ impl<const D: usize> Team<D> {
             distance_min_m: DISTANCE_MIN_M,
             move_max_m: reach.longest_m(),
             gamma: [0.2, 0.2, 0.7, 1.0][random.below(4)],
+            rise: if seed % 4 == 3 { 5.0 } else { 0.0 },
             gamma_c: [0.2, 1.0][random.below(2)],
             trust: [Trust::Told, Trust::ToldOrSeen, Trust::Seen][random.below(3)],
             assume,

@@ -111,6 +111,7 @@ fn field_name(field: Field) -> &'static str {
         Field::Alpha => "controller.alpha",
         Field::Gamma => "controller.gamma",
         Field::GammaC => "controller.gamma_c",
+        Field::Rise => "controller.rise",
         Field::InputMinMS => "controller.input_min_m_s",
         Field::InputMaxMS => "controller.input_max_m_s",
         Field::LevelPeriod => "clock.tau_1_s",

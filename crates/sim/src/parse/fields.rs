@@ -107,6 +107,7 @@ fn controller(reader: &mut Reader, section: &mut Section<'_>, scenario: &mut Sce
     set(&mut scenario.w_c, reader.number(section, "w_c", POSITIVE));
     set(&mut scenario.alpha, reader.number(section, "alpha", POSITIVE));
     scenario.gamma = reader.number(section, "gamma", POSITIVE);
+    set(&mut scenario.rise, reader.number(section, "rise", NOT_NEGATIVE));
     set(&mut scenario.gamma_c, reader.number(section, "gamma_c", POSITIVE));
     let trusts = [("told", Trust::Told), ("told-or-seen", Trust::ToldOrSeen), ("seen", Trust::Seen)];
     set(&mut scenario.trust, reader.word(section, "trust", &trusts));
