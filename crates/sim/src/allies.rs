@@ -181,7 +181,8 @@ impl<const D: usize> Allies<D> {
         let robots = frame.told.len();
         let linked = || (0..robots).filter(|other| self.linked(robot, *other));
         let levels = linked().map(|other| frame.told[other]);
-        let distances_m2 = linked().map(|other| self.ties[robot.min(other) * robots + robot.max(other)].distance_m2);
+        let distances_m2 =
+            linked().map(|other| self.ties[robot.min(other) * robots + robot.max(other)].distance_m2);
         self.params.composed().phi(frame.told[robot], levels.clone(), distances_m2.clone())
     }
 
@@ -205,7 +206,8 @@ impl<const D: usize> Allies<D> {
         });
         let desired_m = params.desired_m(&frame.desired_m_s[robot]);
         let own = (frame.levels[robot], degree);
-        let mut program = params.budget().rows_between(own, neighbors, &desired_m, *params.reach(), &mut rows);
+        let mut program =
+            params.budget().rows_between(own, neighbors, &desired_m, *params.reach(), &mut rows);
         let answer = params.answer(&mut program);
         self.rows = rows;
         frame.velocities_m_s[robot] = answer.velocity_m_s;
