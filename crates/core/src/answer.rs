@@ -24,14 +24,12 @@ impl<const D: usize> Params<D> {
     /// How far `desired` (m/s) goes while a velocity is held, m.
     #[must_use]
     pub fn desired_m(&self, desired: &Vector<D>) -> Vector<D> {
-        let hold_s = self.settings().hold_max().as_secs_f64();
-        desired.map(|component| component * hold_s)
+        desired.map(|component| component * self.hold_s())
     }
 
     /// The velocity that keeps every row for as long as it may be held.
     #[must_use]
     pub fn answer(&self, rows: &mut Rows<'_, D>) -> Answer<D> {
-        let hold_s = self.settings().hold_max().as_secs_f64();
         let closest = rows.closest();
         let doubt = match (rows.broken, rows.doubtful) {
             (0, 0) => None,
@@ -39,7 +37,7 @@ impl<const D: usize> Params<D> {
             _ => Some(Reason::OutsideSafeSet),
         };
         let outcome = if rows.broken > 0 { Outcome::Recovering } else { closest.outcome };
-        let velocity = closest.displacement_m.map(|component| component / hold_s);
+        let velocity = closest.displacement_m.map(|component| component / self.hold_s());
         Answer { velocity_m_s: self.settings().input.clip(&velocity), outcome, doubt }
     }
 

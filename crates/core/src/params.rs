@@ -24,6 +24,7 @@ pub struct Params<const D: usize> {
     budget: Budget,
     reach: Reach<D>,
     sight_m2: f64,
+    hold_s: f64,
 }
 
 impl<const D: usize> Settings<D> {
@@ -122,7 +123,8 @@ impl<const D: usize> Params<D> {
         };
         let (budget, reach) = (settings.budget(link), settings.reach());
         let sight_m = budget.curvature.link().radius_m + budget.margin.offset_m;
-        Ok(Self { settings, link, composed, budget, reach, sight_m2: sight_m * sight_m })
+        let hold_s = settings.hold_max().as_secs_f64();
+        Ok(Self { settings, link, composed, budget, reach, sight_m2: sight_m * sight_m, hold_s })
     }
 
     /// The settings as they were given.
@@ -159,6 +161,12 @@ impl<const D: usize> Params<D> {
     #[must_use]
     pub fn sight_m2(&self) -> f64 {
         self.sight_m2
+    }
+
+    /// How long a velocity may be held, s.
+    #[must_use]
+    pub fn hold_s(&self) -> f64 {
+        self.hold_s
     }
 
     /// F′.

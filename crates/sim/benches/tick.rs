@@ -82,7 +82,7 @@ fn paper_run_recorded(bencher: Bencher<'_, '_>) {
         .bench(|| run(&scenario, Options { record: true, ..Options::default() }, &mut |_| ()).expect("runs"));
 }
 
-/// Ten seconds of `budget` against the overstating liars (`scenarios/budget.toml`), robots one by one, monitors on.
+/// Ten seconds of `budget` against the overstating liars (`scenarios/budget.toml`), monitors on.
 #[divan::bench]
 fn budget_run(bencher: Bencher<'_, '_>) {
     let (controller, level_attack) = (Controller::Budget, LevelAttack::Bias(3.5));

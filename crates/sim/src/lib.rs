@@ -13,7 +13,7 @@
 //! | where robots start and want to go | [`start`], [`motion`] |
 //! | what malicious robots tell | [`attack`], [`liars`] |
 //! | what goes wrong with messages, clocks, sensors and bodies | [`faults`] |
-//! | all robots of a tick, one by one or as a team | [`robots`], [`team`] |
+//! | all robots of a tick, one by one or as a team | [`robots`], [`team`], [`allies`] |
 //! | the theorems as code, and exact robustness round by round | [`law`], [`monitor`], [`robustness`] |
 //! | the run, its record and its table row | [`world`], [`record`], [`summary`] |
 

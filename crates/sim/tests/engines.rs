@@ -106,7 +106,7 @@ fn budget_with_every_trust_and_lie() {
     ];
     for level_attack in lies {
         for trust in TRUSTS {
-            same_bits(&Scenario { trust, level_attack: level_attack.clone(), ..budget("lies") });
+            same_bits(&Scenario { trust, level_attack, ..budget("lies") });
         }
     }
 }
@@ -114,11 +114,12 @@ fn budget_with_every_trust_and_lie() {
 /// The published start is outside the set; long runs and wide starts have robots out of sight.
 #[test]
 fn budget_from_starts_inside_and_outside() {
-    for seed in 0..24 {
-        let [half_side_m, distance_min_m] = [[1.1, 0.4], [2.5, 0.2], [1.8, 0.35]][seed as usize % 3];
-        let (start, q2) = (Start::Random { half_side_m, distance_min_m }, [0.1, 0.3, 0.9][seed as usize / 8]);
-        let (level_attack, trust) = (LevelAttack::Bias(2.0), TRUSTS[seed as usize % 3]);
-        same_bits(&Scenario { start, seed, q2, level_attack, trust, ..budget("start") });
+    for index in 0..24_u8 {
+        let [half_side_m, distance_min_m] = [[1.1, 0.4], [2.5, 0.2], [1.8, 0.35]][usize::from(index % 3)];
+        let (start, q2) =
+            (Start::Random { half_side_m, distance_min_m }, [0.1, 0.3, 0.9][usize::from(index / 8)]);
+        let (level_attack, trust) = (LevelAttack::Bias(2.0), TRUSTS[usize::from(index % 3)]);
+        same_bits(&Scenario { start, seed: u64::from(index), q2, level_attack, trust, ..budget("start") });
     }
     same_bits(&Scenario { start: Start::Published, ..budget("published") });
     for bias in [3.5, -2.5] {

@@ -41,7 +41,11 @@ const MUTANTS: [Mutant; 18] = [
         name: "share doubled",
         law: "spare",
         lines: &[
-            (ROWS, "self.gamma * known.budget / (known.degree_max + 1.0)", "self.gamma * known.budget / 2.0"),
+            (
+                "core/src/budget/tie.rs",
+                "self.gamma * known.budget / (known.degree_max + 1.0)",
+                "self.gamma * known.budget / 2.0",
+            ),
             (ROWS, "self.gamma * own.h.max(0.0) / (own.degree + 1.0)", "self.gamma * own.h.max(0.0) / 2.0"),
         ],
     },
@@ -99,16 +103,12 @@ const MUTANTS: [Mutant; 18] = [
     Mutant {
         name: "no near rows",
         law: "distance",
-        lines: &[(ROWS, "        self.push_near(offset, rows);\n", "")],
+        lines: &[(ROWS, "        self.push_near(&neighbor.offset_m, neighbor.tie, rows);\n", "")],
     },
     Mutant {
         name: "no margin for distances",
         law: "distance",
-        lines: &[(
-            "core/src/budget/rows.rs",
-            "self.spare_m2(offset, -error_m)",
-            "self.spare_m2(offset, 0.0)",
-        )],
+        lines: &[("core/src/budget/rows.rs", "self.spare_m2(tie, -error_m)", "self.spare_m2(tie, 0.0)")],
     },
     Mutant {
         name: "F - 1 values trimmed",
@@ -132,29 +132,21 @@ const MUTANTS: [Mutant; 18] = [
         name: "the box forgotten",
         law: "input",
         lines: &[(
-            "core/src/allowance.rs",
-            "(self.params.settings().input.clip(&velocity), outcome)",
-            "(velocity.map(|component| 1.1 * component), outcome)",
+            "core/src/answer.rs",
+            "velocity_m_s: self.settings().input.clip(&velocity),",
+            "velocity_m_s: velocity.map(|component| 1.1 * component),",
         )],
     },
     Mutant {
         name: "always guaranteed",
         law: "mode",
         lines: &[
+            ("core/src/answer.rs", "Some(reason) => Mode::Degraded(reason),", "Some(_) => Mode::Guaranteed,"),
+            ("core/src/answer.rs", "_ if degree_low => Mode::Degraded(Reason::Degree),", ""),
+            ("core/src/answer.rs", "None if exact && h < 0.0 => Mode::Degraded(Reason::OutsideSafeSet),", ""),
             (
-                "core/src/allowance.rs",
-                "Some(reason) => Mode::Degraded(reason),",
-                "Some(_) => Mode::Guaranteed,",
-            ),
-            ("core/src/allowance.rs", "_ if degree_low => Mode::Degraded(Reason::Degree),", ""),
-            (
-                "core/src/allowance.rs",
-                "None if exact && h < 0.0 => Mode::Degraded(Reason::OutsideSafeSet),",
-                "",
-            ),
-            (
-                "core/src/allowance.rs",
-                "let exact = self.params.budget().margin.offset_m == 0.0;",
+                "core/src/answer.rs",
+                "let exact = self.budget().margin.offset_m == 0.0;",
                 "let _ = (degree_low, h);",
             ),
         ],

@@ -96,8 +96,11 @@ impl Curvature {
     //= method margins
     #[must_use]
     pub fn gradient_error(&self, distance_m: f64, error_m: f64) -> f64 {
+        if error_m == 0.0 {
+            return 0.0;
+        }
         let (low, high) = self.slacks(distance_m - error_m, distance_m + error_m);
-        if error_m == 0.0 || high <= 0.0 {
+        if high <= 0.0 {
             return 0.0;
         }
         let sharpest = bend(&self.link, closest(self.sharpest_m2, low, high));

@@ -43,9 +43,8 @@ impl<'memory, const D: usize> Program<'memory, D> {
         let far_m = core::array::from_fn(|d| reach.max_m()[d].max(-reach.min_m()[d]));
         let mut program = Self { rows: memory, count: 0, full: false, reach, far_m };
         for d in 0..D {
-            let side = |sign: f64| core::array::from_fn(|axis| if axis == d { sign } else { 0.0 });
-            program.keep(Row::new(side(1.0), 0.0, reach.max_m()[d]));
-            program.keep(Row::new(side(-1.0), 0.0, -reach.min_m()[d]));
+            program.keep(Row::side(d, 1.0, reach.max_m()[d]));
+            program.keep(Row::side(d, -1.0, -reach.min_m()[d]));
         }
         program
     }

@@ -42,6 +42,12 @@ impl<const D: usize> Row<D> {
         }
     }
 
+    /// `sign·v_axis ≤ bound`, m, for a sign of ±1.
+    pub(crate) fn side(axis: usize, sign: f64, bound_m: f64) -> Self {
+        let normal = core::array::from_fn(|d| if d == axis { sign } else { 0.0 });
+        Self { normal, curvature: 0.0, bound: bound_m.max(0.0) }
+    }
+
     /// (far) for `offset` r, m, and β, m²: `r·v + |v|² ≤ β`.
     //= method far
     #[must_use]
