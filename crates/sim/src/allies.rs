@@ -87,7 +87,9 @@ impl<const D: usize> Allies<D> {
             let (weights, robots) = (&self.weights, frame.values.len());
             self.consensus.hold(frame, liars, |robot, other| weights[robot * robots + other] >= 0.0);
         }
-        self.sum_phis(frame);
+        if frame.wants_phi {
+            self.sum_phis(frame);
+        }
         for robot in 0..frame.positions_m.len() {
             self.control(robot, frame);
         }

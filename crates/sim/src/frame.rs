@@ -21,8 +21,10 @@ pub struct Frame<const D: usize> {
     pub told: Vec<f64>,
     /// h_i as the robot's controller has it: c_i − F′, or T_i − θ under `budget` with free liars.
     pub spares: Vec<f64>,
-    /// φ_i.
+    /// φ_i; NaN where nobody wants to know it.
     pub phis: Vec<f64>,
+    /// Whether φ and φ_i are wanted though the controller does not use them.
+    pub wants_phi: bool,
     /// y_i; of malicious robots what they tell.
     pub values: Vec<f64>,
     /// What the program found.
@@ -59,7 +61,8 @@ impl<const D: usize> Frame<D> {
             levels: vec![0.0; robots],
             told: vec![0.0; robots],
             spares: vec![0.0; robots],
-            phis: vec![0.0; robots],
+            phis: vec![f64::NAN; robots],
+            wants_phi: true,
             values,
             outcomes: vec![Outcome::Free; robots],
             modes: vec![Mode::Degraded(Reason::ContinuousTime); robots],

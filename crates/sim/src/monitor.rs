@@ -127,7 +127,9 @@ impl<const D: usize> Monitors<D> {
             self.watch_values(tick, frame);
         }
         self.voices.hear(frame);
-        self.watch_composition(tick);
+        if frame.wants_phi {
+            self.watch_composition(tick);
+        }
         self.watch_programs(tick, frame);
         if broken(&self.verdicts) > before {
             self.extremes.safe_from = None;

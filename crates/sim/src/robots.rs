@@ -206,7 +206,11 @@ impl<'memory, const D: usize> Fleet<'memory, D> {
                 robot.neighbors().iter().fold(0.0, |level, slot| level + slot.link().weight);
             frame.spares[index] = output.report.h;
             frame.told[index] = robot.told_level();
-            frame.phis[index] = output.report.phi.unwrap_or_else(|| robot.phi());
+            frame.phis[index] = match output.report.phi {
+                Some(phi) => phi,
+                None if frame.wants_phi => robot.phi(),
+                None => f64::NAN,
+            };
             frame.outcomes[index] = output.report.outcome;
             frame.modes[index] = output.report.mode;
             frame.values[index] = liars.value(index, robot.value());

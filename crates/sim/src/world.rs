@@ -37,6 +37,9 @@ pub struct Options {
     pub record: bool,
     /// Search the network of every consensus round for its exact robustness.
     pub robustness: bool,
+    /// Leave φ and φ_i out where the controller does not use them: their extremes are then infinite, and their laws are not
+    /// looked at.
+    pub without_phi: bool,
     /// How robots are computed.
     pub engine: Engine,
 }
@@ -171,11 +174,12 @@ struct World<'a, const D: usize> {
 
 impl<'a, const D: usize> World<'a, D> {
     fn new(scenario: &'a Scenario, params: Params<D>, frame: Frame<D>, options: Options) -> Self {
+        let wants_phi = !(options.without_phi && scenario.controller == Controller::Budget);
         let required = params.required_degree();
         Self {
             scenario,
             malicious: scenario.malicious_mask(),
-            frame,
+            frame: Frame { wants_phi, ..frame },
             liars: Liars::new(scenario),
             monitors: Monitors::new(scenario, params),
             collector: Collector::default(),

@@ -66,7 +66,8 @@ impl Work<'_> {
     fn run(&self, run: u64, rows: &mut Rows) -> Result<()> {
         let drawn = source::draw(self.file, self.manifest.text, &self.plan, self.manifest.seed, run)?;
         for (scenario, _) in &drawn.scenarios {
-            let finished = world::run(scenario, Options::default(), &mut |_| ());
+            let finished =
+                world::run(scenario, Options { without_phi: true, ..Options::default() }, &mut |_| ());
             let finished = finished.with_context(|| format!("run {run} cannot be run"))?;
             let (redraws, drawn) = (drawn.redraws, drawn.drawn.as_slice());
             rows.push(Entry { run, redraws, drawn, scenario, summary: &finished.summary }.cells());
