@@ -22,6 +22,7 @@ pub(crate) struct Promise<const D: usize> {
     /// Pairs with a malicious robot may collide: it goes where it likes.
     free: bool,
     told_ticks: u32,
+    gamma: f64,
     before: Option<Before<D>>,
     /// The last tick in which an assumption was broken.
     broken: Option<u32>,
@@ -57,6 +58,7 @@ impl<const D: usize> Promise<D> {
             malicious: scenario.malicious_mask(),
             free: scenario.motion_attack != MotionAttack::Obedient,
             told_ticks,
+            gamma: settings.gamma(),
             honesty: Honesty::new(scenario, params, told_ticks),
             params,
             before: None,
@@ -121,6 +123,12 @@ impl<const D: usize> Promise<D> {
         }
     }
 
+    /// What a tick leaves of h at least (docs/budget.md), written down once more.
+    fn left(&self, h: f64) -> f64 {
+        let (gamma, rise) = (self.gamma, self.params.settings().rise);
+        if h < 0.0 { h } else { (1.0 - gamma) * h / (1.0 + rise * gamma * h) }
+    }
+
     /// h of normal robots, and their degrees, which follow from it (lem:connectivity).
     fn watch_spares(
         &self,
@@ -148,7 +156,7 @@ impl<const D: usize> Promise<D> {
                 );
             }
             if let Some(before) = before.filter(|_| budget) {
-                let floor = left(&self.params, before.truth.spares[index]);
+                let floor = self.left(before.truth.spares[index]);
                 if floor >= 0.0 && spare < floor - ROUNDING {
                     verdicts.broke(Law::Decay, at(spare, floor), carried.is_some());
                 }
@@ -229,12 +237,6 @@ impl<const D: usize> Promise<D> {
     pub(crate) fn least_m2(&self) -> f64 {
         self.least_m2
     }
-}
-
-/// What a tick leaves of h at least (docs/budget.md), written down once more.
-fn left<const D: usize>(params: &Params<D>, h: f64) -> f64 {
-    let (gamma, rise) = (params.settings().gamma(), params.settings().rise);
-    if h < 0.0 { h } else { (1.0 - gamma) * h / (1.0 + rise * gamma * h) }
 }
 
 /// F′, or θ with free liars: written down once more, so that monitors do not rest on what they watch.

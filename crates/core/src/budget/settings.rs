@@ -93,6 +93,9 @@ impl Budget {
     #[inline]
     #[must_use]
     pub fn loss_max(&self, h: f64) -> f64 {
+        if self.rise == 0.0 {
+            return self.gamma * h;
+        }
         self.gamma * h * ((1.0 + self.rise * h) / (1.0 + self.rise * self.gamma * h))
     }
 
