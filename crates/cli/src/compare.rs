@@ -69,11 +69,8 @@ pub(crate) fn compare(arguments: &crate::Compare) -> Result<bool> {
 }
 
 fn done(scenario: &Scenario, name: Name, record: bool) -> Result<Done> {
-    let scenario = Scenario {
-        controller: name.controller(),
-        name: name.controller().name().to_owned(),
-        ..scenario.clone()
-    };
+    let named = Scenario { name: name.controller().name().to_owned(), ..scenario.clone() };
+    let scenario = named.under(name.controller());
     let options = Options { record, robustness: true, ..Options::default() };
     let (run, time) = progress::timed(|| world::run(&scenario, options, &mut |_| ()));
     Ok(Done { run: run?, scenario, time_s: time.as_secs_f64() })

@@ -54,7 +54,9 @@ fn scenario(arguments: &crate::Run) -> Result<(Scenario, String)> {
     let Some(run) = arguments.draw else {
         let (mut scenario, source) = source::scenario(&arguments.file)?;
         scenario.seed = arguments.seed.unwrap_or(scenario.seed);
-        scenario.controller = controller.unwrap_or(scenario.controller);
+        if let Some(controller) = controller {
+            scenario = scenario.under(controller);
+        }
         return Ok((scenario, source));
     };
     let (plan, text) = source::plan(&arguments.file)?;

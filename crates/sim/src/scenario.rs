@@ -126,6 +126,15 @@ impl Controller {
         Self::ALL.into_iter().find(|controller| controller.name() == name)
     }
 
+    /// The laws that a scenario expects if it says nothing.
+    #[must_use]
+    pub fn usual(self) -> &'static [Law] {
+        match self {
+            Self::Budget => &Law::PROMISED,
+            Self::Composed | Self::None => &Law::EXPECTED,
+        }
+    }
+
     /// The laws that sweeps hold it to where its assumptions hold. Without a filter nothing is promised, and all that may be
     /// expected counts wherever it is broken.
     #[must_use]
@@ -227,6 +236,14 @@ impl Scenario {
         );
         let values = self.value_attack.one_voice() && self.value_attack != ValueAttack::Silent;
         self.trouble.none() && levels && values && self.motion_attack == MotionAttack::Obedient
+    }
+
+    /// The same under another controller, with what is usually expected of it unless the scenario expects something else.
+    #[must_use]
+    pub fn under(self, controller: Controller) -> Self {
+        let usual = self.expect == self.controller.usual();
+        let expect = if usual { controller.usual().to_vec() } else { self.expect };
+        Self { controller, expect, ..self }
     }
 
     /// τ₁ in seconds.

@@ -47,9 +47,7 @@ pub(super) fn read(reader: &mut Reader, table: &DeTable<'_>) -> Scenario {
         reader.close(&section);
     }
     reader.close(&root);
-    let promised = scenario.controller == Controller::Budget;
-    let usual = if promised { Law::PROMISED.to_vec() } else { Law::EXPECTED.to_vec() };
-    scenario.expect = expect.unwrap_or(usual);
+    scenario.expect = expect.unwrap_or_else(|| scenario.controller.usual().to_vec());
     scenario
 }
 
