@@ -6,6 +6,7 @@ use closeranks_core::report::{Mode, Reason};
 
 /// State of every robot in one tick; index 0 is robot 1.
 #[derive(Clone, Debug)]
+#[expect(clippy::struct_excessive_bools, reason = "each is a fact of its own about the tick")]
 pub struct Frame<const D: usize> {
     /// x_i, m.
     pub positions_m: Vec<Vector<D>>,
