@@ -1,7 +1,7 @@
 //! One row a run and controller: which columns there are and where each comes from.
 
 use closeranks_sim::law::{Law, Verdict};
-use closeranks_sim::scenario::Scenario;
+use closeranks_sim::scenario::{Controller, Scenario};
 use closeranks_sim::summary::Summary;
 use closeranks_sim::sweep::{Drawn, Field, violations};
 
@@ -103,9 +103,17 @@ impl Entry<'_> {
         ];
         cells.extend(self.drawn.iter().map(|drawn| drawn.as_ref().map(cell)));
         cells.extend(METRICS.iter().map(|(_, metric)| metric(self.summary).map(Cell::Number)));
-        cells.extend(Law::ALL.iter().map(|law| whole(self.summary.broken(*law))));
+        cells.extend(
+            Law::ALL.iter().map(|law| whole(self.summary.broken(*law)).filter(|_| self.is_watched(*law))),
+        );
         cells.extend(self.outcome());
         cells
+    }
+
+    /// Sweeps leave φ out under `budget`.
+    fn is_watched(&self, law: Law) -> bool {
+        let about_phi = matches!(law, Law::Composition | Law::Shares);
+        !(about_phi && self.scenario.controller == Controller::Budget)
     }
 
     fn outcome(&self) -> Vec<Option<Cell>> {
