@@ -21,7 +21,7 @@ pub enum Controller {
 /// none, ours (METHOD.md section 1).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Settings<const D: usize> {
-    /// n, 2 to [`ROBOTS_MAX`].
+    /// n, 2 to [`ROBOTS_MAX`](crate::params::ROBOTS_MAX).
     pub robots: u16,
     /// F, with 2F + 1 ≤ n.
     pub faults: u16,
