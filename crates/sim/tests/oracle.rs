@@ -189,7 +189,7 @@ fn copy(to: &Path) {
     let line = |key: &str| format!("{key} = [\"crates/core\", \"crates/graph\", \"crates/sim\"]");
     let own = |text: &str| match text.split_once(" = ") {
         Some((key @ ("members" | "default-members"), _)) => line(key),
-        Some(("debug", _)) => "debug = false".to_owned(),
+        Some((key @ ("debug" | "lto"), _)) => format!("{key} = false"),
         _ => text.to_owned(),
     };
     let manifest = manifest.lines().map(own).collect::<Vec<_>>().join("\n");
