@@ -43,10 +43,14 @@ const MUTANTS: [Mutant; 18] = [
         lines: &[
             (
                 "core/src/budget/tie.rs",
-                "self.gamma * known.budget / (known.degree_max + 1.0)",
-                "self.gamma * known.budget / 2.0",
+                "self.loss_max(known.budget) / (known.degree_max + 1.0)",
+                "self.loss_max(known.budget) / 2.0",
             ),
-            (ROWS, "self.gamma * own.h.max(0.0) / (own.degree + 1.0)", "self.gamma * own.h.max(0.0) / 2.0"),
+            (
+                ROWS,
+                "self.loss_max(own.h.max(0.0)) / (own.degree + 1.0)",
+                "self.loss_max(own.h.max(0.0)) / 2.0",
+            ),
         ],
     },
     Mutant {
@@ -75,7 +79,11 @@ const MUTANTS: [Mutant; 18] = [
     Mutant {
         name: "stale levels not discounted",
         law: "decay",
-        lines: &[("core/src/budget/knowledge.rs", "ticks => power(1.0 - self.gamma, ticks)", "_ => 1.0")],
+        lines: &[(
+            "core/src/budget/knowledge.rs",
+            "ticks => self.left(spare.max(0.0), ticks)",
+            "_ => spare.max(0.0)",
+        )],
     },
     Mutant {
         name: "age from receipt",
