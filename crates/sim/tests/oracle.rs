@@ -27,7 +27,7 @@ struct Mutant {
 
 const ROWS: &str = "core/src/budget/rows.rs";
 
-const MUTANTS: [Mutant; 18] = [
+const MUTANTS: [Mutant; 17] = [
     Mutant {
         name: "gradient with the wrong sign",
         law: "decay",
@@ -84,11 +84,6 @@ const MUTANTS: [Mutant; 18] = [
             "ticks => self.left(spare.max(0.0), ticks)",
             "_ => spare.max(0.0)",
         )],
-    },
-    Mutant {
-        name: "age from receipt",
-        law: "decay",
-        lines: &[("core/src/allowance.rs", "checked_since(told.stamp)", "checked_since(told.at)")],
     },
     Mutant {
         name: "claims not cut, budgets fourfold",
