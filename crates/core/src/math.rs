@@ -8,7 +8,7 @@ pub type Vector<const D: usize> = [f64; D];
 /// Inner product `a·b`, summed from the first component on.
 #[must_use]
 pub fn dot<const D: usize>(a: &Vector<D>, b: &Vector<D>) -> f64 {
-    let mut sum = 0.0;
+    let mut sum = -0.0; // what is added to it stays as it is
     for d in 0..D {
         sum += a[d] * b[d];
     }
@@ -25,6 +25,13 @@ pub fn subtract<const D: usize>(a: &Vector<D>, b: &Vector<D>) -> Vector<D> {
 #[must_use]
 pub fn add_scaled<const D: usize>(a: &Vector<D>, factor: f64, b: &Vector<D>) -> Vector<D> {
     core::array::from_fn(|d| a[d] + factor * b[d])
+}
+
+/// The larger of two numbers; `least` if `x` is NaN.
+#[inline]
+#[must_use]
+pub fn larger(x: f64, least: f64) -> f64 {
+    if x > least { x } else { least }
 }
 
 /// True when no component is NaN or infinite.

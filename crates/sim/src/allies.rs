@@ -10,7 +10,7 @@ use closeranks_core::budget::row::Row;
 use closeranks_core::budget::survey::Seen;
 use closeranks_core::budget::tie::{Knowledge, Neighbor, Tie};
 use closeranks_core::composed::Sum;
-use closeranks_core::math::{Vector, dot, subtract};
+use closeranks_core::math::{Vector, add_scaled, dot, subtract};
 use closeranks_core::params::Params;
 
 use crate::consensus::Consensus;
@@ -20,8 +20,10 @@ use crate::scenario::Scenario;
 
 /// Positions are rounded to far less than what a robot takes for a jump as long as they are nearer to 0 than this, m.
 const NEAR_M: f64 = 1e5;
-/// In place of a weight: no link.
-const NO_LINK: f64 = -1.0;
+/// In place of a weight: no link. Sums do not notice.
+const NO_LINK: f64 = -0.0;
+/// Weights that are summed at a time.
+const LANES: usize = 4;
 
 /// Scratch and state of a team of `budget` in a perfect world.
 #[derive(Clone, Debug)]
@@ -29,8 +31,9 @@ pub struct Allies<const D: usize> {
     params: Params<D>,
     tick: u32,
     consensus: Consensus,
-    /// Weight of every robot with every other, line after line, and its tie with those of higher numbers.
-    weights: Vec<f64>,
+    /// Weight of every robot with every other, in lines of so many blocks, and its tie with those of higher numbers.
+    weights: Vec<[f64; LANES]>,
+    blocks: usize,
     ties: Vec<Tie>,
     /// Behind φ_i.
     terms: Vec<f64>,
@@ -38,9 +41,10 @@ pub struct Allies<const D: usize> {
     claims: Vec<Option<Claim>>,
     /// What those know of each robot who see everybody.
     knowns: Vec<Known>,
-    /// What another sees of each robot: the sum of its weights and their number.
-    lows: Vec<f64>,
-    degrees: Vec<f64>,
+    /// Whom a robot sees, itself among them, whom not, and what it sees of the level of each.
+    seen: Vec<usize>,
+    unseen: Vec<usize>,
+    lows: Vec<[f64; LANES]>,
     rows: Vec<Row<D>>,
 }
 
@@ -60,20 +64,23 @@ impl<const D: usize> Allies<D> {
         if !params.budget().is_plain() || !positions_m.iter().flatten().all(near) {
             return None;
         }
+        let blocks = robots.div_ceil(LANES);
         let nobody = Tie { distance_m2: 0.0, distance_m: 0.0, slope: 0.0, bend: 0.0, wrong: 0.0 };
         let nothing = Known { budget: 0.0, deficit: 0.0, degree_max: 1.0 };
         Some(Self {
             params,
             tick: 0,
             consensus: Consensus::new(scenario, values),
-            weights: vec![NO_LINK; robots * robots],
+            weights: vec![[NO_LINK; LANES]; robots * blocks],
+            blocks,
             ties: vec![nobody; robots * robots],
             terms: vec![0.0; robots],
             sums: vec![Sum::new(0.0); robots],
             claims: vec![None; robots],
             knowns: vec![nothing; robots],
-            lows: vec![0.0; robots],
-            degrees: vec![0.0; robots],
+            seen: Vec::new(),
+            unseen: Vec::new(),
+            lows: vec![[0.0; LANES]; blocks],
             rows: vec![Row::default(); 2 * D + 2 * robots + 1],
         })
     }
@@ -84,8 +91,8 @@ impl<const D: usize> Allies<D> {
         liars.begin_tick(self.tick);
         self.tell(frame, liars);
         if self.consensus.is_due(self.tick) {
-            let (weights, robots) = (&self.weights, frame.values.len());
-            self.consensus.hold(frame, liars, |robot, other| weights[robot * robots + other] >= 0.0);
+            let (weights, blocks) = (&self.weights, self.blocks);
+            self.consensus.hold(frame, liars, |robot, other| linked(weights, blocks, robot, other));
         }
         if frame.wants_phi {
             self.sum_phis(frame);
@@ -114,6 +121,7 @@ impl<const D: usize> Allies<D> {
     /// Links of `first` to robots of higher numbers.
     fn find_links(&mut self, first: usize, frame: &mut Frame<D>) {
         let (robots, after, position) = (self.claims.len(), first + 1, frame.positions_m[first]);
+        let blocks = self.blocks;
         let (mut level, mut degree) = (frame.levels[first], frame.degrees[first]);
         let others = frame.levels[after..].iter_mut().zip(&mut frame.degrees[after..]);
         let others = frame.positions_m[after..].iter().zip(others).zip(after..);
@@ -123,8 +131,8 @@ impl<const D: usize> Allies<D> {
             let distance_m2 = dot(&offset_m, &offset_m);
             let link = self.params.link().link_at::<f64>(distance_m2);
             let weight = link.map_or(NO_LINK, |link| link.weight);
-            self.weights[first * robots + second] = weight;
-            self.weights[second * robots + first] = weight;
+            self.weights[first * blocks + second / LANES][second % LANES] = weight;
+            self.weights[second * blocks + first / LANES][first % LANES] = weight;
             let Some(link) = link else { continue };
             ties[second] = self.params.budget().tie(distance_m2, link.slope);
             level += weight;
@@ -160,7 +168,7 @@ impl<const D: usize> Allies<D> {
             let mut own = self.sums[first];
             for second in first + 1..robots {
                 let tie = &self.ties[first * robots + second];
-                if self.weights[first * robots + second] < 0.0 {
+                if !self.linked(first, second) {
                     continue;
                 }
                 let collision = composed.collision_term(tie.distance_m2);
@@ -183,63 +191,76 @@ impl<const D: usize> Allies<D> {
         let robots = frame.told.len();
         let linked = || (0..robots).filter(|other| self.linked(robot, *other));
         let levels = linked().map(|other| frame.told[other]);
-        let distances_m2 =
-            linked().map(|other| self.ties[robot.min(other) * robots + robot.max(other)].distance_m2);
+        let distances_m2 = linked().map(|other| self.tie(robot, other).distance_m2);
         self.params.composed().phi(frame.told[robot], levels.clone(), distances_m2.clone())
     }
 
     fn linked(&self, robot: usize, other: usize) -> bool {
-        self.weights[robot * self.claims.len() + other] >= 0.0
+        linked(&self.weights, self.blocks, robot, other)
+    }
+
+    fn tie(&self, robot: usize, other: usize) -> &Tie {
+        &self.ties[robot.min(other) * self.claims.len() + robot.max(other)]
     }
 
     /// Rows and answer of one robot.
     fn control(&mut self, robot: usize, frame: &mut Frame<D>) {
-        let (params, robots) = (self.params, self.claims.len());
-        let (degree, position) = (frame.degrees[robot], frame.positions_m[robot]);
-        let unseen = robots - 1 - usize::from(degree);
-        if unseen > 0 {
-            self.look_around(robot);
-        }
+        self.look_around(robot);
         let mut rows = core::mem::take(&mut self.rows);
-        let neighbors = (0..robots).filter(|other| self.linked(robot, *other)).map(|other| Neighbor {
-            offset_m: subtract(&position, &frame.positions_m[other]),
-            tie: &self.ties[robot.min(other) * robots + robot.max(other)],
-            knowledge: self.knowledge(other, unseen),
+        let (params, position) = (&self.params, frame.positions_m[robot]);
+        let others = self.seen.iter().filter(|other| **other != robot);
+        let neighbors = others.map(|other| Neighbor {
+            offset_m: subtract(&position, &frame.positions_m[*other]),
+            tie: self.tie(robot, *other),
+            knowledge: self.knowledge(*other, frame),
         });
         let desired_m = params.desired_m(&frame.desired_m_s[robot]);
+        let degree = frame.degrees[robot];
         let own = (frame.levels[robot], degree);
         let mut program =
             params.budget().rows_between(own, neighbors, &desired_m, *params.reach(), &mut rows);
         let answer = params.answer(&mut program);
-        self.rows = rows;
         frame.velocities_m_s[robot] = answer.velocity_m_s;
         frame.outcomes[robot] = answer.outcome;
         frame.modes[robot] = params.mode(answer.doubt, degree, frame.spares[robot]);
+        self.rows = rows;
     }
 
-    /// What a robot knows of `other` that does not see so many.
-    fn knowledge(&self, other: usize, unseen: usize) -> Knowledge<'_> {
+    /// What the robot that looked around knows of `other`.
+    fn knowledge(&self, other: usize, frame: &Frame<D>) -> Knowledge<'_> {
+        let unseen = self.unseen.len();
         if unseen == 0 {
             return Knowledge::Known(&self.knowns[other]);
         }
-        let degree = self.degrees[other] + u32::try_from(unseen).map_or(f64::MAX, f64::from);
-        Knowledge::Seen(Seen { low: self.lows[other], degree, unseen, claim: self.claims[other] })
+        let (low, degree) = (self.lows[other / LANES][other % LANES], usize::from(frame.degrees[other]));
+        let missed = self.unseen.iter().filter(|unseen| self.linked(other, **unseen)).count();
+        let degree = u32::try_from(degree - missed + unseen).map_or(f64::MAX, f64::from);
+        Knowledge::Seen(Seen { low, degree, unseen, claim: self.claims[other] })
     }
 
-    /// What `robot` sees of the links of each other one: sums over the robots that it sees, in order of their numbers.
+    /// Whom `robot` sees, and what of the level of each: sums over the robots that it sees, in order of their numbers.
     fn look_around(&mut self, robot: usize) {
+        let line = &self.weights[robot * self.blocks..(robot + 1) * self.blocks];
         let robots = self.claims.len();
-        self.lows.fill(0.0);
-        self.degrees.fill(0.0);
-        for other in 0..robots {
-            if other != robot && !self.linked(robot, other) {
-                continue;
+        self.seen.clear();
+        self.unseen.clear();
+        for (other, weight) in line.as_flattened()[..robots].iter().enumerate() {
+            let sees = other == robot || weight.is_sign_positive();
+            if sees { &mut self.seen } else { &mut self.unseen }.push(other);
+        }
+        if self.unseen.is_empty() {
+            return;
+        }
+        for (block, lows) in self.lows.iter_mut().enumerate() {
+            let mut sums = [0.0; LANES];
+            for other in &self.seen {
+                sums = add_scaled(&sums, 1.0, &self.weights[other * self.blocks + block]);
             }
-            let line = &self.weights[other * robots..(other + 1) * robots];
-            for ((low, degree), weight) in self.lows.iter_mut().zip(&mut self.degrees).zip(line) {
-                *low += weight.max(0.0);
-                *degree += if *weight >= 0.0 { 1.0 } else { 0.0 };
-            }
+            *lows = sums;
         }
     }
+}
+
+fn linked(weights: &[[f64; LANES]], blocks: usize, robot: usize, other: usize) -> bool {
+    weights[robot * blocks + other / LANES][other % LANES].is_sign_positive()
 }

@@ -91,7 +91,8 @@ impl<const D: usize> Honesty<D> {
     /// True when another robot is certainly too close to `robot`; `anybody` counts disobedient ones too.
     fn crowded(&self, robot: usize, truth: &Truth, anybody: bool) -> bool {
         let budget = self.params.budget();
-        let blur_m2 = ROUNDING * self.params.settings().radius_m.powi(2);
+        let radius_m = self.params.settings().radius_m;
+        let blur_m2 = ROUNDING * radius_m * radius_m;
         // A hair more for who must promise than for who may not: at the limit itself either is right.
         let limit_m2 = if anybody {
             budget.distance_min_m * budget.distance_min_m + blur_m2

@@ -28,6 +28,7 @@ pub mod liars;
 pub mod memory;
 pub mod monitor;
 pub mod motion;
+mod pairs;
 pub mod parse;
 mod promise;
 pub mod random;

@@ -24,6 +24,8 @@ pub(crate) struct Truth {
     pub(crate) pairs_m2: Vec<f64>,
     /// The least of them.
     pub(crate) least_m2: f64,
+    /// The same of positions; nothing where these are the references.
+    actual_m2: Vec<f64>,
 }
 
 impl Clone for Truth {
@@ -41,6 +43,7 @@ impl Clone for Truth {
         self.own.clone_from(&other.own);
         self.pairs_m2.clone_from(&other.pairs_m2);
         self.least_m2 = other.least_m2;
+        self.actual_m2.clone_from(&other.actual_m2);
     }
 }
 
@@ -53,9 +56,13 @@ impl Truth {
         frame: &Frame<D>,
         plain: bool,
     ) {
-        self.pairs_m2.clear();
-        self.pairs_m2.extend(pairs(&frame.references_m));
-        self.least_m2 = self.pairs_m2.iter().copied().fold(f64::INFINITY, f64::min);
+        fill_pairs(&frame.references_m, &mut self.pairs_m2);
+        let lesser = |least: f64, pair_m2: &f64| if *pair_m2 < least { *pair_m2 } else { least };
+        self.least_m2 = self.pairs_m2.iter().fold(f64::INFINITY, lesser);
+        self.actual_m2.clear();
+        if frame.positions_m != frame.references_m {
+            fill_pairs(&frame.positions_m, &mut self.actual_m2);
+        }
         if plain {
             let required = f64::from(required(params));
             self.levels.clone_from(&frame.levels);
@@ -70,9 +77,8 @@ impl Truth {
         let margin = params.budget().margin.away_m > 0.0;
         let required = f64::from(required(params));
         let counts = |robot: usize| !(free && malicious[robot]);
-        let actual_m2 = margin.then(|| pairs(&frame.positions_m).collect::<Vec<_>>());
         self.resize(frame.positions_m.len());
-        let actual_m2 = actual_m2.as_ref().unwrap_or(&self.pairs_m2);
+        let actual_m2 = if self.actual_m2.is_empty() { &self.pairs_m2 } else { &self.actual_m2 };
         weigh(params.link(), actual_m2, |_| true, &mut self.levels, &mut self.degrees);
         self.spares.clone_from(&self.levels);
         if free {
@@ -98,7 +104,12 @@ impl Truth {
         self.degrees.resize(count, 0);
     }
 
-    /// Squared distance of two different robots, m².
+    /// Squared distances of positions, m², in the order of [`Truth::pairs_m2`].
+    pub(crate) fn actual_m2(&self) -> &[f64] {
+        if self.actual_m2.is_empty() { &self.pairs_m2 } else { &self.actual_m2 }
+    }
+
+    /// Squared distance of the references of two different robots, m².
     #[must_use]
     pub(crate) fn pair_m2(&self, one: usize, other: usize) -> f64 {
         let (first, second) = if one < other { (one, other) } else { (other, one) };
@@ -106,10 +117,18 @@ impl Truth {
     }
 }
 
-/// Squared distances of all pairs, m², in the order of [`Truth::pairs_m2`].
-fn pairs<const D: usize>(positions_m: &[Vector<D>]) -> impl Iterator<Item = f64> {
-    let lines = positions_m.iter().enumerate();
-    lines.flat_map(|(second, x)| positions_m[..second].iter().map(move |y| squared_distance(x, y)))
+/// Puts squared distances of all pairs, m², into `pairs_m2`, in the order of [`Truth::pairs_m2`].
+fn fill_pairs<const D: usize>(positions_m: &[Vector<D>], pairs_m2: &mut Vec<f64>) {
+    let robots = positions_m.len();
+    pairs_m2.resize(robots * robots.saturating_sub(1) / 2, 0.0);
+    let mut rest = &mut pairs_m2[..];
+    for (second, x) in positions_m.iter().enumerate() {
+        let (line, later) = core::mem::take(&mut rest).split_at_mut(second);
+        for (pair_m2, y) in line.iter_mut().zip(positions_m) {
+            *pair_m2 = squared_distance(x, y);
+        }
+        rest = later;
+    }
 }
 
 /// Sum and number of the links of every robot with the others that count, in order of their numbers; each pair once.

@@ -94,6 +94,7 @@ impl Curvature {
     /// `M · error`, M the largest |eigenvalue| of the Hessian in reach: K, or near the rim, where the weight is convex, the
     /// radial one `4 (R² − s) f′(s) − 2 f(s)`, which falls with s as long as it is positive.
     //= method margins
+    #[inline]
     #[must_use]
     pub fn gradient_error(&self, distance_m: f64, error_m: f64) -> f64 {
         if error_m == 0.0 {
@@ -136,6 +137,7 @@ fn closest(peak: f64, low: f64, high: f64) -> f64 {
 }
 
 /// `2 q₁q₂ e/(1+e)²`, 1/m⁴, and `4 z tanh z`.
+#[inline]
 fn tail(link: &LinkShape, slack_m2: f64) -> (f64, f64) {
     let square = link.q2 * slack_m2 * slack_m2;
     let e = exp(-square);

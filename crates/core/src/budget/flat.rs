@@ -16,9 +16,21 @@ const CROSSING: f64 = 1e-4;
 /// Of the balls, the most curved stays; the difference of another and its multiple is a plane. The planes leave a flat of
 /// `D − (count − 1)` dimensions, the ball a sphere in it. One Newton step removes most of the rounding.
 pub(crate) fn closest_on<const D: usize>(rows: &[&Row<D>], point: &Vector<D>) -> Option<Vector<D>> {
-    if let &[row] = rows {
-        return closest_on_one(row, point);
+    let mut closest = match rows {
+        [row] => return closest_on_one(row, point),
+        [one, other] if D == 2 => crossing(one, other, point)?,
+        _ => closest_on_several(rows, point)?,
+    };
+    if !rows.iter().all(|row| row.holds(&closest)) {
+        polish(rows, &mut closest);
     }
+    for row in rows {
+        straighten(row, &mut closest);
+    }
+    Some(closest)
+}
+
+fn closest_on_several<const D: usize>(rows: &[&Row<D>], point: &Vector<D>) -> Option<Vector<D>> {
     let mut sphere = *rows.first()?;
     for row in rows {
         if row.curvature() > sphere.curvature() {
@@ -31,25 +43,45 @@ pub(crate) fn closest_on<const D: usize>(rows: &[&Row<D>], point: &Vector<D>) ->
         let normal = add_scaled(row.normal(), -share, sphere.normal());
         flat.cut(&normal, row.bound() - share * sphere.bound())?;
     }
-    let mut closest = if sphere.curvature() > 0.0 {
-        flat.closest_on_sphere(sphere, point)?
-    } else {
-        flat.cut(sphere.normal(), sphere.bound())?;
-        flat.closest(point)
+    if sphere.curvature() > 0.0 {
+        return flat.closest_on_sphere(sphere, point);
+    }
+    flat.cut(sphere.normal(), sphere.bound())?;
+    Some(flat.closest(point))
+}
+
+/// The same for two boundaries in the plane, with one root and no unit vectors.
+///
+/// The most curved boundary and the difference of the other and its multiple, a line `base + s t`, meet where
+/// `A s² + B s + C = 0`. Of both, the point closer to `point` lies on its side of their middle.
+fn crossing<const D: usize>(one: &Row<D>, other: &Row<D>, point: &Vector<D>) -> Option<Vector<D>> {
+    let (ball, row) = if one.curvature() >= other.curvature() { (one, other) } else { (other, one) };
+    let share = if ball.curvature() > 0.0 { row.curvature() / ball.curvature() } else { 0.0 };
+    let normal = add_scaled(row.normal(), -share, ball.normal());
+    let square = dot(&normal, &normal);
+    let along: Vector<D> = core::array::from_fn(|d| if d == 0 { -normal[1] } else { normal[0] });
+    let inverse = 1.0 / square;
+    let base = normal.map(|component| component * ((row.bound() - share * ball.bound()) * inverse));
+    let (a, b, c) = (ball.curvature() * square, dot(ball.normal(), &along), ball.value(&base) - ball.bound());
+    let (own, lift) = (b * b, -4.0 * a * c);
+    let parallel = a == 0.0 && own <= PARALLEL * square * dot(ball.normal(), ball.normal());
+    if parallel || !(square > 0.0 && own + lift >= -TOUCHING * (own + lift.abs())) {
+        return None;
+    }
+    let half = -0.5 * (b + sqrt((own + lift).max(0.0)).copysign(b)); // no cancellation: the roots are half/A and C/half
+    let beyond = 2.0 * a * (dot(point, &along) * inverse) > -b;
+    let step = match beyond == (half > 0.0) {
+        true => half / a,
+        false if half == 0.0 => 0.0,
+        false => c / half,
     };
-    if !rows.iter().all(|row| row.holds(&closest)) {
-        polish(rows, &mut closest);
-    }
-    for row in rows {
-        straighten(row, &mut closest);
-    }
-    Some(closest)
+    Some(add_scaled(&base, step, &along))
 }
 
 /// The same for one boundary.
 fn closest_on_one<const D: usize>(row: &Row<D>, point: &Vector<D>) -> Option<Vector<D>> {
     let mut closest = if row.curvature() > 0.0 {
-        Flat::whole().closest_on_sphere(row, point)?
+        onto_ball(row.normal(), row.curvature(), row.bound(), point)?
     } else {
         step_onto(row, row.normal(), point)?
     };
@@ -151,30 +183,39 @@ impl<const D: usize> Flat<D> {
         add_scaled(&self.base, 1.0, &along)
     }
 
-    /// The point of the flat on the boundary of the ball `row` that is closest to `point` p.
-    ///
-    /// ```text
-    /// w = p − t G,   G = n + 2 c p,   t = 2 q(p) / (|G| (|G| + ρ)),   ρ² = |n|² + 4 c b,   q(p) = n·p + c|p|² − b
-    /// ```
-    ///
-    /// with p, n along the flat and b what the base leaves of the bound: no centre, so no loss for nearly flat balls.
+    /// The point of the flat on the boundary of the ball `row` that is closest to `point`.
     fn closest_on_sphere(&self, row: &Row<D>, point: &Vector<D>) -> Option<Vector<D>> {
-        let curvature = row.curvature();
         let bound = row.bound() - row.value(&self.base);
-        let (start, normal) = (self.within(point), self.within(row.normal()));
-        let (square, lift) = (dot(&normal, &normal), 4.0 * curvature * bound);
-        if square + lift < -TOUCHING * (square + lift.abs()) {
-            return None;
-        }
-        let (radius, steep) = (sqrt((square + lift).max(0.0)), add_scaled(&normal, 2.0 * curvature, &start));
-        let length = sqrt(dot(&steep, &steep));
-        if length.is_nan() || length <= 0.0 {
-            return None;
-        }
-        let excess = dot(&normal, &start) + curvature * dot(&start, &start) - bound;
-        let w = add_scaled(&start, -2.0 * excess / (length * (length + radius)), &steep);
+        let w = onto_ball(&self.within(row.normal()), row.curvature(), bound, &self.within(point))?;
         Some(add_scaled(&self.base, 1.0, &self.within(&w)))
     }
+}
+
+/// The point of the boundary of the ball `normal·v + curvature |v|² ≤ bound` that is closest to `point` p.
+///
+/// ```text
+/// w = p − t G,   G = n + 2 c p,   t = 2 q(p) / (|G| (|G| + ρ)),   ρ² = |n|² + 4 c b,   q(p) = n·p + c|p|² − b
+/// ```
+///
+/// No centre, so no loss for nearly flat balls.
+#[inline]
+fn onto_ball<const D: usize>(
+    normal: &Vector<D>,
+    curvature: f64,
+    bound: f64,
+    point: &Vector<D>,
+) -> Option<Vector<D>> {
+    let (square, lift) = (dot(normal, normal), 4.0 * curvature * bound);
+    if square + lift < -TOUCHING * (square + lift.abs()) {
+        return None;
+    }
+    let (radius, steep) = (sqrt((square + lift).max(0.0)), add_scaled(normal, 2.0 * curvature, point));
+    let length = sqrt(dot(&steep, &steep));
+    if length.is_nan() || length <= 0.0 {
+        return None;
+    }
+    let excess = dot(normal, point) + curvature * dot(point, point) - bound;
+    Some(add_scaled(point, -2.0 * excess / (length * (length + radius)), &steep))
 }
 
 #[cfg(test)]
@@ -199,6 +240,37 @@ mod tests {
             closest_on(&[&ball, &moved], &p).map(|v| [v[0], v[1] * v[1] + v[2] * v[2], 0.0]),
             [0.5, 3.75, 0.0]
         ));
+    }
+
+    /// Of two boundaries in the plane both ways find the same point, as sharply as their angle allows, or none.
+    #[test]
+    fn both_ways_to_a_crossing_agree() {
+        let number = |seed: u32| f64::from(seed.wrapping_mul(2_654_435_761) >> 8) / f64::from(1 << 23) - 1.0;
+        let mut met = 0;
+        for seed in (0..40_000).step_by(9) {
+            let curvature = |k| number(k).max(0.0) * if seed % 4 == 0 { 0.0 } else { 1.0 };
+            let row = |k| Row::new([number(k), number(k + 1)], curvature(k + 2), number(k + 3).max(0.0));
+            let (one, other, point) = (row(seed), row(seed + 4), [number(seed + 8), number(seed + 9)]);
+            let pair = (crossing(&one, &other, &point), closest_on_several(&[&one, &other], &point));
+            match pair {
+                (Some(a), Some(b)) => {
+                    met += 1;
+                    let [along_a, along_b] =
+                        [&one, &other].map(|row| add_scaled(row.normal(), 2.0 * row.curvature(), &a));
+                    let square = |v: &Vector<2>| dot(v, v);
+                    let sine = (along_a[0] * along_b[1] - along_a[1] * along_b[0]).abs()
+                        / sqrt(square(&along_a) * square(&along_b));
+                    let size = 1.0 + sqrt(square(&a));
+                    assert!(
+                        sqrt(square(&subtract(&a, &b))) * sine.min(1.0) <= 1e-13 * size * size,
+                        "{pair:?}"
+                    );
+                }
+                (None, None) => {}
+                _ => panic!("{pair:?} of {one:?} and {other:?}"),
+            }
+        }
+        assert!(met > 1000, "{met} pairs met");
     }
 
     #[test]

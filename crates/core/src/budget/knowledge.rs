@@ -3,7 +3,7 @@
 use crate::budget::interval::Interval;
 use crate::budget::settings::Budget;
 use crate::budget::survey::Seen;
-use crate::math::Vector;
+use crate::math::{Vector, larger};
 
 /// What a robot believes about the levels of its neighbours.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -105,49 +105,37 @@ impl Budget {
     /// distance does not matter, and all who see it know the same.
     #[must_use]
     pub fn known_from(&self, seen: &Seen, distance_m: f64) -> Known {
-        let (low, degree) = (seen.low, seen.degree);
-        let spare = low - f64::from(self.required());
-        let claimed = seen.claim.as_ref().map(|claim| self.discounted(claim));
-        let more = self.trust != Trust::Seen && claimed.is_some_and(|claimed| claimed > spare);
-        let high = if spare < 0.0 || more { self.high(seen, distance_m) } else { low };
-        self.weigh(&Interval { low, high, degree_max: degree.max(1.0) }, claimed)
-    }
-
-    /// No more than is known for certain, without an exponential; nothing where h_k < 0 is seen.
-    pub(crate) fn least_known(&self, seen: &Seen) -> Option<Known> {
-        let (low, degree) = (seen.low, seen.degree);
-        let interval = Interval { low, high: low, degree_max: degree.max(1.0) };
-        (low >= f64::from(self.required())).then(|| self.believe(&interval, seen.claim.as_ref()))
+        let (low, required) = (seen.low, f64::from(self.required()));
+        let claimed = seen.claim.as_ref().map(|claim| self.discounted(claim, required));
+        let more = self.trust != Trust::Seen && claimed.is_some_and(|claimed| claimed > low - required);
+        let high = if low < required || more { self.high(seen, distance_m) } else { low };
+        self.weigh(&Interval { low, high, degree_max: larger(seen.degree, 1.0) }, claimed, required)
     }
 
     pub(crate) fn believe(&self, interval: &Interval, claim: Option<&Claim>) -> Known {
-        self.weigh(interval, claim.map(|claim| self.discounted(claim)))
+        let required = f64::from(self.required());
+        self.weigh(interval, claim.map(|claim| self.discounted(claim, required)), required)
     }
 
     #[inline]
-    fn weigh(&self, interval: &Interval, claimed: Option<f64>) -> Known {
-        let required = f64::from(self.required());
-        let seen = interval.low - required;
-        let told = claimed.map_or(0.0, |claimed| claimed.min(interval.high - required));
+    fn weigh(&self, interval: &Interval, claimed: Option<f64>, required: f64) -> Known {
+        let (seen, most) = (interval.low - required, interval.high - required);
+        let told = claimed.map_or(0.0, |claimed| if claimed > most { most } else { claimed });
         let believed = match self.trust {
             Trust::Told => told,
-            Trust::ToldOrSeen => told.max(seen),
+            Trust::ToldOrSeen => larger(told, seen),
             Trust::Seen => seen,
         };
-        Known {
-            budget: believed.max(0.0),
-            deficit: (required - interval.high).max(0.0),
-            degree_max: interval.degree_max,
-        }
+        Known { budget: larger(believed, 0.0), deficit: larger(-most, 0.0), degree_max: interval.degree_max }
     }
 
     /// What m ticks leave of `(c − required)⁺`; 0 for a claim that is not finite.
-    fn discounted(&self, claim: &Claim) -> f64 {
-        let spare = claim.level - f64::from(self.required());
+    fn discounted(&self, claim: &Claim, required: f64) -> f64 {
+        let spare = claim.level - required;
         match claim.age_ticks {
             _ if !spare.is_finite() => 0.0,
-            0 => spare.max(0.0),
-            ticks => self.left(spare.max(0.0), ticks),
+            0 => larger(spare, 0.0),
+            ticks => self.left(larger(spare, 0.0), ticks),
         }
     }
 }

@@ -119,7 +119,9 @@ impl<'memory, const D: usize> Program<'memory, D> {
         Closest { displacement_m: v, outcome, working }
     }
 
-    fn keep(&mut self, row: Row<D>) {
+    /// Adds a row.
+    #[inline]
+    pub(crate) fn keep(&mut self, row: Row<D>) {
         match self.rows.get_mut(self.count) {
             Some(place) => {
                 *place = row;
@@ -131,8 +133,11 @@ impl<'memory, const D: usize> Program<'memory, D> {
 
     /// The row beyond the working set that `v` breaks most.
     fn worst(&self, working: usize, v: &Vector<D>) -> Option<usize> {
-        let (mut worst, mut most) = (None, 0.0);
-        for (index, row) in self.rows().iter().enumerate().skip(working) {
+        let (mut worst, mut most, square) = (None, 0.0, dot(v, v));
+        for (row, index) in self.rows.get(working..self.count)?.iter().zip(working..) {
+            if row.clears(v, square) {
+                continue;
+            }
             let excess = row.excess(v);
             if excess > most || excess.is_nan() {
                 (worst, most) = (Some(index), excess);

@@ -104,6 +104,11 @@ impl<const D: usize> Row<D> {
         value <= self.bound + ROUNDING * (size - value)
     }
 
+    /// True when v, of which |v|² is `square`, is clear of the boundary: then it surely holds.
+    pub(crate) fn clears(&self, v: &Vector<D>, square: f64) -> bool {
+        dot(&self.normal, v) + self.curvature * square <= self.bound
+    }
+
     /// True when v breaks the row by no more than `share` of its terms.
     pub(crate) fn nearly_holds(&self, v: &Vector<D>, share: f64) -> bool {
         let (value, size) = self.value_and_size(v);
@@ -112,9 +117,6 @@ impl<const D: usize> Row<D> {
 
     /// By how much v breaks the row, scaled; 0 if it holds.
     pub(crate) fn excess(&self, v: &Vector<D>) -> f64 {
-        if self.value(v) <= self.bound {
-            return 0.0;
-        }
         let (value, size) = self.value_and_size(v);
         if value <= self.bound + ROUNDING * (size - value) { 0.0 } else { value - self.bound }
     }

@@ -60,11 +60,12 @@ impl<'memory, const D: usize> Rows<'memory, D> {
         self.program.closest(&self.desired_m)
     }
 
-    /// Adds `row` of the vector that is known to `wrong`: once if that is 0, else for every corner of the cube around it.
+    /// Adds `row` of the vector that is known to `wrong`, which does not surely hold: once if that is 0, else for every corner
+    /// of the cube around it.
     //= method margins
     fn push(&mut self, vector: &Vector<D>, wrong: f64, row: impl Fn(&Vector<D>) -> Row<D>) {
         if wrong == 0.0 {
-            return self.program.push(row(vector));
+            return self.program.keep(row(vector));
         }
         for corner in 0..1_usize << D.min(8) {
             let tilt = |d: usize| if corner >> d & 1 == 1 { wrong } else { -wrong };
@@ -234,10 +235,7 @@ impl Budget {
         let most = rows.program.most(gradient, wrong, bend);
         let known = match knowledge {
             Knowledge::Known(known) => **known,
-            Knowledge::Seen(seen) => match self.least_known(seen) {
-                Some(least) if self.is_slack(most, &least) => least,
-                _ => self.known_from(seen, tie.distance_m),
-            },
+            Knowledge::Seen(seen) => self.known_from(seen, tie.distance_m),
         };
         match self.form() {
             Form::Link => {
@@ -264,7 +262,7 @@ impl Budget {
     }
 
     /// True when (far′), whose left-hand side is `most` wherever the robot can go, surely holds. No quotient: this is asked
-    /// of every neighbour, up to twice.
+    /// of every neighbour.
     fn is_slack(&self, most: f64, known: &Known) -> bool {
         self.form() == Form::Level && most * (known.degree_max + 1.0) <= self.loss_max(known.budget)
     }
@@ -272,7 +270,9 @@ impl Budget {
     fn push_own<const D: usize>(&self, own: &Own<D>, rows: &mut Rows<'_, D>) {
         if self.form() == Form::Level {
             let spend = self.loss_max(own.h.max(0.0)) / (own.degree + 1.0);
-            rows.push(&own.gradient, own.wrong, |gradient| Row::far_level(gradient, own.bend, spend));
+            if !rows.program.surely_holds(&own.gradient, own.wrong, own.bend, spend) {
+                rows.push(&own.gradient, own.wrong, |gradient| Row::far_level(gradient, own.bend, spend));
+            }
         }
         if own.h < 0.0 {
             rows.count(own.h + own.degree * self.weight_error() < 0.0);
