@@ -3,8 +3,9 @@
 //! Says `found LAW RUN TICK`, or `nothing RUNS`, the same on any number of cores. `tests/oracle.rs` lets it loose on broken
 //! controllers.
 
+use core::sync::atomic::{AtomicU64, Ordering};
+use std::panic::resume_unwind;
 use std::process::ExitCode;
-use std::sync::atomic::{AtomicU64, Ordering};
 use std::thread;
 
 use closeranks_sim::scenario::{Controller, Scenario};
@@ -52,7 +53,9 @@ fn first<T: Send>(runs: u64, find: impl Fn(u64) -> Option<T> + Sync) -> Option<(
     let cores = thread::available_parallelism().map_or(1, usize::from);
     thread::scope(|scope| {
         let workers: Vec<_> = (0..cores).map(|_| scope.spawn(work)).collect();
-        let finds = workers.into_iter().filter_map(|worker| worker.join().ok().flatten());
+        let finds = workers
+            .into_iter()
+            .filter_map(|worker| worker.join().unwrap_or_else(|panic| resume_unwind(panic)));
         finds.min_by_key(|(number, _)| *number)
     })
 }
