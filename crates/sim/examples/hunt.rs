@@ -1,8 +1,12 @@
 //! Draws runs of a sweep under `budget` until one violates a law: `hunt FILE RUNS SEED [LAW]`.
 //!
-//! Says `found LAW RUN TICK`, or `nothing RUNS`. `tests/oracle.rs` lets it loose on broken controllers.
+//! Says `found LAW RUN TICK`, or `nothing RUNS`, the same on any number of cores. `tests/oracle.rs` lets it loose on broken
+//! controllers.
 
+use core::sync::atomic::{AtomicU64, Ordering};
+use std::panic::resume_unwind;
 use std::process::ExitCode;
+use std::thread;
 
 use closeranks_sim::scenario::{Controller, Scenario};
 use closeranks_sim::sweep::Plan;
@@ -21,15 +25,39 @@ fn main() -> ExitCode {
         }
     };
     let law = rest.first().map(String::as_str);
-    let found = (0..runs).find_map(|number| {
+    match first(runs, |number| {
         let drawn = plan.draw(seed, number).ok()?;
-        drawn.scenarios.iter().find_map(|(scenario, _)| violation(scenario, law)).map(|found| (number, found))
-    });
-    match found {
+        drawn.scenarios.iter().find_map(|(scenario, _)| violation(scenario, law))
+    }) {
         Some((number, (law, tick))) => say(&format!("found {law} {number} {tick}")),
         None => say(&format!("nothing {runs}")),
     }
     ExitCode::SUCCESS
+}
+
+/// The first of `runs` in which something is found. Every core takes the next that is left, until one before it was a find.
+fn first<T: Send>(runs: u64, find: impl Fn(u64) -> Option<T> + Sync) -> Option<(u64, T)> {
+    let (next, end) = (AtomicU64::new(0), AtomicU64::new(runs));
+    let work = || {
+        loop {
+            let number = next.fetch_add(1, Ordering::Relaxed);
+            if number >= end.load(Ordering::Relaxed) {
+                return None;
+            }
+            if let Some(found) = find(number) {
+                end.fetch_min(number, Ordering::Relaxed);
+                return Some((number, found));
+            }
+        }
+    };
+    let cores = thread::available_parallelism().map_or(1, usize::from);
+    thread::scope(|scope| {
+        let workers: Vec<_> = (0..cores).map(|_| scope.spawn(work)).collect();
+        let finds = workers
+            .into_iter()
+            .filter_map(|worker| worker.join().unwrap_or_else(|panic| resume_unwind(panic)));
+        finds.min_by_key(|(number, _)| *number)
+    })
 }
 
 /// The first violated law, of all or of the one that is sought, and its tick.
