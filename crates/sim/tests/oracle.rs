@@ -83,8 +83,8 @@ const MUTANTS: [Mutant; 18] = [
         law: "decay",
         lines: &[(
             "core/src/budget/knowledge.rs",
-            "ticks => self.left(spare.max(0.0), ticks)",
-            "_ => spare.max(0.0)",
+            "ticks => self.left(larger(spare, 0.0), ticks)",
+            "_ => larger(spare, 0.0)",
         )],
     },
     Mutant {
@@ -97,8 +97,8 @@ const MUTANTS: [Mutant; 18] = [
         law: "spare",
         lines: &[(
             "core/src/budget/knowledge.rs",
-            "budget: believed.max(0.0),",
-            "budget: 4.0 * believed.max(0.0) + 1.0,",
+            "budget: larger(believed, 0.0),",
+            "budget: 4.0 * larger(believed, 0.0) + 1.0,",
         )],
     },
     Mutant {

@@ -27,7 +27,7 @@ pub(super) fn settings<const D: usize>(source: &mut Source<'_>) -> Settings<D> {
 }
 
 fn replace<const D: usize>(settings: &mut Settings<D>, source: &mut Source<'_>) {
-    match source.below(19) {
+    match source.below(20) {
         0 => settings.robots = u16::from_le_bytes(source.take()),
         1 => settings.faults = u16::from_le_bytes(source.take()),
         2 => settings.radius_m = size(source),
@@ -46,6 +46,7 @@ fn replace<const D: usize>(settings: &mut Settings<D>, source: &mut Source<'_>) 
         15 => settings.clock_error = source.period(),
         16 => settings.position_error_m = size(source),
         17 => settings.tracking_error_m = size(source),
+        18 => settings.rise = size(source),
         _ => {
             let axis = source.below(D);
             settings.input.min_m_s[axis] = -size(source);

@@ -46,8 +46,8 @@ A sweep file is a scenario in which any value may be drawn anew for every run:
 Run K depends on the file, the seed and K alone: not on --runs, --jobs or --shard. DIR gets runs.parquet (one row a run and
 controller), figures and report.html. More: docs/sweeps.md.
 
-Exit codes: 0 fine; 1 a law that a scenario expects was broken under `budget`, or under any controller if `budget` is not
-among them; 2 bad input.";
+Exit codes: 0 fine; 1 a law was broken although all held that it rests on, under `budget`, or under any controller if `budget`
+is not among them; 2 bad input.";
 
 #[derive(Args, Debug)]
 pub(crate) struct Sweep {

@@ -15,8 +15,8 @@ use crate::math::{Vector, add_scaled, dot, is_finite, length};
 pub struct Memory<'memory, const D: usize> {
     /// `2·D + 2·N + 1` rows are always enough for N neighbours, with a margin `2·D + 2ᴰ (2·N + 1)`.
     pub rows: &'memory mut [Row<D>],
-    /// At least N numbers; with 3·N, or N² under [`Assume::Free`](crate::budget::knowledge::Assume::Free), the weights between neighbours are computed once
-    /// instead of twice.
+    /// At least N numbers; with 3·N, or N² under [`Assume::Free`](crate::budget::knowledge::Assume::Free), the weights between
+    /// neighbours are computed once instead of twice.
     pub weights: &'memory mut [f64],
 }
 
