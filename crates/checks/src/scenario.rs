@@ -4,15 +4,21 @@ use closeranks_sim::law::Law;
 use closeranks_sim::parse::{self, Problem, TEXT_MAX};
 use closeranks_sim::record::Record;
 use closeranks_sim::scenario::{Controller, Scenario};
+use closeranks_sim::sweep::Plan;
 use closeranks_sim::world::{Engine, Options, run};
 
 /// Robots and ticks of the runs that are tried.
 const ROBOTS: u16 = 12;
 const TICKS: f64 = 20.0;
+/// Texts that are drawn from, in bytes: what cannot be run is drawn a thousand times.
+const DRAWN_MAX: usize = 1_500;
 
-/// Any text is a scenario that can be run, or a list of problems with their places.
+/// Any text is a scenario that can be run, or a list of problems with their places; and so is any text with draws.
 pub fn scenario(bytes: &[u8]) {
     let text = String::from_utf8_lossy(bytes);
+    if text.len() < DRAWN_MAX {
+        draws(&text);
+    }
     match parse::scenario(&text) {
         Ok(scenario) => is_runnable(&scenario),
         Err(problems) => {
@@ -21,6 +27,18 @@ pub fn scenario(bytes: &[u8]) {
                 is_placed(problem, &text);
             }
         }
+    }
+}
+
+/// What is drawn from a text can be run.
+fn draws(text: &str) {
+    let problems = match Plan::read(text).map(|plan| plan.draw(1, 0)) {
+        Ok(Ok(run)) => return run.scenarios.iter().for_each(|(scenario, _)| is_runnable(scenario)),
+        Ok(Err(problems)) | Err(problems) => problems,
+    };
+    assert!(!problems.is_empty());
+    for problem in &problems {
+        is_placed(problem, text);
     }
 }
 

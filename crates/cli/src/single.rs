@@ -1,6 +1,6 @@
 //! `closeranks run FILE`.
 
-use anyhow::Result;
+use anyhow::{Result, bail};
 use closeranks_report::content::{Figure, Page, Section};
 use closeranks_report::figure::{Case, overview};
 use closeranks_report::html::html;
@@ -8,7 +8,7 @@ use closeranks_report::parquet::{Metadata, write};
 use closeranks_report::png::{SCALE_200_DPI, png};
 use closeranks_report::robustness::{Survey, points, robustness, write_rounds};
 use closeranks_report::table::{Line, table, text};
-use closeranks_sim::scenario::{Controller, Scenario};
+use closeranks_sim::scenario::Scenario;
 use closeranks_sim::world::{self, Options, Run};
 
 use crate::compare::Name;
@@ -60,16 +60,14 @@ fn scenario(arguments: &crate::Run) -> Result<(Scenario, String)> {
         return Ok((scenario, source));
     };
     let (plan, text) = source::plan(&arguments.file)?;
-    let known = |name: &Controller| plan.controllers().contains(name);
-    // One that the sweep has: the same draws are accepted as there.
-    let outside = controller.filter(|name| !known(name));
-    let plan = outside.map_or(plan.clone(), |name| plan.under(name));
     let seed = arguments.sweep_seed.unwrap_or(crate::sweep::SEED);
-    let drawn = source::draw(&arguments.file, &text, &plan, seed, run)?.scenarios;
-    let wanted =
-        |(scenario, _): &(Scenario, String)| controller.is_none_or(|name| scenario.controller == name);
-    let found = drawn.into_iter().find(wanted);
-    found.ok_or_else(|| anyhow::anyhow!("run {run} has no such controller"))
+    let drawn = source::draw(&arguments.file, &text, &plan, seed, run)?;
+    let Some(controller) = controller.or_else(|| Some(drawn.scenarios.first()?.0.controller)) else {
+        bail!("run {run} has no scenario");
+    };
+    // The draws of the sweep, whatever the controller.
+    let name = format!("run {run} of {} under {}", source::name(&arguments.file), controller.name());
+    source::read(&name, drawn.under(controller))
 }
 
 fn told(scenario: &Scenario, run: &Run, time_s: f64) -> String {

@@ -46,6 +46,14 @@ pub(crate) fn scenario(file: &Path) -> Result<(Scenario, String)> {
     }
 }
 
+/// Reads a scenario that was drawn, and that messages call `name`.
+pub(crate) fn read(name: &str, text: String) -> Result<(Scenario, String)> {
+    match parse::scenario(&text) {
+        Ok(scenario) => Ok((scenario, text)),
+        Err(problems) => bail!(Refused(picture(name, &text, &problems))),
+    }
+}
+
 /// Reads a scenario that may draw values; gives its text too.
 pub(crate) fn plan(file: &Path) -> Result<(Plan, String)> {
     let text = text(file, "scenario", TEXT_MAX)?;

@@ -134,6 +134,28 @@ fn a_killed_sweep_goes_on_and_loses_and_doubles_nothing() {
     assert!(swept(folder.path(), "out", "--runs 9").starts_with("this sweep was finished before in out\n"));
 }
 
+/// As above, by a real kill, whenever it comes.
+#[test]
+fn a_sweep_that_is_killed_for_good_ends_with_the_same_bytes() {
+    let folder = folder(FILE);
+    let arguments = ["sweep", "many.toml", "--runs", "2000", "--jobs", "2", "-q"];
+    let mut program = Command::new(env!("CARGO_BIN_EXE_closeranks"));
+    let mut child =
+        program.current_dir(folder.path()).args(arguments).args(["-o", "killed"]).spawn().unwrap();
+    let begun = || folder.path().join("killed/part-0000001.parquet").exists();
+    while !begun() && child.try_wait().unwrap().is_none() {
+        std::thread::yield_now();
+    }
+    child.kill().unwrap();
+    child.wait().unwrap();
+    assert!(!folder.path().join("killed/runs.parquet").exists(), "it was killed before it had finished");
+    for out in ["killed", "whole"] {
+        swept(folder.path(), out, "--runs 2000 -q");
+    }
+    let bytes = |out: &str| fs::read(folder.path().join(out).join("runs.parquet")).unwrap();
+    assert_eq!(bytes("killed"), bytes("whole"));
+}
+
 /// The block of run 4 in a sweep of 9: the only run of a shard has the same columns.
 fn part_of(folder: &Path) -> Vec<u8> {
     swept(folder, "fifth", "--runs 9 --shard 5/9 -q");
@@ -161,6 +183,15 @@ fn folders_of_other_sweeps_of_others_and_in_use_are_left_alone() {
     refused(&sweep(folder.path(), "out", "--runs 3"), "holds another sweep: its `runs` is 2, not 3");
     refused(&sweep(folder.path(), "out", "--runs 2 --seed 9"), "its `seed` is 1, not 9");
     refused(&closeranks(folder.path(), &["paper", "-o", "out"]), "`out` holds a sweep");
+    swept(folder.path(), "longer", "--runs 3 -q");
+    let at = |name: &str| folder.path().join("out").join(name);
+    let [rows, manifest] = ["runs.parquet", "sweep.json"].map(|name| fs::read(at(name)).unwrap());
+    fs::copy(folder.path().join("longer/runs.parquet"), at("runs.parquet")).unwrap();
+    refused(&sweep(folder.path(), "out", "--runs 2"), "runs.parquet` is of another sweep; remove it");
+    fs::write(at("runs.parquet"), rows).unwrap();
+    fs::write(at("sweep.json"), [0xff]).unwrap();
+    refused(&sweep(folder.path(), "out", "--runs 2"), "holds another sweep: it cannot be read");
+    fs::write(at("sweep.json"), manifest).unwrap();
     fs::write(folder.path().join("out/notes.txt"), "keep").unwrap();
     refused(&sweep(folder.path(), "out", "--runs 2"), "`out` holds `notes.txt`, which no sweep wrote");
     fs::remove_file(folder.path().join("out/notes.txt")).unwrap();
@@ -206,6 +237,36 @@ fn one_command_repeats_a_run() {
     refused(&closeranks(folder.path(), &["compare", "many.toml"]), "draws values");
 }
 
+/// Also under a controller that would have been drawn otherwise, had it been alone.
+#[test]
+fn any_controller_repeats_the_draws_of_the_sweep() {
+    let folder = folder(
+        "duration_s = 0.1\n[start]\nkind = \"random\"\n[team]\nrobots = 6\nfaults = 0\n[controller]\n\
+         kind = { choose = [\"budget\", \"none\"] }\ndistance_min_m = { draw = [2.96, 2.999] }\n",
+    );
+    swept(folder.path(), "out", "--runs 12 -q");
+    let rows = rows(&folder.path().join("out/runs.parquet"));
+    let mut others = 0;
+    for run in 0..12 {
+        let repeat = |controller: &str| {
+            let command = format!("run many.toml --draw {run} --controller {controller} --json");
+            closeranks(folder.path(), &command.split(' ').collect::<Vec<_>>())
+        };
+        let drawn = rows.text("controller")[run].clone().unwrap();
+        let json: Value = serde_json::from_slice(&repeat(&drawn).stdout).unwrap();
+        assert_eq!(json["seed"].as_i64(), rows.whole("seed")[run], "run {run}");
+        let other = repeat(if drawn == "none" { "budget" } else { "none" });
+        if other.status.code() == Some(2) {
+            refused(&other, &format!("run {run} of many.toml under budget"));
+            continue;
+        }
+        let json: Value = serde_json::from_slice(&other.stdout).unwrap();
+        assert_eq!(json["seed"].as_i64(), rows.whole("seed")[run]);
+        others += 1;
+    }
+    assert!(others > 0, "some can be run under the other controller");
+}
+
 #[test]
 fn json_counts_violations_and_says_how_to_repeat_them() {
     let folder = folder(BROKEN);
@@ -216,6 +277,7 @@ fn json_counts_violations_and_says_how_to_repeat_them() {
     let none = &json["controllers"]["none"];
     assert_eq!((&none["runs"], &none["violations"], &none["upper_95"]), (&4.into(), &4.into(), &1.0.into()));
     assert_eq!(none["by_invariant"]["degree"], 4);
+    assert_eq!(none["by_invariant"].as_object().unwrap().len(), 5);
     assert_eq!(none["by_invariant"]["input"], 0);
     assert!(none["gyration_m"].as_f64().unwrap() > 0.5);
     let first = &json["first_violations"][0];

@@ -18,7 +18,7 @@ fn main() -> ExitCode {
     let (Ok(runs), Ok(seed)) = (runs.parse(), seed.parse()) else { return usage() };
     let Ok(text) = std::fs::read_to_string(file) else { return usage() };
     let plan = match Plan::read(&text) {
-        Ok(plan) => plan.under(Controller::Budget),
+        Ok(plan) => plan,
         Err(problems) => {
             eprintln!("{problems:?}");
             return ExitCode::from(2);
@@ -26,8 +26,10 @@ fn main() -> ExitCode {
     };
     let law = rest.first().map(String::as_str);
     match first(runs, |number| {
-        let drawn = plan.draw(seed, number).ok()?;
-        drawn.scenarios.iter().find_map(|(scenario, _)| violation(scenario, law))
+        let drawn = plan.draw(seed, number).unwrap_or_else(|problems| panic!("run {number}: {problems:?}"));
+        let mut budgets =
+            drawn.scenarios.iter().filter(|(scenario, _)| scenario.controller == Controller::Budget);
+        budgets.find_map(|(scenario, _)| violation(scenario, law))
     }) {
         Some((number, (law, tick))) => say(&format!("found {law} {number} {tick}")),
         None => say(&format!("nothing {runs}")),
@@ -62,7 +64,7 @@ fn first<T: Send>(runs: u64, find: impl Fn(u64) -> Option<T> + Sync) -> Option<(
 
 /// The first violated law, of all or of the one that is sought, and its tick.
 fn violation(scenario: &Scenario, sought: Option<&str>) -> Option<(&'static str, u32)> {
-    let run = run(scenario, Options::default(), &mut |_| ()).ok()?;
+    let run = run(scenario, Options::default(), &mut |_| ()).unwrap_or_else(|error| panic!("{error}"));
     let mut violations = run.summary.violations(scenario);
     let verdict = violations.find(|verdict| sought.is_none_or(|law| law == verdict.law.name()))?;
     Some((verdict.law.name(), verdict.first?.tick))

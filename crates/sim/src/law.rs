@@ -30,6 +30,12 @@ pub enum Law {
 }
 
 impl Law {
+    /// True if it is about φ or φ_i, which `budget` does not use.
+    #[must_use]
+    pub fn is_about_phi(self) -> bool {
+        matches!(self, Self::Composition | Self::Shares)
+    }
+
     /// All, in the order of reports.
     pub const ALL: [Self; Self::COUNT] = [
         Self::Degree,

@@ -271,7 +271,9 @@ fn every_broken_controller_is_caught_by_its_law() {
     assert_eq!(hunt(&workspace, ""), format!("nothing {RUNS}"), "the controller as it is");
     let mut missed = Vec::new();
     let only = std::env::var("MUTANT").unwrap_or_default();
-    for Mutant { name, law, lines } in MUTANTS.iter().filter(|mutant| mutant.name.contains(&only)) {
+    let chosen: Vec<&Mutant> = MUTANTS.iter().filter(|mutant| mutant.name.contains(&only)).collect();
+    assert!(!chosen.is_empty(), "no mutant's name contains MUTANT={only}");
+    for Mutant { name, law, lines } in chosen {
         for (file, line, broken) in *lines {
             let path = workspace.join("crates").join(file);
             let text = fs::read_to_string(&path).unwrap();

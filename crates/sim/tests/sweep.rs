@@ -1,6 +1,8 @@
 //! Texts with draws: what is drawn, that it is the same every time, and what is refused.
 #![expect(clippy::unwrap_used, reason = "helpers of tests")]
 
+use std::collections::BTreeSet;
+
 use closeranks_sim::parse::{Problem, scenario};
 use closeranks_sim::scenario::{Controller, Scenario};
 use closeranks_sim::sweep::{Drawn, Plan, Run, is_drawn};
@@ -116,8 +118,27 @@ fn every_controller_runs_the_same_scenario() {
     assert_eq!((budget.controller, none.controller), (Controller::Budget, Controller::None));
     let same = Scenario { controller: Controller::Budget, expect: budget.expect.clone(), ..none.clone() };
     assert_eq!(&same, budget);
-    let alone = plan(text).under(Controller::None).draw(1, 5).unwrap();
-    assert_eq!(alone.scenarios, run.scenarios[1..]);
+    assert_eq!(run.under(Controller::None), run.scenarios[1].1);
+    let composed = closeranks_sim::parse::scenario(&run.under(Controller::Composed)).unwrap();
+    assert_eq!((composed.controller, composed.seed), (Controller::Composed, none.seed));
+    assert_eq!(composed.robots, none.robots);
+}
+
+/// A table without a kind goes by the names of its fields, inside another choice too.
+#[test]
+fn a_choice_inside_a_choice_has_a_name_of_its_own() {
+    let text =
+        "[sensing]\nchoose = [{ frozen = { choose = [{ robot = 1 }, { robot = 2, from_s = 0.5 }] } }, {}]";
+    let plan = plan(text);
+    let paths: Vec<&str> = plan.fields().iter().map(|field| field.path.as_str()).collect();
+    assert_eq!(paths, ["sensing", "sensing.frozen", "sensing.frozen.from_s", "sensing.frozen.robot"]);
+    let names: BTreeSet<_> = runs(text, 40)
+        .into_iter()
+        .map(|run| [0, 1].map(|place| run.drawn[place].clone().map(|drawn| format!("{drawn:?}"))))
+        .collect();
+    let name = |text: &str| Some(format!("Text({text:?})"));
+    let inner = |text: &str| [name("frozen"), name(text)];
+    assert_eq!(names, BTreeSet::from([[name("nothing"), None], inner("robot"), inner("from_s + robot")]));
 }
 
 #[test]
@@ -148,7 +169,7 @@ fn malformed_draws_are_refused_with_place_value_and_what_is_allowed() {
     refused(
         "[link]\nq2 = { draw = [0.0, 1.0], log = true }",
         "[0.0, 1.0]",
-        "`link.q2.draw` is [0.0, 1.0], allowed is two numbers, both more than 0, ascending, the first written as a float",
+        "`link.q2.draw` is [0.0, 1.0], allowed is two numbers, both more than 0, ascending, one of them written as a float",
     );
     refused("q = { draw = [0.1, 1.0], log = 1 }", "1", "`q.log` is 1, allowed is true or false");
     refused(

@@ -30,6 +30,13 @@ impl Manifest<'_> {
         ]
     }
 
+    /// True if `pairs`, of a file of rows, are those of this sweep.
+    pub(crate) fn is_of(&self, pairs: &[(String, String)]) -> bool {
+        let mine = self.pairs();
+        mine.len() == pairs.len()
+            && mine.iter().all(|(key, text)| pairs.contains(&((*key).to_owned(), text.clone())))
+    }
+
     /// As a file.
     pub(crate) fn to_json(&self) -> String {
         let pairs = self.pairs().map(|(key, value)| (key.to_owned(), json!(value)));

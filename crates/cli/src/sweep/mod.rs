@@ -78,7 +78,7 @@ pub(crate) fn sweep(arguments: &Sweep) -> Result<bool> {
     let (plan, text) = source::plan(&arguments.file)?;
     let Sweep { file, seed, runs, shard, .. } = arguments;
     // What cannot be run at all is refused before anything is written.
-    let first = source::draw(file, &text, &plan, *seed, shard.index - 1)?;
+    source::draw(file, &text, &plan, *seed, shard.index - 1)?;
     let manifest = Manifest { text: &text, seed: *seed, runs: *runs, shard: *shard };
     let quiet = arguments.speech.quiet;
     let work = Work { file, plan, manifest, jobs: arguments.jobs.unwrap_or(0).into(), quiet };
@@ -88,8 +88,9 @@ pub(crate) fn sweep(arguments: &Sweep) -> Result<bool> {
         work.finish(&store)?;
     }
     let (tally, spread) = work.count(&store)?;
-    let laws = laws(&first.scenarios[0].0.expect, &tally);
-    let outcome = Outcome { file: &source::name(file), manifest: &work.manifest, tally: &tally, laws: &laws };
+    let laws = laws(&tally);
+    let outcome =
+        Outcome { file: &file.display().to_string(), manifest: &work.manifest, tally: &tally, laws: &laws };
     save::save(&store, &outcome, &spread)?;
     store.remove_parts()?;
     tell(arguments, &outcome, &store, finished);

@@ -75,7 +75,7 @@ fn violations(outcome: &Outcome<'_>) -> Section {
     let mut paragraphs: Vec<String> =
         told.into_iter().flat_map(|(what, command)| [format!("{what}. To repeat it:"), command]).collect();
     if paragraphs.is_empty() {
-        paragraphs.push("No expected law was violated.".to_owned());
+        paragraphs.push("No promised law was violated.".to_owned());
     }
     Section { title: "First violations".to_owned(), paragraphs, ..Section::default() }
 }

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeSet;
 use std::fs::{self, File, TryLockError};
-use std::io::Write as _;
+use std::io::{ErrorKind, Write as _};
 use std::path::{Path, PathBuf};
 
 use anyhow::{Context, Result, bail};
@@ -53,10 +53,15 @@ impl Store {
     }
 
     fn check_manifest(&self, manifest: &Manifest<'_>) -> Result<()> {
-        let Ok(found) = fs::read_to_string(self.path(SWEEP)) else {
-            return self.put(SWEEP, manifest.to_json().as_bytes());
+        let path = self.path(SWEEP);
+        let found = match fs::read(&path) {
+            Ok(bytes) => bytes,
+            Err(error) if error.kind() == ErrorKind::NotFound => {
+                return self.put(SWEEP, manifest.to_json().as_bytes());
+            }
+            Err(error) => return Err(error).with_context(|| format!("cannot read `{}`", path.display())),
         };
-        if let Some(difference) = manifest.difference(&found) {
+        if let Some(difference) = manifest.difference(&String::from_utf8_lossy(&found)) {
             bail!(
                 "`{}` holds another sweep: {difference}; allowed is the command that began it or a new name",
                 self.folder.display()

@@ -21,19 +21,18 @@ pub(crate) struct Outcome<'a> {
     pub(crate) manifest: &'a Manifest<'a>,
     /// Its counts.
     pub(crate) tally: &'a Tally,
-    /// Laws that it expects, and others that count.
+    /// Laws that count.
     pub(crate) laws: &'a [&'a str],
 }
 
-/// Laws that `expected` names or that were violated, in the order of reports.
-pub(crate) fn laws(expected: &[Law], tally: &Tally) -> Vec<&'static str> {
-    let violated = |law: &Law| tally.controllers.values().any(|share| share.laws.contains_key(law.name()));
-    let counted = Law::ALL.into_iter().filter(|law| expected.contains(law) || violated(law));
-    counted.map(Law::name).collect()
+/// Laws that some controller promises, in the order of reports.
+pub(crate) fn laws(tally: &Tally) -> Vec<&'static str> {
+    let promised = |law: &&str| tally.controllers.keys().any(|name| promises(name, law));
+    Law::ALL.into_iter().map(Law::name).filter(promised).collect()
 }
 
 impl Outcome<'_> {
-    /// False if an expected law was violated under `budget`, or under any controller where there is no `budget`.
+    /// False if a promised law was violated under `budget`, or under any controller where there is no `budget`.
     pub(crate) fn is_good(&self) -> bool {
         let shares = &self.tally.controllers;
         let judged: Vec<&Share> =

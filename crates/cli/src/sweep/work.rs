@@ -5,10 +5,10 @@ use std::path::Path;
 
 use anyhow::{Context, Result, bail};
 use closeranks_report::sweep::entry::{Entry, heads};
-use closeranks_report::sweep::file::{Writer, read};
+use closeranks_report::sweep::file::{Writer, metadata, read};
 use closeranks_report::sweep::rows::Rows;
 use closeranks_report::sweep::spread::Spread;
-use closeranks_report::sweep::tally::{BROKEN, Tally};
+use closeranks_report::sweep::tally::{Tally, broken as column_of_broken};
 use closeranks_sim::law::Law;
 use closeranks_sim::sweep::Plan;
 use closeranks_sim::world::{self, Options};
@@ -84,7 +84,7 @@ impl Work<'_> {
         Ok(())
     }
 
-    /// Puts all blocks into one file and removes them.
+    /// Puts all blocks into one file.
     fn merge(&self, store: &Store) -> Result<()> {
         let blocks = 0..self.manifest.shard.blocks(self.manifest.runs);
         let parts = blocks.map(|block| self.part(store, block));
@@ -94,7 +94,7 @@ impl Work<'_> {
     /// The rows of a block, if they are those that it should have.
     fn part(&self, store: &Store, block: u64) -> Result<Rows> {
         let path = store.path(&Store::part(block));
-        let broken = || format!("`{}` is broken; remove it and repeat the command", path.display());
+        let broken = || broken(&path);
         let mut rows = Rows::empty(&heads(self.plan.fields()));
         let mut fits = true;
         read(File::open(&path).with_context(broken)?, &[], &mut |more| fits &= rows.append(more))
@@ -103,25 +103,40 @@ impl Work<'_> {
         runs.dedup();
         let expected =
             self.manifest.shard.block(self.manifest.runs, block).map(|run| i64::try_from(run).ok());
-        if !fits || !expected.eq(runs) {
+        let due = self.manifest.shard.block(self.manifest.runs, block).count() * self.rows_per_run();
+        if !fits || rows.count() != due || !expected.eq(runs) {
             bail!(broken());
         }
         Ok(rows)
     }
 
+    fn rows_per_run(&self) -> usize {
+        self.plan.controllers().len().max(1)
+    }
+
     /// Counts all rows.
     pub(crate) fn count(&self, store: &Store) -> Result<(Tally, Spread)> {
         let path = store.path(store.rows());
-        let broken = || format!("`{}` is broken; remove it and repeat the command", path.display());
+        let broken = || broken(&path);
+        let open = || File::open(&path).with_context(broken);
+        if !self.manifest.is_of(&metadata(open()?).with_context(broken)?) {
+            bail!("`{}` is of another sweep; remove it and repeat the command", path.display());
+        }
         let few = self.plan.fields().iter().filter(|field| field.few).map(|field| field.path.as_str());
-        let broken_laws = Law::ALL.map(|law| format!("{BROKEN}{}", law.name()));
-        let laws = broken_laws.iter().map(String::as_str);
+        let columns = Law::ALL.map(column_of_broken);
+        let laws = columns.iter().map(String::as_str);
         let names: Vec<&str> = Tally::COLUMNS.into_iter().chain(few).chain(laws).collect();
         let mut tally = Tally::new(self.plan.fields());
-        read(File::open(&path).with_context(broken)?, &names, &mut |rows| tally.add(&rows))
-            .with_context(broken)?;
+        read(open()?, &names, &mut |rows| tally.add(&rows)).with_context(broken)?;
+        if tally.runs != self.manifest.shard.runs(self.manifest.runs) {
+            bail!(broken());
+        }
         let mut spread = Spread::new(&tally);
-        read(File::open(&path)?, &Spread::COLUMNS, &mut |rows| spread.add(&rows)).with_context(broken)?;
+        read(open()?, &Spread::COLUMNS, &mut |rows| spread.add(&rows)).with_context(broken)?;
         Ok((tally, spread))
     }
+}
+
+fn broken(path: &Path) -> String {
+    format!("`{}` is broken; remove it and repeat the command", path.display())
 }

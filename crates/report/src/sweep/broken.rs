@@ -13,7 +13,7 @@ pub const CAPTION: &str = "Runs in which something was broken at all, also where
 pub fn table(tally: &Tally) -> Table {
     let mut heads = vec!["law".to_owned()];
     heads.extend(tally.controllers.keys().cloned());
-    let laws = Law::ALL.into_iter().filter(|law| !matches!(law, Law::Composition | Law::Shares));
+    let laws = Law::ALL.into_iter().filter(|law| !law.is_about_phi());
     let runs = |law: Law| {
         let counts =
             tally.controllers.values().map(move |share| share.broken.get(law.name()).copied().unwrap_or(0));

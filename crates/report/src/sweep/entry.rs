@@ -3,9 +3,10 @@
 use closeranks_sim::law::{Law, Verdict};
 use closeranks_sim::scenario::{Controller, Scenario};
 use closeranks_sim::summary::Summary;
-use closeranks_sim::sweep::{Drawn, Field, violations};
+use closeranks_sim::sweep::{Drawn, Field};
 
 use super::rows::{Cell, Head, Kind};
+use super::tally::broken;
 
 /// A column with a number of a run: its name, with the unit, and where it comes from.
 pub type Metric = (&'static str, fn(&Summary) -> Option<f64>);
@@ -86,7 +87,7 @@ pub fn heads(fields: &[Field]) -> Vec<Head> {
             .map(|field| Head::new(field.path.clone(), if field.number { Kind::Number } else { Kind::Text })),
     );
     heads.extend(METRICS.iter().map(|(name, _)| Head::new(*name, Kind::Number)));
-    heads.extend(Law::ALL.iter().map(|law| Head::new(format!("broken_{}", law.name()), Kind::Whole)));
+    heads.extend(Law::ALL.iter().map(|law| Head::new(broken(*law), Kind::Whole)));
     heads.extend(named(&OUTCOME));
     heads
 }
@@ -112,12 +113,11 @@ impl Entry<'_> {
 
     /// Sweeps leave φ out under `budget`.
     fn is_watched(&self, law: Law) -> bool {
-        let about_phi = matches!(law, Law::Composition | Law::Shares);
-        !(about_phi && self.scenario.controller == Controller::Budget)
+        !(law.is_about_phi() && self.scenario.controller == Controller::Budget)
     }
 
     fn outcome(&self) -> Vec<Option<Cell>> {
-        let violations = violations(self.summary, self.scenario);
+        let violations: Vec<Verdict> = self.summary.violations(self.scenario).collect();
         let names: Vec<&str> = violations.iter().map(|verdict| verdict.law.name()).collect();
         let violated = (!names.is_empty()).then(|| text(&names.join(",")));
         let sum = violations.iter().map(|verdict| verdict.count).sum();

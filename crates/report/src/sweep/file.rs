@@ -104,6 +104,18 @@ fn put<T: DataType>(
     Ok(())
 }
 
+/// What a file says about itself: the pairs of [`Writer::new`].
+///
+/// Panics of the library are errors, as in [`read`].
+pub fn metadata<R: ChunkReader + 'static>(source: R) -> Result<Vec<(String, String)>, ParquetError> {
+    let pairs = || {
+        let reader = SerializedFileReader::new(source)?;
+        let pairs = reader.metadata().file_metadata().key_value_metadata().into_iter().flatten();
+        Ok(pairs.map(|pair| (pair.key.clone(), pair.value.clone().unwrap_or_default())).collect())
+    };
+    std::panic::catch_unwind(AssertUnwindSafe(pairs)).unwrap_or_else(broken)
+}
+
 /// Reads the columns `names`, or all if there are none of these, group by group.
 ///
 /// The library that decodes Parquet panics on some broken files; such a panic is an error here.
@@ -112,8 +124,12 @@ pub fn read<R: ChunkReader + 'static>(
     names: &[&str],
     each: &mut dyn FnMut(Rows),
 ) -> Result<(), ParquetError> {
-    let broken = |_| Err(ParquetError::General("it contradicts itself".to_owned()));
     std::panic::catch_unwind(AssertUnwindSafe(|| decode(source, names, each))).unwrap_or_else(broken)
+}
+
+/// Instead of a panic.
+fn broken<T>(_: Box<dyn core::any::Any + Send>) -> Result<T, ParquetError> {
+    Err(ParquetError::General("it contradicts itself".to_owned()))
 }
 
 fn decode<R: ChunkReader + 'static>(

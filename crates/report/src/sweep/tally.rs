@@ -2,6 +2,7 @@
 
 use std::collections::BTreeMap;
 
+use closeranks_sim::law::Law;
 use closeranks_sim::scenario::Controller;
 use closeranks_sim::sweep::Field;
 
@@ -11,7 +12,13 @@ use super::rows::{Rows, Values};
 const SHOWN: usize = 3;
 
 /// How the names of columns begin that count how often a law was broken.
-pub const BROKEN: &str = "broken_";
+const BROKEN: &str = "broken_";
+
+/// Name of the column that counts how often `law` was broken.
+#[must_use]
+pub fn broken(law: Law) -> String {
+    format!("{BROKEN}{}", law.name())
+}
 
 /// Columns with the robots of a violation.
 const ROBOTS: [&str; 2] = ["first_robot", "first_other_robot"];
@@ -28,7 +35,7 @@ pub struct Share {
     pub violating: u64,
     /// Runs in which each law was violated, by its name.
     pub laws: BTreeMap<String, u64>,
-    /// Runs in which each law was broken at all, whether or not anything promised it.
+    /// Runs in which each law that was looked at was broken at all, whether or not anything promised it.
     pub broken: BTreeMap<String, u64>,
     /// Sum of the radii of gyration at the end, in the order of rows, m.
     pub gyration_sum_m: f64,
@@ -152,9 +159,9 @@ impl Tally {
             let Values::Whole(column) = column else { continue };
             let law = &head.name[BROKEN.len()..];
             for (count, name) in column.iter().zip(rows.text("controller")) {
+                let Some(count) = count else { continue }; // nobody looked
                 let share = self.controllers.entry(name.clone().unwrap_or_default()).or_default();
-                *share.broken.entry(law.to_owned()).or_default() +=
-                    u64::from(count.is_some_and(|count| count > 0));
+                *share.broken.entry(law.to_owned()).or_default() += u64::from(*count > 0);
             }
         }
     }

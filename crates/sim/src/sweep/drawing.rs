@@ -43,28 +43,25 @@ impl Drawer<'_> {
                 )
             }
             _ => {
-                let value = self.draw(node);
-                if let (Node::Choice { .. }, Value::Table(entries)) = (node, &value) {
-                    self.name(path, entries);
-                }
+                let value = self.draw(path, node);
                 self.note(path, &value);
                 value
             }
         }
     }
 
-    fn draw(&mut self, node: &Node) -> Value {
+    fn draw(&mut self, path: &str, node: &Node) -> Value {
         match node {
             Node::Whole { min, max } => Value::Integer(min + self.step(max.abs_diff(*min))),
             Node::Number { min, max, log: false } => Value::Float(self.random.uniform(*min, *max)),
             Node::Number { min, max, log: true } => Value::Float(self.log_uniform(*min, *max)),
-            Node::Choice { items, sums } => self.choose(items, sums),
-            // What stands inside of a choice is noted by the choice.
+            Node::Choice { items, sums } => self.choose(path, items, sums),
+            // What stands inside of a choice is noted by the choice, lists as a whole.
             Node::Plain(value) => value.clone(),
-            Node::Table(entries) => {
-                Value::Table(entries.iter().map(|(key, node)| (key.clone(), self.draw(node))).collect())
-            }
-            Node::List(items) => Value::Array(items.iter().map(|node| self.draw(node)).collect()),
+            Node::Table(entries) => Value::Table(
+                entries.iter().map(|(key, node)| (key.clone(), self.draw(&below(path, key), node))).collect(),
+            ),
+            Node::List(items) => Value::Array(items.iter().map(|node| self.draw(path, node)).collect()),
         }
     }
 
@@ -79,10 +76,14 @@ impl Drawer<'_> {
         exp(power).max(min).min(max)
     }
 
-    fn choose(&mut self, items: &[Node], sums: &[f64]) -> Value {
+    fn choose(&mut self, path: &str, items: &[Node], sums: &[f64]) -> Value {
         let point = self.random.uniform(0.0, sums.last().copied().unwrap_or(1.0));
         let place = sums.iter().position(|sum| point < *sum).unwrap_or(0);
-        items.get(place).map_or(Value::Boolean(false), |item| self.draw(item))
+        let value = items.get(place).map_or(Value::Boolean(false), |item| self.draw(path, item));
+        if let Value::Table(entries) = &value {
+            self.name(path, entries);
+        }
+        value
     }
 
     /// A chosen table without a `kind` goes by the names of its fields.

@@ -27,12 +27,10 @@ use std::collections::BTreeMap;
 use toml::Value;
 use toml::de::{DeTable, DeValue};
 
-use crate::law::Verdict;
 use crate::parse::reader::one_of;
 use crate::parse::{self, Problem};
 use crate::random::Random;
 use crate::scenario::{Controller, Scenario};
-use crate::summary::Summary;
 use drawing::Drawer;
 pub use drawing::Drawn;
 use reading::Reading;
@@ -65,10 +63,18 @@ pub struct Run {
     pub redraws: u32,
 }
 
-/// The broken laws that count against a run of a sweep, with what counts of them: the one place that says which do.
-#[must_use]
-pub fn violations(summary: &Summary, scenario: &Scenario) -> Vec<Verdict> {
-    summary.violations(scenario).collect()
+impl Run {
+    /// The text of the scenario under `controller`: that of the run if it has it, else the same with this controller, which
+    /// perhaps cannot be run.
+    #[must_use]
+    pub fn under(&self, controller: Controller) -> String {
+        let has_it = |(scenario, _): &&(Scenario, String)| scenario.controller == controller;
+        if let Some((_, text)) = self.scenarios.iter().find(has_it) {
+            return text.clone();
+        }
+        let values = self.scenarios.first().and_then(|(_, text)| text.parse().ok()).unwrap_or_default();
+        with_controller(&values, controller).to_string()
+    }
 }
 
 /// Whether `text` is TOML that draws: such a text is for [`Plan::read`], not for [`parse::scenario`].
@@ -108,12 +114,6 @@ impl Plan {
     #[must_use]
     pub fn controllers(&self) -> &[Controller] {
         &self.controllers
-    }
-
-    /// The same plan with one controller for all runs.
-    #[must_use]
-    pub fn under(self, controller: Controller) -> Self {
-        Self { controllers: vec![controller], ..self }
     }
 
     /// Run `run`, from 0, of the sweep with `seed`.

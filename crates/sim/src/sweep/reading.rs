@@ -14,6 +14,8 @@ type Item<'text> = Spanned<DeValue<'text>>;
 
 /// Whole numbers beyond this are no longer whole as floats.
 const WHOLE_MAX: i64 = 1 << 53;
+/// Items of a refused list that are shown.
+const SHOWN: usize = 6;
 
 /// Collects problems and the places of fields while a text is read.
 #[derive(Debug, Default)]
@@ -103,7 +105,7 @@ impl Reading {
         let read = ends.get_ref().as_array().and_then(|items| range(items, log));
         read.unwrap_or_else(|| {
             let allowed = if log {
-                "two numbers, both more than 0, ascending, the first written as a float"
+                "two numbers, both more than 0, ascending, one of them written as a float"
             } else {
                 "two finite numbers, ascending; whole numbers at most 2^53"
             };
@@ -144,8 +146,10 @@ impl Reading {
     pub(super) fn refuse(&mut self, field: &str, value: &Item<'_>, allowed: &str) {
         let found = match value.get_ref() {
             DeValue::Array(items) => {
-                let items: Vec<String> = items.iter().take(6).map(|item| describe(item.get_ref())).collect();
-                format!("[{}]", items.join(", "))
+                let more = if items.len() > SHOWN { ", ..." } else { "" };
+                let items: Vec<String> =
+                    items.iter().take(SHOWN).map(|item| describe(item.get_ref())).collect();
+                format!("[{}{more}]", items.join(", "))
             }
             other => describe(other),
         };
