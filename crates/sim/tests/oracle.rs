@@ -27,14 +27,14 @@ struct Mutant {
     lines: &'static [(&'static str, &'static str, &'static str)],
 }
 
-const ROWS: &str = "core/src/budget/rows.rs";
+const LIMITS: &str = "core/src/budget/limits.rs";
 
 const MUTANTS: [Mutant; 18] = [
     Mutant {
         name: "gradient with the wrong sign",
         law: "decay",
         lines: &[(
-            ROWS,
+            LIMITS,
             "add_scaled(&own.gradient, 1.0, gradient)",
             "add_scaled(&own.gradient, -1.0, gradient)",
         )],
@@ -49,7 +49,7 @@ const MUTANTS: [Mutant; 18] = [
                 "self.loss_max(known.budget) / 2.0",
             ),
             (
-                ROWS,
+                LIMITS,
                 "self.loss_max(own.h.max(0.0)) / (own.degree + 1.0)",
                 "self.loss_max(own.h.max(0.0)) / 2.0",
             ),
@@ -64,7 +64,7 @@ const MUTANTS: [Mutant; 18] = [
         name: "no row of its own",
         law: "spare",
         lines: &[(
-            ROWS,
+            LIMITS,
             "        if self.form() == Form::Level {\n            let spend",
             "        if false {\n            let spend",
         )],
@@ -105,7 +105,7 @@ const MUTANTS: [Mutant; 18] = [
         name: "near rows give too much",
         law: "path",
         lines: &[(
-            ROWS,
+            LIMITS,
             "0.5 * self.gamma_c * spare_m2.max(0.0)",
             "2.0 * self.gamma_c * spare_m2.max(0.0) + 0.05",
         )],
@@ -113,12 +113,12 @@ const MUTANTS: [Mutant; 18] = [
     Mutant {
         name: "no near rows",
         law: "distance",
-        lines: &[(ROWS, "        self.push_near(&neighbor.offset_m, neighbor.tie, rows);\n", "")],
+        lines: &[(LIMITS, "        self.push_near(&neighbor.offset_m, neighbor.tie, rows);\n", "")],
     },
     Mutant {
         name: "no margin for distances",
         law: "distance",
-        lines: &[("core/src/budget/rows.rs", "self.spare_m2(tie, -error_m)", "self.spare_m2(tie, 0.0)")],
+        lines: &[(LIMITS, "self.spare_m2(tie, -error_m)", "self.spare_m2(tie, 0.0)")],
     },
     Mutant {
         name: "F - 1 values trimmed",
@@ -174,7 +174,7 @@ const MUTANTS: [Mutant; 18] = [
         name: "budgets below 0 taken as they are",
         law: "feasible",
         lines: &[
-            (ROWS, "0.5 * self.gamma_c * spare_m2.max(0.0)", "0.5 * self.gamma_c * spare_m2"),
+            (LIMITS, "0.5 * self.gamma_c * spare_m2.max(0.0)", "0.5 * self.gamma_c * spare_m2"),
             ("core/src/budget/row.rs", "bound: (scale * bound).max(0.0),", "bound: scale * bound,"),
         ],
     },

@@ -24,7 +24,7 @@
 //! | T U_i | [`reach`] |
 //! | what wrong positions and lag cost | [`margin`] |
 //! | what both ends of a pair share | [`tie`] |
-//! | all rows of a tick, recovery | [`rows`] |
+//! | all rows of a tick, recovery | [`rows`], `limits` |
 //! | the closest point | [`project`] |
 //! | γ, γ_c and the rest | [`settings`] |
 
@@ -32,6 +32,7 @@ pub mod curvature;
 mod flat;
 pub mod interval;
 pub mod knowledge;
+mod limits;
 pub mod margin;
 pub mod project;
 pub mod reach;

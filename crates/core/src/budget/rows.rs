@@ -1,13 +1,13 @@
 //! All rows of one robot in one tick, and recovery from starts outside the set.
 
 use crate::budget::interval::number;
-use crate::budget::knowledge::{Known, Sighting};
+use crate::budget::knowledge::Sighting;
 use crate::budget::project::{Closest, Program};
 use crate::budget::reach::Reach;
 use crate::budget::row::Row;
-use crate::budget::settings::{Budget, Form};
+use crate::budget::settings::Budget;
 use crate::budget::survey::Survey;
-use crate::budget::tie::{Knowledge, NO_SLOPE, Neighbor, Tie};
+use crate::budget::tie::{Knowledge, NO_SLOPE, Neighbor};
 use crate::math::{Vector, add_scaled, dot, is_finite, length};
 
 /// Memory that the caller lends for one tick.
@@ -35,18 +35,6 @@ pub struct Rows<'memory, const D: usize> {
     pub doubtful: usize,
 }
 
-/// Own state that every row of a tick needs.
-struct Own<const D: usize> {
-    h: f64,
-    degree: f64,
-    /// ∂h_i/∂x_i, 1/m.
-    gradient: Vector<D>,
-    /// κ_ii.
-    bend: f64,
-    /// Bound of the error of the gradient, 1/m.
-    wrong: f64,
-}
-
 impl<'memory, const D: usize> Rows<'memory, D> {
     /// The box alone.
     fn new(desired_m: &Vector<D>, reach: Reach<D>, memory: &'memory mut [Row<D>]) -> Self {
@@ -63,7 +51,7 @@ impl<'memory, const D: usize> Rows<'memory, D> {
     /// Adds `row` of the vector that is known to `wrong`, which does not surely hold: once if that is 0, else for every corner
     /// of the cube around it.
     //= method margins
-    fn push(&mut self, vector: &Vector<D>, wrong: f64, row: impl Fn(&Vector<D>) -> Row<D>) {
+    pub(crate) fn push(&mut self, vector: &Vector<D>, wrong: f64, row: impl Fn(&Vector<D>) -> Row<D>) {
         if wrong == 0.0 {
             return self.program.keep(row(vector));
         }
@@ -73,13 +61,13 @@ impl<'memory, const D: usize> Rows<'memory, D> {
         }
     }
 
-    fn count(&mut self, certain: bool) {
+    pub(crate) fn count(&mut self, certain: bool) {
         self.doubtful += 1;
         self.broken += usize::from(certain);
     }
 
     /// Recovery: raises the desired displacement along `direction` to at least `wanted_m`.
-    fn raise(&mut self, direction: &Vector<D>, wanted_m: f64) {
+    pub(crate) fn raise(&mut self, direction: &Vector<D>, wanted_m: f64) {
         let size = length(direction);
         if size > 0.0 && size.is_finite() && wanted_m > 0.0 {
             let unit = direction.map(|component| component / size);
@@ -197,126 +185,8 @@ impl Budget {
         somewhere && self.in_range(offset)
     }
 
-    /// β_ij, m²: what one link may spend. `+∞` where it cannot be weakened.
-    ///
-    /// ```text
-    /// β_ij = min( s(h_i⁺)/δ_i, s(b_ij)/δ⁺_ij )/(4 L_ij)
-    /// ```
-    ///
-    /// METHOD.md has n − 1 for δ⁺. The proof needs no more than shares that sum to at most 1 over the neighbours of j, and
-    /// `δ⁺_ij ≥ δ_j` for each of them.
-    //= method far
-    #[must_use]
-    pub fn beta_m2(&self, slope_max: f64, own_share: f64, known_share: f64) -> f64 {
-        let least = own_share.min(known_share);
-        if slope_max <= 0.0 { f64::INFINITY } else { least / (4.0 * slope_max) }
-    }
-
-    fn push_neighbor<const D: usize>(
-        &self,
-        own: &mut Own<D>,
-        neighbor: &Neighbor<'_, D>,
-        rows: &mut Rows<'_, D>,
-    ) {
-        let gradient = &neighbor.tie.gradient(&neighbor.offset_m);
-        own.gradient = add_scaled(&own.gradient, 1.0, gradient);
-        self.push_far(own, neighbor, gradient, rows);
-        self.push_near(&neighbor.offset_m, neighbor.tie, rows);
-    }
-
-    fn push_far<const D: usize>(
-        &self,
-        own: &mut Own<D>,
-        Neighbor { offset_m: offset, tie, knowledge }: &Neighbor<'_, D>,
-        gradient: &Vector<D>,
-        rows: &mut Rows<'_, D>,
-    ) {
-        let &Tie { bend, wrong, .. } = *tie;
-        let most = rows.program.most(gradient, wrong, bend);
-        let known = match knowledge {
-            Knowledge::Known(known) => **known,
-            Knowledge::Seen(seen) => self.known_from(seen, tie.distance_m),
-        };
-        match self.form() {
-            Form::Link => {
-                let error_m = self.margin.offset_m;
-                let own_share = self.loss_max(own.h.max(0.0)) / own.degree.max(1.0);
-                let known_share = self.loss_max(known.budget) / known.degree_max;
-                let beta_m2 = self.beta_m2(bend, own_share, known_share);
-                if !rows.program.surely_holds(offset, error_m, 1.0, beta_m2) {
-                    rows.push(offset, error_m, |offset| Row::far(offset, beta_m2));
-                }
-            }
-            Form::Level => {
-                (own.bend, own.wrong) = (own.bend + bend, own.wrong + wrong);
-                if !self.is_slack(most, &known) {
-                    let spend = self.spend(&known);
-                    rows.push(gradient, wrong, |gradient| Row::far_level(gradient, bend, spend));
-                }
-            }
-        }
-        if known.deficit > 0.0 {
-            rows.count(true);
-            rows.raise(gradient, self.mend_m(known.deficit, gradient));
-        }
-    }
-
-    /// True when (far′), whose left-hand side is `most` wherever the robot can go, surely holds. No quotient: this is asked
-    /// of every neighbour.
-    fn is_slack(&self, most: f64, known: &Known) -> bool {
-        self.form() == Form::Level && most * (known.degree_max + 1.0) <= self.loss_max(known.budget)
-    }
-
-    fn push_own<const D: usize>(&self, own: &Own<D>, rows: &mut Rows<'_, D>) {
-        if self.form() == Form::Level {
-            let spend = self.loss_max(own.h.max(0.0)) / (own.degree + 1.0);
-            if !rows.program.surely_holds(&own.gradient, own.wrong, own.bend, spend) {
-                rows.push(&own.gradient, own.wrong, |gradient| Row::far_level(gradient, own.bend, spend));
-            }
-        }
-        if own.h < 0.0 {
-            rows.count(own.h + own.degree * self.weight_error() < 0.0);
-            rows.raise(&own.gradient, self.mend_m(-own.h, &own.gradient));
-        }
-    }
-
-    fn push_near<const D: usize>(&self, offset: &Vector<D>, tie: &Tie, rows: &mut Rows<'_, D>) {
-        let error_m = self.margin.offset_m;
-        let spare_m2 = self.spare_m2(tie, -error_m);
-        let give_m2 = 0.5 * self.gamma_c * spare_m2.max(0.0);
-        if !rows.program.surely_holds(offset, error_m, 0.0, 0.5 * give_m2) {
-            rows.push(offset, error_m, |offset| Row::near(offset, give_m2));
-        }
-        if spare_m2 < 0.0 {
-            rows.count(self.spare_m2(tie, error_m) < 0.0);
-            let missing_m = self.distance_min_m + error_m - tie.distance_m;
-            rows.raise(offset, (0.5 * missing_m).min(self.move_max_m));
-        }
-    }
-
-    /// `D − Δ_d²`, m², for a pair farther apart by `more_m`.
-    fn spare_m2(&self, tie: &Tie, more_m: f64) -> f64 {
-        let least_m2 = self.distance_min_m * self.distance_min_m;
-        if more_m == 0.0 {
-            return tie.distance_m2 - least_m2;
-        }
-        let distance_m = (tie.distance_m + more_m).max(0.0);
-        distance_m * distance_m - least_m2
-    }
-
-    /// h_i and δ_i; the gradient and κ_ii are summed with the rows.
-    fn own<const D: usize>(&self, level: f64, degree: f64) -> Own<D> {
-        let h = level - f64::from(self.required());
-        Own { h, degree, gradient: [0.0; D], bend: 0.0, wrong: 0.0 }
-    }
-
     fn degree<const D: usize>(&self, sightings: &[Sighting<D>]) -> f64 {
         number(sightings.iter().filter(|sighting| self.in_range(&sighting.offset_m)).count())
-    }
-
-    /// How far to go along `gradient` (1/m) to make up for `deficit`, m, at most ρ.
-    fn mend_m<const D: usize>(&self, deficit: f64, gradient: &Vector<D>) -> f64 {
-        (deficit / length(gradient)).min(self.move_max_m)
     }
 }
 

@@ -1,0 +1,140 @@
+//! What one neighbour, and a robot's own level, allow: the rows one by one, and what recovery adds to them.
+
+use crate::budget::knowledge::Known;
+use crate::budget::row::Row;
+use crate::budget::rows::Rows;
+use crate::budget::settings::{Budget, Form};
+use crate::budget::tie::{Knowledge, Neighbor, Tie};
+use crate::math::{Vector, add_scaled, length};
+
+/// Own state that every row of a tick needs.
+pub(crate) struct Own<const D: usize> {
+    pub(crate) h: f64,
+    degree: f64,
+    /// ∂h_i/∂x_i, 1/m.
+    gradient: Vector<D>,
+    /// κ_ii.
+    bend: f64,
+    /// Bound of the error of the gradient, 1/m.
+    wrong: f64,
+}
+
+impl Budget {
+    /// h_i and δ_i; the gradient and κ_ii are summed with the rows.
+    pub(crate) fn own<const D: usize>(&self, level: f64, degree: f64) -> Own<D> {
+        let h = level - f64::from(self.required());
+        Own { h, degree, gradient: [0.0; D], bend: 0.0, wrong: 0.0 }
+    }
+
+    /// β_ij, m²: what one link may spend. `+∞` where it cannot be weakened.
+    ///
+    /// ```text
+    /// β_ij = min( s(h_i⁺)/δ_i, s(b_ij)/δ⁺_ij )/(4 L_ij)
+    /// ```
+    ///
+    /// METHOD.md has n − 1 for δ⁺. The proof needs no more than shares that sum to at most 1 over the neighbours of j, and
+    /// `δ⁺_ij ≥ δ_j` for each of them.
+    //= method far
+    #[must_use]
+    pub fn beta_m2(&self, slope_max: f64, own_share: f64, known_share: f64) -> f64 {
+        let least = own_share.min(known_share);
+        if slope_max <= 0.0 { f64::INFINITY } else { least / (4.0 * slope_max) }
+    }
+
+    pub(crate) fn push_neighbor<const D: usize>(
+        &self,
+        own: &mut Own<D>,
+        neighbor: &Neighbor<'_, D>,
+        rows: &mut Rows<'_, D>,
+    ) {
+        let gradient = &neighbor.tie.gradient(&neighbor.offset_m);
+        own.gradient = add_scaled(&own.gradient, 1.0, gradient);
+        self.push_far(own, neighbor, gradient, rows);
+        self.push_near(&neighbor.offset_m, neighbor.tie, rows);
+    }
+
+    fn push_far<const D: usize>(
+        &self,
+        own: &mut Own<D>,
+        Neighbor { offset_m: offset, tie, knowledge }: &Neighbor<'_, D>,
+        gradient: &Vector<D>,
+        rows: &mut Rows<'_, D>,
+    ) {
+        let &Tie { bend, wrong, .. } = *tie;
+        let most = rows.program.most(gradient, wrong, bend);
+        let known = match knowledge {
+            Knowledge::Known(known) => **known,
+            Knowledge::Seen(seen) => self.known_from(seen, tie.distance_m),
+        };
+        match self.form() {
+            Form::Link => {
+                let error_m = self.margin.offset_m;
+                let own_share = self.loss_max(own.h.max(0.0)) / own.degree.max(1.0);
+                let known_share = self.loss_max(known.budget) / known.degree_max;
+                let beta_m2 = self.beta_m2(bend, own_share, known_share);
+                if !rows.program.surely_holds(offset, error_m, 1.0, beta_m2) {
+                    rows.push(offset, error_m, |offset| Row::far(offset, beta_m2));
+                }
+            }
+            Form::Level => {
+                (own.bend, own.wrong) = (own.bend + bend, own.wrong + wrong);
+                if !self.is_slack(most, &known) {
+                    let spend = self.spend(&known);
+                    rows.push(gradient, wrong, |gradient| Row::far_level(gradient, bend, spend));
+                }
+            }
+        }
+        if known.deficit > 0.0 {
+            rows.count(true);
+            rows.raise(gradient, self.mend_m(known.deficit, gradient));
+        }
+    }
+
+    /// True when (far′), whose left-hand side is `most` wherever the robot can go, surely holds. No quotient: this is asked
+    /// of every neighbour.
+    fn is_slack(&self, most: f64, known: &Known) -> bool {
+        self.form() == Form::Level && most * (known.degree_max + 1.0) <= self.loss_max(known.budget)
+    }
+
+    pub(crate) fn push_own<const D: usize>(&self, own: &Own<D>, rows: &mut Rows<'_, D>) {
+        if self.form() == Form::Level {
+            let spend = self.loss_max(own.h.max(0.0)) / (own.degree + 1.0);
+            if !rows.program.surely_holds(&own.gradient, own.wrong, own.bend, spend) {
+                rows.push(&own.gradient, own.wrong, |gradient| Row::far_level(gradient, own.bend, spend));
+            }
+        }
+        if own.h < 0.0 {
+            rows.count(own.h + own.degree * self.weight_error() < 0.0);
+            rows.raise(&own.gradient, self.mend_m(-own.h, &own.gradient));
+        }
+    }
+
+    fn push_near<const D: usize>(&self, offset: &Vector<D>, tie: &Tie, rows: &mut Rows<'_, D>) {
+        let error_m = self.margin.offset_m;
+        let spare_m2 = self.spare_m2(tie, -error_m);
+        let give_m2 = 0.5 * self.gamma_c * spare_m2.max(0.0);
+        if !rows.program.surely_holds(offset, error_m, 0.0, 0.5 * give_m2) {
+            rows.push(offset, error_m, |offset| Row::near(offset, give_m2));
+        }
+        if spare_m2 < 0.0 {
+            rows.count(self.spare_m2(tie, error_m) < 0.0);
+            let missing_m = self.distance_min_m + error_m - tie.distance_m;
+            rows.raise(offset, (0.5 * missing_m).min(self.move_max_m));
+        }
+    }
+
+    /// `D − Δ_d²`, m², for a pair farther apart by `more_m`.
+    fn spare_m2(&self, tie: &Tie, more_m: f64) -> f64 {
+        let least_m2 = self.distance_min_m * self.distance_min_m;
+        if more_m == 0.0 {
+            return tie.distance_m2 - least_m2;
+        }
+        let distance_m = (tie.distance_m + more_m).max(0.0);
+        distance_m * distance_m - least_m2
+    }
+
+    /// How far to go along `gradient` (1/m) to make up for `deficit`, m, at most ρ.
+    fn mend_m<const D: usize>(&self, deficit: f64, gradient: &Vector<D>) -> f64 {
+        (deficit / length(gradient)).min(self.move_max_m)
+    }
+}
