@@ -84,7 +84,7 @@ impl Work<'_> {
         Ok(())
     }
 
-    /// Puts all blocks into one file and removes them.
+    /// Puts all blocks into one file.
     fn merge(&self, store: &Store) -> Result<()> {
         let blocks = 0..self.manifest.shard.blocks(self.manifest.runs);
         let parts = blocks.map(|block| self.part(store, block));
