@@ -17,7 +17,7 @@ use ::parquet::schema::types::{ColumnDescriptor, Type, TypePtr};
 use super::rows::{Head, Kind, Rows, Values};
 use crate::parquet::WriteError;
 
-/// Rows held in memory at once.
+/// A group is written as soon as so many rows wait, so it may have a block of rows more. Writers and readers hold one group.
 const GROUP_ROWS: usize = 1 << 15;
 
 /// A Parquet file that is being written.
