@@ -111,7 +111,7 @@ impl<'memory, const D: usize> Fleet<'memory, D> {
         self.wire.begin_tick();
         liars.begin_tick(self.tick);
         for (index, robot) in self.robots.iter_mut().enumerate() {
-            let reborn = self.bodies.reborn(index, time_s);
+            let reborn = self.bodies.reborn(index);
             frame.unsteady |= !self.malicious[index] && (reborn || self.bodies.down(index));
             if reborn {
                 // The value was good once.
@@ -187,11 +187,7 @@ impl<'memory, const D: usize> Fleet<'memory, D> {
         let mut ends: u32 = 0;
         for (index, robot) in self.robots.iter_mut().enumerate() {
             if self.bodies.down(index) {
-                frame.velocities_m_s[index] = self.bodies.without_command(
-                    index,
-                    f64::from(self.tick) * self.tick_s,
-                    frame.velocities_m_s[index],
-                );
+                frame.velocities_m_s[index] = self.bodies.without_command(index, frame.velocities_m_s[index]);
                 frame.modes[index] = Mode::Stopped;
                 continue;
             }
