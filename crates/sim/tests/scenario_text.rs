@@ -116,17 +116,30 @@ fn impossible_numbers_are_refused() {
 #[test]
 fn budget_has_limits_of_its_own() {
     refused(
-        "[team]\nrobots = 1001\n[controller]\nkind = \"budget\"",
-        "1001",
-        "`team.robots` is 1001, allowed is at most 1000 with controller.kind = \"budget\"",
-    );
-    refused(
         "[controller]\nkind = \"budget\"\ngamma = 1.5",
         "1.5",
         "`controller.gamma` is 1.5, allowed is more than 0 and at most 1",
     );
     let fast = problems("[controller]\nkind = \"budget\"\ninput_max_m_s = [300, 300]");
     assert!(fast[0].to_string().contains("two longest moves"), "{}", fast[0]);
+}
+
+/// Only teams of a plain world hold less than every pair of robots.
+#[test]
+fn large_teams_need_a_plain_world() {
+    let expected = "`team.robots` is 1001, allowed is at most 1000 with controller.kind = \"budget\", and wherever \
+                    something goes wrong or liars have faces, fall silent, send garbage or disobey";
+    for heavy in [
+        "controller = { kind = \"budget\" }",
+        "network = { loss = 0.1 }",
+        "plant = { missed = 0.1 }\ncontroller = { kind = \"none\" }",
+        "attack = { motion = \"flee\" }",
+        "attack = { value = { kind = \"silent\" } }",
+    ] {
+        refused(&format!("duration_s = 1.0\nteam = {{ robots = 1001 }}\n{heavy}"), "1001", expected);
+        assert!(scenario(&format!("duration_s = 1.0\nteam = {{ robots = 1000 }}\n{heavy}")).is_ok());
+    }
+    assert!(scenario("duration_s = 1.0\nteam = { robots = 1001 }").is_ok());
 }
 
 #[test]

@@ -30,8 +30,9 @@ pub(super) fn check(reader: &mut Reader, scenario: &Scenario) {
 }
 
 fn team(reader: &mut Reader, scenario: &Scenario) {
-    if scenario.controller == Controller::Budget && scenario.robots > BUDGET_ROBOTS_MAX {
-        let allowed = format!("at most {BUDGET_ROBOTS_MAX} with controller.kind = \"budget\"");
+    let heavy = scenario.controller == Controller::Budget || !scenario.is_plain();
+    if heavy && scenario.robots > HEAVY_ROBOTS_MAX {
+        let allowed = format!("at most {HEAVY_ROBOTS_MAX} {HEAVY}");
         reader.refuse("team.robots", scenario.robots.to_string(), allowed);
     }
     let mut pairs = scenario.malicious.iter().zip(scenario.malicious.iter().skip(1));
@@ -40,8 +41,12 @@ fn team(reader: &mut Reader, scenario: &Scenario) {
     }
 }
 
-/// Robots of `budget` run one by one and each holds what it knows of all others: memory grows with the square.
-const BUDGET_ROBOTS_MAX: u16 = 1_000;
+/// Where the world is not plain robots run one by one, and each holds what it knows of all others; `budget` holds every pair
+/// even if it is computed at once. Memory grows with the square.
+const HEAVY_ROBOTS_MAX: u16 = 1_000;
+/// Which teams these are.
+const HEAVY: &str = "with controller.kind = \"budget\", and wherever something goes wrong or liars have faces, fall silent, \
+                     send garbage or disobey";
 
 fn boxes(reader: &mut Reader, scenario: &Scenario) {
     let corners = [
