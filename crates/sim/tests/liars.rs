@@ -61,6 +61,16 @@ fn values_are_constant_extreme_or_those_that_sway() {
 }
 
 #[test]
+fn where_nobody_is_normal_they_sway_nobody() {
+    let scenario =
+        Scenario { malicious: (1..=11).collect(), value_attack: ValueAttack::Sway, ..Scenario::default() };
+    let mut liars = Liars::new(&scenario);
+    liars.begin_tick(0);
+    liars.begin_round((0..11).map(f64::from));
+    assert_eq!([liars.value(0, 3.0), liars.value(1, 3.0)], [0.0; 2]);
+}
+
+#[test]
 fn liars_with_faces_tell_each_neighbour_something_else() {
     let mut faces = liars(LevelAttack::Faces { min: 0.0, max: 1.0 }, ValueAttack::Split);
     faces.begin_round((0..11).map(f64::from));
