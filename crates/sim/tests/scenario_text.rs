@@ -183,6 +183,28 @@ fn impossible_teams_and_starts_are_refused() {
 }
 
 #[test]
+fn troubles_do_not_end_before_they_begin() {
+    let crash = |times: &str| format!("[plant]\ncrash = {{ robot = 3, {times} }}");
+    refused(
+        &crash("from_s = 2.0, to_s = 1.5"),
+        "1.5",
+        "`plant.crash.to_s` is 1.5, allowed is a number, 2 to 1000000",
+    );
+    refused(&crash("to_s = 0.5"), "0.5", "`plant.crash.to_s` is 0.5, allowed is a number, 1 to 1000000");
+    refused(
+        &crash("from_s = -1.0, to_s = 0.5"),
+        "-1.0",
+        "`plant.crash.from_s` is -1.0, allowed is a number, 0 to 1000000",
+    );
+    let partition = problems("[network]\npartition = { from_s = 2, to_s = 1 }");
+    assert_eq!(partition[0].field, "network.partition.to_s");
+    let spell = |times: &str| scenario(&crash(times)).unwrap().trouble.plant.crash.unwrap();
+    assert_eq!(spell("from_s = 1.0, to_s = 1.0").to_s, 1.0);
+    assert_eq!(spell("from_s = 1e6").to_s, 1e6);
+    assert_eq!((spell("to_s = 1.5").from_s, spell("from_s = 3.0").to_s), (1.0, 4.0));
+}
+
+#[test]
 fn a_default_that_clashes_is_said_to_be_a_default() {
     refused(
         "[clock]\ntau_1_s = 0.03",
