@@ -182,6 +182,19 @@ fn impossible_teams_and_starts_are_refused() {
     assert!(full[0].to_string().contains("robots found a place"), "{}", full[0]);
 }
 
+/// Squares of tiny lengths are 0: then robots that are drawn or on a lattice stand at one point, and no list is at fault.
+#[test]
+fn starts_too_small_are_refused_by_their_own_field() {
+    refused(
+        "[start]\nkind = \"hexagon\"\nspacing_m = 1e-200",
+        "1e-200",
+        "`start.spacing_m` is 1e-200, where the distance of robots 1 and 2 is rounded to 0, allowed is a larger start",
+    );
+    let drawn = problems("[start]\nkind = \"random\"\nhalf_side_m = 1e-200\ndistance_min_m = 1e-210");
+    assert_eq!(drawn.iter().map(|problem| problem.field.as_str()).collect::<Vec<_>>(), ["start.half_side_m"]);
+    assert!(scenario("[start]\nkind = \"hexagon\"\nspacing_m = 1e-100").is_ok());
+}
+
 #[test]
 fn troubles_do_not_end_before_they_begin() {
     let crash = |times: &str| format!("[plant]\ncrash = {{ robot = 3, {times} }}");

@@ -136,8 +136,18 @@ fn start<const D: usize>(reader: &mut Reader, scenario: &Scenario) {
     };
     for (second, x) in positions.iter().enumerate() {
         if let Some(first) = positions[..second].iter().position(|y| squared_distance(x, y) == 0.0) {
-            let found = format!("robots {} and {} at one point {x:?}", first + 1, second + 1);
-            reader.refuse("start.positions_m", found, "a different point for each robot");
+            let pair = format!("robots {} and {}", first + 1, second + 1);
+            let (field, length_m) = match scenario.start {
+                Start::Hexagon { spacing_m } => ("start.spacing_m", spacing_m),
+                Start::Random { half_side_m, .. } => ("start.half_side_m", half_side_m),
+                _ => {
+                    let found = format!("{pair} at one point {x:?}");
+                    reader.refuse("start.positions_m", found, "a different point for each robot");
+                    continue;
+                }
+            };
+            let found = format!("{length_m:e}, where the distance of {pair} is rounded to 0");
+            return reader.refuse(field, found, "a larger start");
         }
     }
 }
