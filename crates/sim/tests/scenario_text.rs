@@ -195,6 +195,22 @@ fn starts_too_small_are_refused_by_their_own_field() {
     assert!(scenario("[start]\nkind = \"hexagon\"\nspacing_m = 1e-100").is_ok());
 }
 
+/// Which fields there are depends on the kind: where it is misspelt no other one is called unknown.
+#[test]
+fn a_misspelt_kind_is_one_mistake() {
+    for text in [
+        "[attack]\nlevel = { kind = \"rump\", rate_per_s = 3.0 }",
+        "[attack.value]\nkind = \"constnat\"\nvalue = 3.0",
+        "[start]\nkind = \"hexagons\"\nspacing_m = 1",
+        "[values]\nkind = \"list\"\nvalues = [1.0]",
+    ] {
+        let found = problems(text);
+        assert_eq!(found.len(), 1, "{found:?}");
+        assert_eq!(found[0].field.rsplit('.').next(), Some("kind"));
+    }
+    assert_eq!(problems("[attack.level]\nkind = \"bias\"\nrate_per_s = 3.0").len(), 1);
+}
+
 #[test]
 fn troubles_do_not_end_before_they_begin() {
     let crash = |times: &str| format!("[plant]\ncrash = {{ robot = 3, {times} }}");
