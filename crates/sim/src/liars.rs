@@ -103,7 +103,7 @@ impl Liars {
         past.push(level);
         #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "saturates")]
         let ticks = (age_s / self.tick_s).round() as usize;
-        past[past.len().saturating_sub(ticks + 1)]
+        past[past.len().saturating_sub(ticks.saturating_add(1))]
     }
 
     /// Decides what malicious robots tell in a new round, in order of their number; all robots hold `values`.

@@ -47,6 +47,7 @@ fn levels_ramp_step_swing_and_are_replayed() {
     let ramp = levels(LevelAttack::Ramp { rate_per_s: 100.0 }, 3);
     assert_eq!(ramp, [7.0, 8.5, 10.0]);
     assert_eq!(levels(LevelAttack::Replay { age_s: 0.01 }, 4), [7.0, 7.0, 7.0, 8.0], "two ticks ago");
+    assert_eq!(levels(LevelAttack::Replay { age_s: f64::MAX }, 3), [7.0; 3], "the first one for ever");
     let random = levels(LevelAttack::Random { min: -1.0, max: 1.0 }, 9);
     assert!(random.iter().all(|level| level.abs() <= 1.0) && random[0] != random[1]);
 }
