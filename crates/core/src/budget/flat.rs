@@ -69,7 +69,7 @@ fn crossing<const D: usize>(one: &Row<D>, other: &Row<D>, point: &Vector<D>) -> 
         return None;
     }
     let half = -0.5 * (b + sqrt((own + lift).max(0.0)).copysign(b)); // no cancellation: the roots are half/A and C/half
-    let beyond = 2.0 * a * (dot(point, &along) * inverse) > -b;
+    let beyond = 2.0 * ball.curvature() * dot(point, &along) > -b;
     let step = match beyond == (half > 0.0) {
         true => half / a,
         false if half == 0.0 => 0.0,
