@@ -104,7 +104,7 @@ impl<const D: usize> Row<D> {
         value <= self.bound + ROUNDING * (size - value)
     }
 
-    /// True when v, of which |v|² is `square`, is clear of the boundary: then it surely holds.
+    /// True when v, of which |v|² is `square`, is at the boundary or inside it, with no margin: then the row holds too.
     pub(crate) fn clears(&self, v: &Vector<D>, square: f64) -> bool {
         dot(&self.normal, v) + self.curvature * square <= self.bound
     }
