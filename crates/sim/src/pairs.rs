@@ -60,9 +60,11 @@ impl<const D: usize> Pairs<D> {
             for (first, distance_m2) in truth.actual_m2()[pair..pair + second].iter().enumerate() {
                 self.least_m2 = if *distance_m2 < self.least_m2 { *distance_m2 } else { self.least_m2 };
                 let place = pair + first;
-                if *distance_m2 < near_m2 || self.nears(place, truth, before) {
-                    let pair = Pair { place, robots: [first, second], distance_m2: *distance_m2 };
-                    self.watch_pair(&pair, tick, frame, truth, before, verdicts);
+                let spares_m2 = before.map(|before| self.spares_m2(place, truth, before));
+                let nears = spares_m2.is_some_and(|[floor_m2, now_m2]| now_m2 < floor_m2);
+                if *distance_m2 < near_m2 || nears {
+                    let pair = Pair { place, robots: [first, second], distance_m2: *distance_m2, spares_m2 };
+                    self.watch_pair(&pair, tick, frame, before, verdicts);
                 }
             }
             pair += second;
@@ -77,17 +79,11 @@ impl<const D: usize> Pairs<D> {
         near_m * near_m * (1.0 + ROUNDING)
     }
 
-    /// Squared distances at the tick before and now, less the least allowed one and what may be lost of it, m².
+    /// Of two references, m²: what must be left of their spare at the tick before, and what is.
     fn spares_m2(&self, place: usize, truth: &Truth, before: &Before<D>) -> [f64; 2] {
         let least_m = self.params.budget().distance_min_m;
         let [then, now] = [&before.truth, truth].map(|truth| truth.pairs_m2[place] - least_m * least_m);
         [(1.0 - self.params.settings().gamma_c) * then, now]
-    }
-
-    /// True if a pair may come closer faster than it should.
-    fn nears(&self, place: usize, truth: &Truth, before: Option<&Before<D>>) -> bool {
-        let spares_m2 = before.map(|before| self.spares_m2(place, truth, before));
-        spares_m2.is_some_and(|[floor_m2, now_m2]| now_m2 < floor_m2)
     }
 
     fn watch_pair(
@@ -95,7 +91,6 @@ impl<const D: usize> Pairs<D> {
         pair: &Pair,
         tick: u32,
         frame: &Frame<D>,
-        truth: &Truth,
         before: Option<&Before<D>>,
         verdicts: &mut Verdicts,
     ) {
@@ -107,20 +102,24 @@ impl<const D: usize> Pairs<D> {
         let at = |seen, demanded| Violation { tick, robots, seen, demanded };
         let carried = before.is_some_and(|before| before.moves && self.apart[pair.place]);
         let least_m = self.params.settings().distance_min_m;
-        let limit_m2 = least_m * least_m - self.blur_m2;
+        let limit_m2 = self.limit_m2(least_m);
         if pair.distance_m2 < limit_m2 {
             verdicts.broke(Law::Distance, at(sqrt(pair.distance_m2), least_m), carried);
         }
-        let Some(before) = before else { return };
+        let Some((before, [floor_m2, now_m2])) = before.zip(pair.spares_m2) else { return };
         let [start, end] = [&before.positions_m, &frame.positions_m].map(|x| subtract(&x[second], &x[first]));
         let path_m2 = nearest_m2(&start, &end);
         if path_m2 < limit_m2 {
             verdicts.broke(Law::Path, at(sqrt(path_m2), least_m), carried);
         }
-        let [floor_m2, now_m2] = self.spares_m2(pair.place, truth, before);
         if self.binds(pair.place, before) && floor_m2 >= 0.0 && now_m2 < floor_m2 - self.blur_m2 {
             verdicts.broke(Law::Decay, at(now_m2, floor_m2), carried);
         }
+    }
+
+    /// A pair at least `least_m` apart is no nearer than this, but for rounding, m².
+    fn limit_m2(&self, least_m: f64) -> f64 {
+        least_m * least_m - self.blur_m2
     }
 
     /// True if (near) bounded how fast a pair could come closer: under `budget`, if it was linked.
@@ -132,8 +131,7 @@ impl<const D: usize> Pairs<D> {
 
     /// What is safe now, or was and must still be, must be so at the next tick. `inside` is false while nothing is promised.
     pub(crate) fn carry(&mut self, truth: &Truth, before: &Before<D>, inside: bool, moves: bool) {
-        let least_m = self.params.budget().distance_min_m;
-        let limit_m2 = least_m * least_m - self.blur_m2;
+        let limit_m2 = self.limit_m2(self.params.budget().distance_min_m);
         self.apart.resize(truth.pairs_m2.len(), false);
         for (apart, pair_m2) in self.apart.iter_mut().zip(&truth.pairs_m2) {
             *apart = moves && ((inside && *pair_m2 >= limit_m2) || (*apart && before.moves));
@@ -147,6 +145,8 @@ struct Pair {
     place: usize,
     robots: [usize; 2],
     distance_m2: f64,
+    /// See [`Pairs::spares_m2`].
+    spares_m2: Option<[f64; 2]>,
 }
 
 /// Square of the least distance while an offset goes straight from `start` to `end`, m².
