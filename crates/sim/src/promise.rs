@@ -34,7 +34,7 @@ pub(crate) struct Promise<const D: usize> {
 }
 
 /// A tick that was.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Default)]
 pub(crate) struct Before<const D: usize> {
     pub(crate) truth: Truth,
     pub(crate) positions_m: Vec<Vector<D>>,
@@ -89,12 +89,7 @@ impl<const D: usize> Promise<D> {
         if self.params.settings().controller == Controller::Budget {
             self.honesty.watch(tick, frame, truth, verdicts);
         }
-        let mut now = before.unwrap_or_else(|| Before {
-            truth: Truth::default(),
-            positions_m: Vec::new(),
-            moves: false,
-            claims: false,
-        });
+        let mut now = before.unwrap_or_default();
         now.truth.clone_from(truth);
         now.positions_m.clone_from(&frame.positions_m);
         self.carry(frame, truth, &now, [moves, claims]);
