@@ -57,15 +57,37 @@ impl<const D: usize> Params<D> {
 }
 
 impl<const D: usize> Settings<D> {
-    /// A level told `age` ago, in whole ticks, rounded up; nothing if it is too old.
+    /// A level told `age` ago, in whole ticks, rounded up; nothing if it is too old, or older than can be counted: younger
+    /// than it is it would be worth too much.
     #[must_use]
     pub fn claim(&self, level: f64, age: Duration) -> Option<Claim> {
-        let age_ticks = if age.is_zero() { 0 } else { ticks(age, self.level_period) };
+        let age_ticks = if age.is_zero() { 0 } else { ticks(age, self.level_period)? };
         (age <= self.told_max).then_some(Claim { level, age_ticks })
     }
 }
 
-fn ticks(age: Duration, period: Duration) -> u32 {
-    let nanos = |span: Duration| u64::try_from(span.as_nanos()).unwrap_or(u64::MAX);
-    u32::try_from(nanos(age).div_ceil(nanos(period).max(1))).unwrap_or(u32::MAX)
+/// `age` in periods, rounded up; a longer period than 64 bits hold counts as shorter, which makes the age greater.
+fn ticks(age: Duration, period: Duration) -> Option<u32> {
+    let nanos = |span: Duration| u64::try_from(span.as_nanos());
+    let period_ns = nanos(period).unwrap_or(u64::MAX).max(1);
+    u32::try_from(nanos(age).ok()?.div_ceil(period_ns)).ok()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn claims_are_never_younger_than_they_are() {
+        let (level_period, told_max) = (Duration::from_nanos(1), Duration::MAX);
+        let mut settings = Settings::<2> { level_period, told_max, ..Settings::default() };
+        let age = |nanos| settings.claim(7.0, Duration::from_nanos(nanos)).map(|claim| claim.age_ticks);
+        let most = u64::from(u32::MAX);
+        assert_eq!([0, 1, most].map(age), [Some(0), Some(1), Some(u32::MAX)]);
+        assert_eq!([most + 1, u64::MAX].map(age), [None; 2]);
+        assert_eq!(settings.claim(7.0, Duration::MAX), None);
+        settings.level_period = Duration::MAX;
+        let aged = settings.claim(7.0, Duration::from_secs(1)).map(|claim| claim.age_ticks);
+        assert_eq!(aged, Some(1));
+    }
 }

@@ -34,6 +34,15 @@ pub fn larger(x: f64, least: f64) -> f64 {
     if x > least { x } else { least }
 }
 
+/// `x` in `[least, most]`, a border where it is outside; `least` if `x` is NaN. Of 0 and −0 it is always the same
+/// one that comes out, which [`f64::max`] leaves open.
+#[inline]
+#[must_use]
+pub fn cut(x: f64, least: f64, most: f64) -> f64 {
+    let inside = larger(x, least);
+    if inside < most { inside } else { most }
+}
+
 /// True when no component is NaN or infinite.
 #[must_use]
 pub fn is_finite<const D: usize>(a: &Vector<D>) -> bool {
@@ -66,6 +75,14 @@ mod tests {
     fn length_is_the_root_of_the_square() {
         assert_eq!(length(&[3.0, 4.0]), 5.0);
         assert_eq!(length(&[2.0, 3.0, 6.0]), 7.0);
+    }
+
+    #[test]
+    fn whatever_is_outside_is_cut_to_the_border() {
+        let cuts = [-3.0, 0.5, 4.0, f64::NAN].map(|x| cut(x, -1.0, 2.0));
+        assert_eq!(cuts, [-1.0, 0.5, 2.0, -1.0]);
+        let zeros = [0.0, -0.0].map(|x| [cut(x, 0.0, 1.0), cut(x, -1.0, 0.0), cut(x, 0.0, 0.0)]);
+        assert_eq!(zeros.map(|zeros| zeros.map(f64::to_bits)), [[0; 3]; 2]);
     }
 
     #[test]

@@ -1,6 +1,6 @@
 //! The exact program of one robot: the closest point of a box with one row.
 
-use crate::math::{Vector, add_scaled, dot};
+use crate::math::{Vector, add_scaled, cut, dot};
 
 /// The input set U_i, a box that contains 0.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -48,7 +48,7 @@ impl<const D: usize> InputBox<D> {
     /// The point of the box closest to `u`.
     #[must_use]
     pub fn clip(&self, u: &Vector<D>) -> Vector<D> {
-        core::array::from_fn(|d| u[d].max(self.min_m_s[d]).min(self.max_m_s[d]))
+        core::array::from_fn(|d| cut(u[d], self.min_m_s[d], self.max_m_s[d]))
     }
 
     /// True when `u` is inside, borders included.

@@ -5,6 +5,9 @@ use closeranks_core::program::Outcome;
 use closeranks_core::report::{Mode, Reason};
 
 /// State of every robot in one tick; index 0 is robot 1.
+///
+/// A robot that is down in this tick (crashed, or missing it) has stopped, has no φ_i and is free; its degree, levels, h, value
+/// and what it heard are those of the last tick in which it ran.
 #[derive(Clone, Debug)]
 #[expect(clippy::struct_excessive_bools, reason = "each is a fact of its own about the tick")]
 pub struct Frame<const D: usize> {
@@ -22,7 +25,7 @@ pub struct Frame<const D: usize> {
     pub told: Vec<f64>,
     /// h_i as the robot's controller has it: c_i − F′, or T_i − θ under `budget` with free liars.
     pub spares: Vec<f64>,
-    /// φ_i; NaN where nobody wants to know it.
+    /// φ_i; NaN where nobody wants to know it, and of a robot that is down.
     pub phis: Vec<f64>,
     /// Whether φ and φ_i are wanted though the controller does not use them.
     pub wants_phi: bool,

@@ -7,12 +7,12 @@ use crate::attack::MotionAttack;
 use crate::faults::Clocks;
 use crate::frame::Frame;
 use crate::law::{Law, Verdicts, Violation};
-use crate::promise::{ROUNDING, required, share, since};
+use crate::promise::{ROUNDING, longer_ago, required, share, since};
 use crate::scenario::Scenario;
 use crate::truth::Truth;
 
 /// Ticks in which all must have noticed that everything holds again.
-const NOTICE_TICKS: u32 = 2;
+const NOTICE_TICKS: u64 = 2;
 
 /// Watches the modes of normal robots under `budget`.
 #[derive(Clone, Debug)]
@@ -23,7 +23,7 @@ pub(crate) struct Honesty<const D: usize> {
     free: bool,
     /// Robots know their own state exactly.
     exact: bool,
-    told_ticks: u32,
+    told_ticks: u64,
     /// The last tick in which a robot could have noticed anything wrong.
     unwell: Option<u32>,
     /// Robot-ticks of normal robots, those of them guaranteed, and those with a negative own h.
@@ -34,7 +34,7 @@ pub(crate) struct Honesty<const D: usize> {
 
 impl<const D: usize> Honesty<D> {
     /// For the robots of `scenario`, who may use a level for `told_ticks`.
-    pub(crate) fn new(scenario: &Scenario, params: Params<D>, told_ticks: u32) -> Self {
+    pub(crate) fn new(scenario: &Scenario, params: Params<D>, told_ticks: u64) -> Self {
         let steady = scenario.trouble.clocks == Clocks::default();
         Self {
             malicious: scenario.malicious_mask(),
@@ -57,7 +57,8 @@ impl<const D: usize> Honesty<D> {
         if !well {
             self.unwell = Some(tick);
         }
-        let healed = self.exact && since(self.unwell, tick) > self.told_ticks + NOTICE_TICKS;
+        let healed =
+            self.exact && longer_ago(self.unwell, tick, self.told_ticks.saturating_add(NOTICE_TICKS));
         let mut all = true;
         for (robot, index) in (1_u16..).zip(0..truth.spares.len()).filter(|(_, k)| !self.malicious[*k]) {
             let guaranteed = frame.modes[index] == Mode::Guaranteed;

@@ -32,7 +32,7 @@ pub struct Liars {
     /// True levels of all ticks, for who tells old ones.
     past: Vec<Vec<f64>>,
     told_values: Vec<f64>,
-    /// Least and greatest value of normal robots in this round.
+    /// Least and greatest value of normal robots in this round; 0 if there are none.
     normal: [f64; 2],
     /// Where wandering robots go, m/s per m/s.
     wander: Vec<Vec<f64>>,
@@ -103,7 +103,7 @@ impl Liars {
         past.push(level);
         #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "saturates")]
         let ticks = (age_s / self.tick_s).round() as usize;
-        past[past.len().saturating_sub(ticks + 1)]
+        past[past.len().saturating_sub(ticks.saturating_add(1))]
     }
 
     /// Decides what malicious robots tell in a new round, in order of their number; all robots hold `values`.
@@ -112,6 +112,9 @@ impl Liars {
         self.normal = normal.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], (value, _)| {
             [low.min(value), high.max(value)]
         });
+        if !self.malicious.contains(&false) {
+            self.normal = [0.0; 2];
+        }
         for index in 0..self.malicious.len() {
             if self.malicious[index] {
                 self.told_values[index] = self.told_value(index);

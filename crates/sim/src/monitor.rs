@@ -179,8 +179,9 @@ impl<const D: usize> Monitors<D> {
             let (phi, velocity) = (frame.phis[index], frame.velocities_m_s[index]);
             let at = |seen, demanded| Violation { tick, robots: [robot, 0], seen, demanded };
             self.extremes.phi_min = self.extremes.phi_min.min(phi);
+            // Of a robot that is down nobody knows φ_i.
+            inside &= phi >= 0.0 || !frame.wants_phi;
             if phi < 0.0 {
-                inside = false;
                 self.broke(Law::Shares, at(phi, 0.0));
             }
             if frame.outcomes[index] == Outcome::Infeasible {

@@ -19,7 +19,7 @@ pub(crate) const ROUNDING: f64 = 1e-11;
 pub(crate) struct Promise<const D: usize> {
     params: Params<D>,
     malicious: Vec<bool>,
-    told_ticks: u32,
+    told_ticks: u64,
     gamma: f64,
     before: Option<Before<D>>,
     /// The last tick in which an assumption was broken.
@@ -34,7 +34,7 @@ pub(crate) struct Promise<const D: usize> {
 }
 
 /// A tick that was.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Default)]
 pub(crate) struct Before<const D: usize> {
     pub(crate) truth: Truth,
     pub(crate) positions_m: Vec<Vector<D>>,
@@ -50,7 +50,7 @@ impl<const D: usize> Promise<D> {
         let settings = params.settings();
         let aged = settings.told_max + settings.clock_error;
         let told_ticks = aged.as_nanos().div_ceil(settings.level_period.as_nanos().max(1));
-        let told_ticks = u32::try_from(told_ticks).unwrap_or(u32::MAX).saturating_add(1);
+        let told_ticks = u64::try_from(told_ticks).unwrap_or(u64::MAX).saturating_add(1);
         Self {
             malicious: scenario.malicious_mask(),
             told_ticks,
@@ -82,19 +82,14 @@ impl<const D: usize> Promise<D> {
             self.broken = Some(tick);
         }
         let moves = !frame.broken && covered;
-        let claims = moves && since(self.broken, tick) > self.told_ticks;
+        let claims = moves && longer_ago(self.broken, tick, self.told_ticks);
         for (counter, counts) in self.ticks.iter_mut().zip([true, claims]) {
             *counter += u64::from(counts);
         }
         if self.params.settings().controller == Controller::Budget {
             self.honesty.watch(tick, frame, truth, verdicts);
         }
-        let mut now = before.unwrap_or_else(|| Before {
-            truth: Truth::default(),
-            positions_m: Vec::new(),
-            moves: false,
-            claims: false,
-        });
+        let mut now = before.unwrap_or_default();
         now.truth.clone_from(truth);
         now.positions_m.clone_from(&frame.positions_m);
         self.carry(frame, truth, &now, [moves, claims]);
@@ -190,4 +185,9 @@ pub(crate) fn share(part: u64, whole: u64) -> f64 {
 /// Ticks since `then`; for ever if it never was.
 pub(crate) fn since(then: Option<u32>, tick: u32) -> u32 {
     then.map_or(u32::MAX, |then| tick - then)
+}
+
+/// True if `then` is more than `ticks` ticks ago, or never was.
+pub(crate) fn longer_ago(then: Option<u32>, tick: u32, ticks: u64) -> bool {
+    then.is_none_or(|then| u64::from(tick - then) > ticks)
 }

@@ -31,7 +31,7 @@ pub struct Record {
     pub told: Vec<f64>,
     /// h_i.
     pub h: Vec<f64>,
-    /// φ_i.
+    /// φ_i; NaN of a robot that is down.
     pub phi: Vec<f64>,
     /// y_i.
     pub value: Vec<f64>,

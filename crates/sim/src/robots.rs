@@ -8,6 +8,7 @@ use closeranks_core::math::Vector;
 use closeranks_core::message::Message;
 use closeranks_core::neighbor::RobotId;
 use closeranks_core::params::Params;
+use closeranks_core::program::Outcome;
 use closeranks_core::refusal::RobotError;
 use closeranks_core::report::Mode;
 use closeranks_core::robot::Robot;
@@ -111,7 +112,7 @@ impl<'memory, const D: usize> Fleet<'memory, D> {
         self.wire.begin_tick();
         liars.begin_tick(self.tick);
         for (index, robot) in self.robots.iter_mut().enumerate() {
-            let reborn = self.bodies.reborn(index, time_s);
+            let reborn = self.bodies.reborn(index);
             frame.unsteady |= !self.malicious[index] && (reborn || self.bodies.down(index));
             if reborn {
                 // The value was good once.
@@ -187,12 +188,7 @@ impl<'memory, const D: usize> Fleet<'memory, D> {
         let mut ends: u32 = 0;
         for (index, robot) in self.robots.iter_mut().enumerate() {
             if self.bodies.down(index) {
-                frame.velocities_m_s[index] = self.bodies.without_command(
-                    index,
-                    f64::from(self.tick) * self.tick_s,
-                    frame.velocities_m_s[index],
-                );
-                frame.modes[index] = Mode::Stopped;
+                stand(index, frame, &self.bodies);
                 continue;
             }
             let output = robot.tick(frame.desired_m_s[index]);
@@ -266,6 +262,14 @@ impl<'memory, const D: usize> Fleet<'memory, D> {
 const STILL_M: f64 = 1e-13;
 /// Of positions and errors.
 const ROUNDING: f64 = 1e-9;
+
+/// What is known of a robot that is down: how it moves. It has no φ_i and solves no program; the rest stays as it was.
+fn stand<const D: usize>(index: usize, frame: &mut Frame<D>, bodies: &Bodies<D>) {
+    frame.velocities_m_s[index] = bodies.without_command(index, frame.velocities_m_s[index]);
+    frame.modes[index] = Mode::Stopped;
+    frame.outcomes[index] = Outcome::Free;
+    frame.phis[index] = f64::NAN;
+}
 
 fn id(index: usize) -> RobotId {
     RobotId(u16::try_from(index + 1).unwrap_or(u16::MAX))

@@ -154,12 +154,12 @@ const NO_START: StartSummary = StartSummary {
 };
 
 fn start<const D: usize>(scenario: &Scenario, frame: &Frame<D>, monitors: &Monitors<D>) -> StartSummary {
-    let (phi_min, distance_min_m) = (monitors.extremes().phi_min, monitors.extremes().distance_min_m);
+    let Extremes { phi_min, distance_min_m, inside_from, .. } = *monitors.extremes();
     let normal = frame.spares.iter().zip(monitors.malicious()).filter(|(_, malicious)| !**malicious);
     let h_min = normal.map(|(spare, _)| *spare).fold(f64::INFINITY, f64::min);
     let inside = match scenario.controller {
         Controller::Budget => h_min >= 0.0 && distance_min_m >= scenario.distance_min_m,
-        Controller::Composed | Controller::None => phi_min >= 0.0,
+        Controller::Composed | Controller::None => inside_from.is_some(),
     };
     let degree_min = frame.degrees.iter().copied().min().unwrap_or(0);
     StartSummary { inside, phi_min, h_min, degree_min, distance_min_m }

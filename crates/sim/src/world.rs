@@ -22,8 +22,8 @@ use crate::team::Team;
 /// How robots are computed; both give the same bits.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Engine {
-    /// All at once ([`crate::team`], for `budget` [`crate::allies`]); `budget` with free liars, and any world that is not
-    /// perfect, run one by one all the same.
+    /// All at once ([`crate::team`], for `budget` [`crate::allies`]); `budget` with free liars, with margins for errors or far
+    /// from the origin, and any world that is not perfect, run one by one all the same.
     #[default]
     Team,
     /// One by one, with every message as bytes ([`crate::robots`]).

@@ -107,3 +107,18 @@ fn the_papers_controller_does_not_survive_these() {
     let summary = recorded(&slow).summary;
     assert!(summary.broken(Law::Degree) + summary.broken(Law::Distance) > 0);
 }
+
+/// Two hours are more ticks of a microsecond than 32 bits count; what never was is longer ago.
+#[test]
+fn ages_of_more_ticks_than_32_bits_count() {
+    let hour = Duration::from_hours(1);
+    let [tau_1, tau_2] = [1, 10].map(Duration::from_micros);
+    let slow = Scenario { tau_1, tau_2, told_max: hour, clock_error: hour, duration_s: 3e-5, ..budget() };
+    let summary = recorded(&slow).summary;
+    assert_eq!(
+        (summary.covered_share, summary.violations(&slow).count()),
+        (1.0, 0),
+        "{:?}",
+        summary.verdicts
+    );
+}

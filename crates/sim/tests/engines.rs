@@ -85,6 +85,14 @@ fn teams_of_other_sizes_and_no_liars() {
     }
 }
 
+#[test]
+fn teams_of_liars_only() {
+    for value_attack in [ValueAttack::Sway, ValueAttack::Extreme, ValueAttack::None] {
+        let (malicious, duration_s) = ((1..=11).collect(), 0.5);
+        same_bits(&Scenario { malicious, value_attack, duration_s, ..short("liars") });
+    }
+}
+
 fn budget(name: &str) -> Scenario {
     Scenario { controller: Controller::Budget, ..short(name) }
 }

@@ -47,6 +47,7 @@ fn levels_ramp_step_swing_and_are_replayed() {
     let ramp = levels(LevelAttack::Ramp { rate_per_s: 100.0 }, 3);
     assert_eq!(ramp, [7.0, 8.5, 10.0]);
     assert_eq!(levels(LevelAttack::Replay { age_s: 0.01 }, 4), [7.0, 7.0, 7.0, 8.0], "two ticks ago");
+    assert_eq!(levels(LevelAttack::Replay { age_s: f64::MAX }, 3), [7.0; 3], "the first one for ever");
     let random = levels(LevelAttack::Random { min: -1.0, max: 1.0 }, 9);
     assert!(random.iter().all(|level| level.abs() <= 1.0) && random[0] != random[1]);
 }
@@ -58,6 +59,16 @@ fn values_are_constant_extreme_or_those_that_sway() {
     assert_eq!(values(ValueAttack::Extreme), [VALUE_MAX, -VALUE_MAX]);
     assert_eq!(values(ValueAttack::Sway), [18.0, 10.0], "the greatest and the least of normal robots");
     assert_eq!(values(ValueAttack::None), [0.0; 2]);
+}
+
+#[test]
+fn where_nobody_is_normal_they_sway_nobody() {
+    let scenario =
+        Scenario { malicious: (1..=11).collect(), value_attack: ValueAttack::Sway, ..Scenario::default() };
+    let mut liars = Liars::new(&scenario);
+    liars.begin_tick(0);
+    liars.begin_round((0..11).map(f64::from));
+    assert_eq!([liars.value(0, 3.0), liars.value(1, 3.0)], [0.0; 2]);
 }
 
 #[test]

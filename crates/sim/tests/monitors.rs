@@ -5,6 +5,7 @@ use core::time::Duration;
 
 use closeranks_core::program::Outcome;
 use closeranks_sim::attack::{LevelAttack, ValueAttack};
+use closeranks_sim::faults::Spell;
 use closeranks_sim::frame::Frame;
 use closeranks_sim::law::{Law, Violation};
 use closeranks_sim::monitor::Monitors;
@@ -62,6 +63,31 @@ fn an_understated_level_beyond_reach_makes_programs_infeasible() {
     let scenario = Scenario { level_attack: LevelAttack::Bias(-6.0), ..Scenario::default() };
     assert!(summary(&scenario).broken(Law::Feasible) > 0);
     assert!(!summary(&scenario).start.inside);
+}
+
+/// Robot 4 has no solution when it crashes: what it found last is not found again in every tick.
+#[test]
+fn a_robot_that_is_down_breaks_nothing_again_and_again() {
+    let mut scenario = Scenario { level_attack: LevelAttack::Bias(-6.0), ..Scenario::default() };
+    scenario.trouble.plant.crash = Some(Spell { robot: 4, from_s: 0.05, to_s: 100.0 });
+    let run = run(&scenario, Options { record: true, ..Options::default() }, &mut |_| ()).unwrap();
+    let record = run.record.unwrap();
+    let found = |tick| (record.outcome[record.row(tick, 3)], record.phi[record.row(tick, 3)] < 0.0);
+    assert_eq!((found(9), found(10)), ((Outcome::Infeasible, true), (Outcome::Free, false)));
+    let infeasible = record.outcome.iter().filter(|outcome| **outcome == Outcome::Infeasible).count();
+    let negative = record.phi.iter().filter(|phi| **phi < 0.0).count();
+    let told = [Law::Feasible, Law::Shares].map(|law| run.summary.broken(law));
+    assert_eq!(told, [infeasible, negative].map(|count| count as u64));
+}
+
+/// A start is inside if every φ_i is known and not negative.
+#[test]
+fn a_start_with_a_robot_down_is_not_called_inside() {
+    let mut scenario = Scenario { duration_s: 0.5, ..Scenario::default() };
+    assert!(summary(&scenario).start.inside);
+    scenario.trouble.plant.crash = Some(Spell { robot: 4, from_s: 0.0, to_s: 0.1 });
+    let summary = summary(&scenario);
+    assert_eq!((summary.start.inside, summary.extremes.inside_from), (false, Some(20)));
 }
 
 /// Inputs outside their box cannot come from a controller of ours, so the monitor is given a frame of its own.

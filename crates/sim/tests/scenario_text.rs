@@ -116,17 +116,30 @@ fn impossible_numbers_are_refused() {
 #[test]
 fn budget_has_limits_of_its_own() {
     refused(
-        "[team]\nrobots = 1001\n[controller]\nkind = \"budget\"",
-        "1001",
-        "`team.robots` is 1001, allowed is at most 1000 with controller.kind = \"budget\"",
-    );
-    refused(
         "[controller]\nkind = \"budget\"\ngamma = 1.5",
         "1.5",
         "`controller.gamma` is 1.5, allowed is more than 0 and at most 1",
     );
     let fast = problems("[controller]\nkind = \"budget\"\ninput_max_m_s = [300, 300]");
     assert!(fast[0].to_string().contains("two longest moves"), "{}", fast[0]);
+}
+
+/// Only teams of a plain world hold less than every pair of robots.
+#[test]
+fn large_teams_need_a_plain_world() {
+    let expected = "`team.robots` is 1001, allowed is at most 1000 with controller.kind = \"budget\", and wherever \
+                    something goes wrong or liars have faces, fall silent, send garbage or disobey";
+    for heavy in [
+        "controller = { kind = \"budget\" }",
+        "network = { loss = 0.1 }",
+        "plant = { missed = 0.1 }\ncontroller = { kind = \"none\" }",
+        "attack = { motion = \"flee\" }",
+        "attack = { value = { kind = \"silent\" } }",
+    ] {
+        refused(&format!("duration_s = 1.0\nteam = {{ robots = 1001 }}\n{heavy}"), "1001", expected);
+        assert!(scenario(&format!("duration_s = 1.0\nteam = {{ robots = 1000 }}\n{heavy}")).is_ok());
+    }
+    assert!(scenario("duration_s = 1.0\nteam = { robots = 1001 }").is_ok());
 }
 
 #[test]
@@ -167,6 +180,57 @@ fn impossible_teams_and_starts_are_refused() {
     );
     let full = problems("[start]\nkind = \"random\"\nhalf_side_m = 0.4");
     assert!(full[0].to_string().contains("robots found a place"), "{}", full[0]);
+}
+
+/// Squares of tiny lengths are 0: then robots that are drawn or on a lattice stand at one point, and no list is at fault.
+#[test]
+fn starts_too_small_are_refused_by_their_own_field() {
+    refused(
+        "[start]\nkind = \"hexagon\"\nspacing_m = 1e-200",
+        "1e-200",
+        "`start.spacing_m` is 1e-200, where the distance of robots 1 and 2 is rounded to 0, allowed is a larger start",
+    );
+    let drawn = problems("[start]\nkind = \"random\"\nhalf_side_m = 1e-200\ndistance_min_m = 1e-210");
+    assert_eq!(drawn.iter().map(|problem| problem.field.as_str()).collect::<Vec<_>>(), ["start.half_side_m"]);
+    assert!(scenario("[start]\nkind = \"hexagon\"\nspacing_m = 1e-100").is_ok());
+}
+
+/// Which fields there are depends on the kind: where it is misspelt no other one is called unknown.
+#[test]
+fn a_misspelt_kind_is_one_mistake() {
+    for text in [
+        "[attack]\nlevel = { kind = \"rump\", rate_per_s = 3.0 }",
+        "[attack.value]\nkind = \"constnat\"\nvalue = 3.0",
+        "[start]\nkind = \"hexagons\"\nspacing_m = 1",
+        "[values]\nkind = \"list\"\nvalues = [1.0]",
+    ] {
+        let found = problems(text);
+        assert_eq!(found.len(), 1, "{found:?}");
+        assert_eq!(found[0].field.rsplit('.').next(), Some("kind"));
+    }
+    assert_eq!(problems("[attack.level]\nkind = \"bias\"\nrate_per_s = 3.0").len(), 1);
+}
+
+#[test]
+fn troubles_do_not_end_before_they_begin() {
+    let crash = |times: &str| format!("[plant]\ncrash = {{ robot = 3, {times} }}");
+    refused(
+        &crash("from_s = 2.0, to_s = 1.5"),
+        "1.5",
+        "`plant.crash.to_s` is 1.5, allowed is a number, 2 to 1000000",
+    );
+    refused(&crash("to_s = 0.5"), "0.5", "`plant.crash.to_s` is 0.5, allowed is a number, 1 to 1000000");
+    refused(
+        &crash("from_s = -1.0, to_s = 0.5"),
+        "-1.0",
+        "`plant.crash.from_s` is -1.0, allowed is a number, 0 to 1000000",
+    );
+    let partition = problems("[network]\npartition = { from_s = 2, to_s = 1 }");
+    assert_eq!(partition[0].field, "network.partition.to_s");
+    let spell = |times: &str| scenario(&crash(times)).unwrap().trouble.plant.crash.unwrap();
+    assert_eq!(spell("from_s = 1.0, to_s = 1.0").to_s, 1.0);
+    assert_eq!(spell("from_s = 1e6").to_s, 1e6);
+    assert_eq!((spell("to_s = 1.5").from_s, spell("from_s = 3.0").to_s), (1.0, 4.0));
 }
 
 #[test]

@@ -10,11 +10,11 @@ const TOUCHING: f64 = 1e-12;
 /// Boundaries cross well from this square of the sine of their angle on.
 const CROSSING: f64 = 1e-4;
 
-/// The point closest to `point` among those where all of `rows` (at most D) hold with equality; `None` if there is none,
-/// if several are equally close, or if the boundaries are parallel.
+/// The point closest to `point` among those where all of `rows` (at most D) hold with equality; `None` if there is none, or
+/// if the boundaries are parallel. If several are equally close it is `None` too, but for two boundaries in the plane, where
+/// it is one of the two points.
 ///
-/// Of the balls, the most curved stays; the difference of another and its multiple is a plane. The planes leave a flat of
-/// `D − (count − 1)` dimensions, the ball a sphere in it. One Newton step removes most of the rounding.
+/// One Newton step removes most of the rounding.
 pub(crate) fn closest_on<const D: usize>(rows: &[&Row<D>], point: &Vector<D>) -> Option<Vector<D>> {
     let mut closest = match rows {
         [row] => return closest_on_one(row, point),
@@ -30,6 +30,10 @@ pub(crate) fn closest_on<const D: usize>(rows: &[&Row<D>], point: &Vector<D>) ->
     Some(closest)
 }
 
+/// The same for any number of boundaries in any dimension, before that step.
+///
+/// Of the balls, the most curved stays; the difference of another and its multiple is a plane. The planes leave a flat of
+/// `D − (count − 1)` dimensions, the ball a sphere in it.
 fn closest_on_several<const D: usize>(rows: &[&Row<D>], point: &Vector<D>) -> Option<Vector<D>> {
     let mut sphere = *rows.first()?;
     for row in rows {
@@ -69,7 +73,7 @@ fn crossing<const D: usize>(one: &Row<D>, other: &Row<D>, point: &Vector<D>) -> 
         return None;
     }
     let half = -0.5 * (b + sqrt((own + lift).max(0.0)).copysign(b)); // no cancellation: the roots are half/A and C/half
-    let beyond = 2.0 * a * (dot(point, &along) * inverse) > -b;
+    let beyond = 2.0 * ball.curvature() * dot(point, &along) > -b;
     let step = match beyond == (half > 0.0) {
         true => half / a,
         false if half == 0.0 => 0.0,

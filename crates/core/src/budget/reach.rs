@@ -1,12 +1,12 @@
 //! Where one tick can take a robot.
 
-use crate::math::{Vector, length};
+use crate::math::{Vector, cut, larger, length};
 use crate::program::InputBox;
 
 /// No tick takes a robot farther along an axis, m.
 const EDGE_MAX_M: f64 = 1e12;
 
-/// The displacements of one tick, `T U_i`: a box that contains 0.
+/// The displacements of one tick, `T U_i`: a box that contains 0. No corner has a −0.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Reach<const D: usize> {
     min_m: Vector<D>,
@@ -18,7 +18,7 @@ impl<const D: usize> Reach<D> {
     #[must_use]
     pub fn new(input: &InputBox<D>, period_s: f64) -> Self {
         Self {
-            min_m: input.min_m_s.map(|speed| -edge(-period_s * speed)),
+            min_m: input.min_m_s.map(|speed| 0.0 - edge(-period_s * speed)),
             max_m: input.max_m_s.map(|speed| edge(period_s * speed)),
         }
     }
@@ -38,7 +38,7 @@ impl<const D: usize> Reach<D> {
     /// ρ, m: no displacement in the box is longer.
     #[must_use]
     pub fn longest_m(&self) -> f64 {
-        let corner: Vector<D> = core::array::from_fn(|d| self.max_m[d].max(-self.min_m[d]));
+        let corner: Vector<D> = core::array::from_fn(|d| larger(self.max_m[d], -self.min_m[d]));
         length(&corner) * (1.0 + 4.0 * f64::EPSILON)
     }
 
@@ -46,7 +46,7 @@ impl<const D: usize> Reach<D> {
     #[must_use]
     pub fn clip(&self, v: &Vector<D>) -> Vector<D> {
         let number = |component: f64| if component.is_nan() { 0.0 } else { component };
-        core::array::from_fn(|d| number(v[d]).max(self.min_m[d]).min(self.max_m[d]))
+        core::array::from_fn(|d| cut(number(v[d]), self.min_m[d], self.max_m[d]))
     }
 
     /// True when `v` is inside, borders included.
@@ -73,6 +73,17 @@ mod tests {
         assert!((reach.longest_m() - libm::sqrt(5.0)).abs() < 1e-14);
         assert_eq!(reach.clip(&[-3.0, f64::NAN]), [-0.75, 0.0]);
         assert!(reach.contains(&[1.0, 2.0]) && !reach.contains(&[1.0, -1e-300]));
+    }
+
+    #[test]
+    fn zeros_at_a_side_are_positive() {
+        let reach = Reach::new(&InputBox { min_m_s: [0.0, -1.0], max_m_s: [1.0, 0.0] }, 0.5);
+        let bits = |v: &Vector<2>| v.map(f64::to_bits);
+        assert_eq!(bits(reach.min_m()), bits(&[0.0, -0.5]));
+        for v in [[0.0, 0.0], [-0.0, -0.0], [-1.0, 1.0]] {
+            assert_eq!(bits(&reach.clip(&v)), [0; 2], "{v:?}");
+        }
+        assert_eq!(bits(&reach.clip(&[0.25, -0.25])), bits(&[0.25, -0.25]));
     }
 
     #[test]

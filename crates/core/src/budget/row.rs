@@ -1,7 +1,7 @@
 //! One constraint on the displacement of a tick: a ball or a half-space that contains 0.
 
 use crate::budget::reach::Reach;
-use crate::math::{Vector, dot, is_finite};
+use crate::math::{Vector, dot, is_finite, larger};
 
 /// Relative rounding margin of [`Row::holds`].
 pub const ROUNDING: f64 = 8.0 * f64::EPSILON;
@@ -45,7 +45,7 @@ impl<const D: usize> Row<D> {
     /// `sign·v_axis ≤ bound`, m, for a sign of ±1.
     pub(crate) fn side(axis: usize, sign: f64, bound_m: f64) -> Self {
         let normal = core::array::from_fn(|d| if d == axis { sign } else { 0.0 });
-        Self { normal, curvature: 0.0, bound: bound_m.max(0.0) }
+        Self { normal, curvature: 0.0, bound: larger(bound_m, 0.0) }
     }
 
     /// (far) for `offset` r, m, and β, m²: `r·v + |v|² ≤ β`.
@@ -104,7 +104,7 @@ impl<const D: usize> Row<D> {
         value <= self.bound + ROUNDING * (size - value)
     }
 
-    /// True when v, of which |v|² is `square`, is clear of the boundary: then it surely holds.
+    /// True when v, of which |v|² is `square`, is at the boundary or inside it, with no margin: then the row holds too.
     pub(crate) fn clears(&self, v: &Vector<D>, square: f64) -> bool {
         dot(&self.normal, v) + self.curvature * square <= self.bound
     }

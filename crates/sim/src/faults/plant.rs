@@ -33,6 +33,8 @@ pub struct Bodies<const D: usize> {
     /// Where velocities have taken each, m.
     references_m: Vec<Vector<D>>,
     down: Vec<bool>,
+    /// Whether the crash lasted in the tick before, and whether it lasts in this one.
+    crash: [bool; 2],
 }
 
 impl<const D: usize> Bodies<D> {
@@ -49,15 +51,26 @@ impl<const D: usize> Bodies<D> {
             moving_m_s: vec![[0.0; D]; positions_m.len()],
             references_m: positions_m.to_vec(),
             down: vec![false; positions_m.len()],
+            crash: [false; 2],
         }
     }
 
     /// Decides who misses this tick.
     pub fn begin_tick(&mut self, time_s: f64) {
-        for (index, down) in self.down.iter_mut().enumerate() {
-            let crashed = self.plant.crash.is_some_and(|spell| spell.index() == index && spell.lasts(time_s));
-            *down = crashed || (self.plant.missed > 0.0 && self.random.chance(self.plant.missed));
+        self.crash = [self.crash[1], self.plant.crash.is_some_and(|spell| spell.lasts(time_s))];
+        for index in 0..self.down.len() {
+            self.down[index] =
+                self.crashed(index) || (self.plant.missed > 0.0 && self.random.chance(self.plant.missed));
         }
+    }
+
+    fn crashes(&self, index: usize) -> bool {
+        self.plant.crash.is_some_and(|spell| spell.index() == index)
+    }
+
+    /// True while the crash of this robot lasts.
+    fn crashed(&self, index: usize) -> bool {
+        self.crash[1] && self.crashes(index)
     }
 
     /// True for a robot that does nothing in this tick.
@@ -68,18 +81,14 @@ impl<const D: usize> Bodies<D> {
 
     /// True for a robot that returns in this tick from a crash after which it has forgotten everything.
     #[must_use]
-    pub fn reborn(&self, index: usize, time_s: f64) -> bool {
-        let ends = |spell: Spell| {
-            spell.index() == index && !spell.lasts(time_s) && spell.lasts(time_s - self.tick_s)
-        };
-        self.plant.forgets && self.plant.crash.is_some_and(ends)
+    pub fn reborn(&self, index: usize) -> bool {
+        self.plant.forgets && self.crash == [true, false] && self.crashes(index)
     }
 
     /// Velocity of a robot that misses a tick, when its last one was `last`.
     #[must_use]
-    pub fn without_command(&self, index: usize, time_s: f64, last: Vector<D>) -> Vector<D> {
-        let crashed = self.plant.crash.is_some_and(|spell| spell.index() == index && spell.lasts(time_s));
-        if self.plant.goes_on && !crashed { last } else { [0.0; D] }
+    pub fn without_command(&self, index: usize, last: Vector<D>) -> Vector<D> {
+        if self.plant.goes_on && !self.crashed(index) { last } else { [0.0; D] }
     }
 
     /// True when some robot goes on without having looked.
@@ -151,14 +160,13 @@ mod tests {
             ..Plant::default()
         };
         let mut bodies = Bodies::<2>::new(&scenario, &[[0.0; 2]; 11]);
-        let downs: Vec<bool> = [0.05, 0.1, 0.195, 0.2]
-            .map(|time_s| {
-                bodies.begin_tick(time_s);
-                bodies.down(1)
-            })
-            .into();
-        assert_eq!(downs, [false, true, true, false]);
-        assert!(bodies.reborn(1, 0.2) && !bodies.reborn(1, 0.21) && !bodies.reborn(0, 0.2));
+        let seen = [0.05, 0.1, 0.195, 0.2, 0.205].map(|time_s| {
+            bodies.begin_tick(time_s);
+            (bodies.down(1), bodies.reborn(1))
+        });
+        let (up, down) = ((false, false), (true, false));
+        assert_eq!(seen, [up, down, down, (false, true), up]);
+        assert!(!bodies.reborn(0));
         scenario.trouble.plant = Plant { missed: 0.3, goes_on: true, ..Plant::default() };
         let mut bodies = Bodies::<2>::new(&scenario, &[[0.0; 2]; 11]);
         let missed: usize = (0..100)
@@ -168,6 +176,22 @@ mod tests {
             })
             .sum();
         assert!((15..45).contains(&missed));
-        assert_eq!(bodies.without_command(4, 0.0, [1.0, 2.0]), [1.0, 2.0]);
+        assert_eq!(bodies.without_command(4, [1.0, 2.0]), [1.0, 2.0]);
+    }
+
+    /// A crash may end at a time that ticks meet but for the last place: k T and (k − 1) T + T are not one number.
+    #[test]
+    fn whoever_forgets_begins_anew_once() {
+        for (tick_s, to_s) in [(0.005, 0.1), (0.01, 0.07), (0.1, 0.7), (0.007, 0.63)] {
+            let mut scenario = Scenario::default();
+            let crash = Some(Spell { robot: 2, from_s: 0.02, to_s });
+            scenario.trouble.plant = Plant { crash, forgets: true, ..Plant::default() };
+            let mut bodies = Bodies::<2>::new(&scenario, &[[0.0; 2]; 11]);
+            let births = (0..400).filter(|tick| {
+                bodies.begin_tick(f64::from(*tick) * tick_s);
+                bodies.reborn(1)
+            });
+            assert_eq!(births.count(), 1, "{tick_s} s, {to_s} s");
+        }
     }
 }

@@ -102,5 +102,5 @@ fn value_attack(reader: &mut Reader, value: &mut Section<'_>) -> ValueAttack {
 /// The field `kind`.
 fn kind<'a>(reader: &mut Reader, section: &mut Section<'_>, names: &[&'a str]) -> Option<&'a str> {
     let choices: Vec<(&str, &'a str)> = names.iter().map(|name| (*name, *name)).collect();
-    reader.word(section, "kind", &choices)
+    reader.kind(section, &choices)
 }

@@ -30,8 +30,9 @@ pub(super) fn check(reader: &mut Reader, scenario: &Scenario) {
 }
 
 fn team(reader: &mut Reader, scenario: &Scenario) {
-    if scenario.controller == Controller::Budget && scenario.robots > BUDGET_ROBOTS_MAX {
-        let allowed = format!("at most {BUDGET_ROBOTS_MAX} with controller.kind = \"budget\"");
+    let heavy = scenario.controller == Controller::Budget || !scenario.is_plain();
+    if heavy && scenario.robots > HEAVY_ROBOTS_MAX {
+        let allowed = format!("at most {HEAVY_ROBOTS_MAX} {HEAVY}");
         reader.refuse("team.robots", scenario.robots.to_string(), allowed);
     }
     let mut pairs = scenario.malicious.iter().zip(scenario.malicious.iter().skip(1));
@@ -40,8 +41,12 @@ fn team(reader: &mut Reader, scenario: &Scenario) {
     }
 }
 
-/// Robots of `budget` run one by one and each holds what it knows of all others: memory grows with the square.
-const BUDGET_ROBOTS_MAX: u16 = 1_000;
+/// Where the world is not plain robots run one by one, and each holds what it knows of all others; `budget` holds every pair
+/// even if it is computed at once. Memory grows with the square.
+const HEAVY_ROBOTS_MAX: u16 = 1_000;
+/// Which teams these are.
+const HEAVY: &str = "with controller.kind = \"budget\", and wherever something goes wrong or liars have faces, fall silent, \
+                     send garbage or disobey";
 
 fn boxes(reader: &mut Reader, scenario: &Scenario) {
     let corners = [
@@ -131,8 +136,18 @@ fn start<const D: usize>(reader: &mut Reader, scenario: &Scenario) {
     };
     for (second, x) in positions.iter().enumerate() {
         if let Some(first) = positions[..second].iter().position(|y| squared_distance(x, y) == 0.0) {
-            let found = format!("robots {} and {} at one point {x:?}", first + 1, second + 1);
-            reader.refuse("start.positions_m", found, "a different point for each robot");
+            let pair = format!("robots {} and {}", first + 1, second + 1);
+            let (field, length_m) = match scenario.start {
+                Start::Hexagon { spacing_m } => ("start.spacing_m", spacing_m),
+                Start::Random { half_side_m, .. } => ("start.half_side_m", half_side_m),
+                _ => {
+                    let found = format!("{pair} at one point {x:?}");
+                    reader.refuse("start.positions_m", found, "a different point for each robot");
+                    continue;
+                }
+            };
+            let found = format!("{length_m:e}, where the distance of {pair} is rounded to 0");
+            return reader.refuse(field, found, "a larger start");
         }
     }
 }

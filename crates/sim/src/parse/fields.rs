@@ -149,7 +149,7 @@ fn start(reader: &mut Reader, section: &mut Section<'_>, scenario: &mut Scenario
         (_, 2) => 2,
         _ => 3,
     };
-    scenario.start = presets[reader.word(section, "kind", &names).unwrap_or(usual)].1.clone();
+    scenario.start = presets[reader.kind(section, &names).unwrap_or(usual)].1.clone();
     match &mut scenario.start {
         Start::Hexagon { spacing_m } => set(spacing_m, reader.number(section, "spacing_m", POSITIVE)),
         Start::Random { half_side_m, distance_min_m } => {
@@ -173,7 +173,7 @@ fn position(value: &DeValue<'_>, dimension: usize) -> Option<Vec<f64>> {
 }
 
 fn values(reader: &mut Reader, section: &mut Section<'_>, scenario: &mut Scenario) {
-    let listed = reader.word(section, "kind", &[("random", false), ("listed", true)]) == Some(true);
+    let listed = reader.kind(section, &[("random", false), ("listed", true)]) == Some(true);
     if listed {
         let value = |value: &DeValue<'_>| number(value).filter(|value| value.abs() <= MAGNITUDE_MAX);
         scenario.values =

@@ -23,12 +23,14 @@ pub(crate) struct Section<'text> {
     place: Range<usize>,
     entries: Option<&'text DeTable<'text>>,
     known: Vec<&'static str>,
+    /// Its kind was refused, so nobody knows which fields it has.
+    unclear: bool,
 }
 
 impl<'text> Section<'text> {
     /// The whole text.
     pub(crate) fn root(entries: &'text DeTable<'text>) -> Self {
-        Self { path: String::new(), place: 0..0, entries: Some(entries), known: Vec::new() }
+        Self { path: String::new(), place: 0..0, entries: Some(entries), known: Vec::new(), unclear: false }
     }
 
     fn name(&self, key: &str) -> String {
@@ -86,7 +88,8 @@ impl Reader {
         key: &'static str,
     ) -> Section<'text> {
         let path = parent.name(key);
-        let mut section = Section { path, place: parent.place.clone(), entries: None, known: Vec::new() };
+        let (place, known) = (parent.place.clone(), Vec::new());
+        let mut section = Section { path, place, entries: None, known, unclear: false };
         if let Some(value) = parent.take(key) {
             section.place = value.span();
             self.places.insert(section.path.clone(), value.span());
@@ -156,6 +159,14 @@ impl Reader {
         choice
     }
 
+    /// The field `kind`, on which depends what other fields there are.
+    pub(crate) fn kind<T: Copy>(&mut self, section: &mut Section<'_>, choices: &[(&str, T)]) -> Option<T> {
+        let given = section.has("kind");
+        let kind = self.word(section, "kind", choices);
+        section.unclear = given && kind.is_none();
+        kind
+    }
+
     /// A text of 1 to `length` printable characters.
     pub(crate) fn text(
         &mut self,
@@ -198,7 +209,7 @@ impl Reader {
 
     /// Notes every field of `section` that nobody asked for.
     pub(crate) fn close(&mut self, section: &Section<'_>) {
-        let Some(entries) = section.entries else { return };
+        let Some(entries) = section.entries.filter(|_| !section.unclear) else { return };
         for (key, _) in entries {
             if !section.known.contains(&key.get_ref().as_ref()) {
                 let found = "not a field here".to_owned();

@@ -1,6 +1,7 @@
 //! The tables `network`, `clocks`, `sensing` and `plant` of a scenario text: what goes wrong.
 
 use closeranks_core::allowed::Allowed;
+use closeranks_core::params::MAGNITUDE_MAX;
 
 use super::fields::{NOT_NEGATIVE, set, small};
 use super::reader::{Reader, Section};
@@ -80,9 +81,12 @@ fn spell(
     Some((Spell { robot, from_s, to_s }, by_m))
 }
 
-/// Fields `from_s` and `to_s`.
+/// Fields `from_s` and `to_s`, which is not before it.
 fn times(reader: &mut Reader, section: &mut Section<'_>) -> [f64; 2] {
-    let from_s = reader.number(section, "from_s", NOT_NEGATIVE).unwrap_or(1.0);
-    let to_s = reader.number(section, "to_s", NOT_NEGATIVE).unwrap_or(from_s + 1.0);
-    [from_s, to_s]
+    let (given, from_s) = (section.has("from_s"), reader.number(section, "from_s", NOT_NEGATIVE));
+    // Beside a wrong `from_s` any `to_s` may be right.
+    let least = if given { from_s.unwrap_or(0.0) } else { 1.0 };
+    let to_s = reader.number(section, "to_s", Allowed::Closed(least, MAGNITUDE_MAX));
+    let from_s = from_s.unwrap_or(1.0);
+    [from_s, to_s.unwrap_or((from_s + 1.0).min(MAGNITUDE_MAX))]
 }
