@@ -3,8 +3,8 @@
 use core::ops::Range;
 use core::str::FromStr;
 
-/// Files that a sweep is cut into, at least, if it has so many runs.
-const BLOCKS: u64 = 256;
+/// Files that a sweep is cut into, at least, if it has so many runs. Each waits for the disk: a millisecond or two.
+const BLOCKS: u64 = 128;
 
 /// Most runs of a block.
 const BLOCK_MAX: u64 = 2_048;

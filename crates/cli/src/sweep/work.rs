@@ -1,6 +1,7 @@
 //! Runs blocks of a sweep, and puts them together.
 
 use std::fs::File;
+use std::io::{BufWriter, Write as _};
 use std::path::Path;
 
 use anyhow::{Context, Result, bail};
@@ -76,12 +77,12 @@ impl Work<'_> {
     }
 
     fn write(&self, file: &mut File, all: impl Iterator<Item = Result<Rows>>) -> Result<()> {
+        let file = BufWriter::new(file); // Parquet is written in many small pieces
         let mut writer = Writer::new(file, &heads(self.plan.fields()), &self.manifest.pairs())?;
         for rows in all {
             writer.add(rows?)?;
         }
-        writer.finish()?;
-        Ok(())
+        Ok(writer.finish()?.flush()?)
     }
 
     /// Puts all blocks into one file.
