@@ -36,6 +36,12 @@ impl Law {
         matches!(self, Self::Composition | Self::Shares)
     }
 
+    /// True if it is about what `budget` alone says of itself.
+    #[must_use]
+    pub fn is_about_budget(self) -> bool {
+        matches!(self, Self::Decay | Self::Mode)
+    }
+
     /// All, in the order of reports.
     pub const ALL: [Self; Self::COUNT] = [
         Self::Degree,

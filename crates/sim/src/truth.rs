@@ -24,7 +24,7 @@ pub(crate) struct Truth {
     pub(crate) pairs_m2: Vec<f64>,
     /// The least of them.
     pub(crate) least_m2: f64,
-    /// The same of positions; nothing where these are the references.
+    /// `pairs_m2` of positions; empty where these are the references.
     actual_m2: Vec<f64>,
 }
 
@@ -63,8 +63,8 @@ impl Truth {
         if frame.positions_m != frame.references_m {
             fill_pairs(&frame.positions_m, &mut self.actual_m2);
         }
+        let required = f64::from(required(params));
         if plain {
-            let required = f64::from(required(params));
             self.levels.clone_from(&frame.levels);
             self.degrees.clone_from(&frame.degrees);
             self.spares.clear();
@@ -75,10 +75,9 @@ impl Truth {
         let free =
             params.settings().controller == Controller::Budget && params.settings().assume == Assume::Free;
         let margin = params.budget().margin.away_m > 0.0;
-        let required = f64::from(required(params));
         let counts = |robot: usize| !(free && malicious[robot]);
         self.resize(frame.positions_m.len());
-        let actual_m2 = if self.actual_m2.is_empty() { &self.pairs_m2 } else { &self.actual_m2 };
+        let actual_m2 = first_filled(&self.actual_m2, &self.pairs_m2);
         weigh(params.link(), actual_m2, |_| true, &mut self.levels, &mut self.degrees);
         self.spares.clone_from(&self.levels);
         if free {
@@ -106,7 +105,7 @@ impl Truth {
 
     /// Squared distances of positions, m², in the order of [`Truth::pairs_m2`].
     pub(crate) fn actual_m2(&self) -> &[f64] {
-        if self.actual_m2.is_empty() { &self.pairs_m2 } else { &self.actual_m2 }
+        first_filled(&self.actual_m2, &self.pairs_m2)
     }
 
     /// Squared distance of the references of two different robots, m².
@@ -115,6 +114,10 @@ impl Truth {
         let (first, second) = if one < other { (one, other) } else { (other, one) };
         self.pairs_m2[second * (second - 1) / 2 + first]
     }
+}
+
+fn first_filled<'a>(numbers: &'a [f64], others: &'a [f64]) -> &'a [f64] {
+    if numbers.is_empty() { others } else { numbers }
 }
 
 /// Puts squared distances of all pairs, m², into `pairs_m2`, in the order of [`Truth::pairs_m2`].

@@ -15,9 +15,9 @@ pub fn table(tally: &Tally) -> Table {
     heads.extend(tally.controllers.keys().cloned());
     let laws = Law::ALL.into_iter().filter(|law| !law.is_about_phi());
     let runs = |law: Law| {
-        let counts =
-            tally.controllers.values().map(move |share| share.broken.get(law.name()).copied().unwrap_or(0));
-        core::iter::once(law.name().to_owned()).chain(counts.map(|count| count.to_string())).collect()
+        let counts = tally.controllers.values().map(move |share| share.broken.get(law.name()));
+        let told = counts.map(|count| count.map_or("-".to_owned(), u64::to_string)); // nobody looked
+        core::iter::once(law.name().to_owned()).chain(told).collect()
     };
     Table { heads, rows: laws.map(runs).collect() }
 }

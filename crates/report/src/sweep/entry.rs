@@ -111,9 +111,10 @@ impl Entry<'_> {
         cells
     }
 
-    /// Sweeps leave φ out under `budget`.
+    /// Sweeps leave φ out under `budget`, and what `budget` says of itself under others.
     fn is_watched(&self, law: Law) -> bool {
-        !(law.is_about_phi() && self.scenario.controller == Controller::Budget)
+        let budget = self.scenario.controller == Controller::Budget;
+        if budget { !law.is_about_phi() } else { !law.is_about_budget() }
     }
 
     fn outcome(&self) -> Vec<Option<Cell>> {
