@@ -31,7 +31,8 @@ impl<const D: usize> Robot<'_, D> {
         let desired_m = self.params.desired_m(desired);
         let mut rows =
             self.params.budget().rows(&self.sightings[..count], &desired_m, *self.params.reach(), memory);
-        let answer = self.params.answer(&mut rows);
+        let answer = self.params.answer(&mut rows, &self.before);
+        self.before = answer.velocity_m_s;
         self.assurance.doubt(self.now, answer.doubt);
         (answer.velocity_m_s, answer.outcome)
     }

@@ -27,10 +27,11 @@ impl<const D: usize> Params<D> {
         desired.map(|component| component * self.hold_s())
     }
 
-    /// The velocity that keeps every row for as long as it may be held.
+    /// The velocity that keeps every row for as long as it may be held. That of the tick before, `before` (m/s), makes it faster
+    /// to find and changes it by no more than rounding.
     #[must_use]
-    pub fn answer(&self, rows: &mut Rows<'_, D>) -> Answer<D> {
-        let closest = rows.closest();
+    pub fn answer(&self, rows: &mut Rows<'_, D>, before: &Vector<D>) -> Answer<D> {
+        let closest = rows.closest_from(&self.desired_m(before));
         let doubt = match (rows.broken, rows.doubtful) {
             (0, 0) => None,
             (0, _) => Some(Reason::Uncertain),

@@ -46,6 +46,8 @@ pub struct Robot<'memory, const D: usize> {
     pub(crate) next: usize,
     pub(crate) now: Instant,
     position: Option<Vector<D>>,
+    /// The last velocity under `budget`, m/s.
+    pub(crate) before: Vector<D>,
     pub(crate) assurance: Assurance<D>,
     level_timer: Timer,
     value_timer: Timer,
@@ -89,6 +91,7 @@ impl<'memory, const D: usize> Robot<'memory, D> {
             next: 0,
             now: Instant::START,
             position: None,
+            before: [0.0; D],
             assurance: Assurance::NEW,
             level_timer: Timer::new(Instant::START, params.settings().level_period),
             value_timer: Timer::new(Instant::START, params.settings().value_period),
@@ -123,7 +126,8 @@ impl<'memory, const D: usize> Robot<'memory, D> {
             return Err(RobotError::Value);
         }
         (self.count, self.position, self.sequence) = (0, None, 0);
-        (self.assurance, self.round, self.round_news) = (Assurance::NEW, None, false);
+        (self.assurance, self.before) = (Assurance::NEW, [0.0; D]);
+        (self.round, self.round_news) = (None, false);
         (self.level, self.told_level, self.value, self.next_value) = (0.0, 0.0, value, value);
         Ok(())
     }

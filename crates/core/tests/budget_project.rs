@@ -84,6 +84,40 @@ fn into<const D: usize>(case: &Case<D>, v: &Vector<D>) -> Vector<D> {
     v.map(|component| low * component)
 }
 
+/// From the answer itself, from close to it and from anywhere the answer is the same, up to rounding over the angle of two boundaries
+/// that decide; often it is found at once.
+//= method computing type=test
+#[test]
+fn wherever_one_looks_first_the_answer_is_the_same() {
+    let mut met = [0; 2];
+    for seed in 0..CASES {
+        met[0] += check_guesses(&Case::<2>::ordinary(seed), seed, 1e-13);
+        met[1] += check_guesses(&Case::<3>::ordinary(seed), seed, 1e-13);
+        check_guesses(&Case::<1>::degenerate(seed), seed, 1e-9);
+        check_guesses(&Case::<2>::degenerate(seed), seed, 1e-9);
+        check_guesses(&Case::<3>::degenerate(seed), seed, 1e-9);
+    }
+    assert!(met.iter().all(|met| *met > CASES / 20), "{met:?} of {CASES} were found at once");
+}
+
+/// 1 if the answer was found where it was looked for while the search would have looked at more rows.
+fn check_guesses<const D: usize>(case: &Case<D>, seed: u64, allowed: f64) -> u64 {
+    let cold = case.solve();
+    let mut random = Seeded(!seed);
+    let sizes = [0.0, 1e-9, 1e-4, 1.0, f64::INFINITY];
+    let befores = sizes.map(|size| -> Vector<D> {
+        core::array::from_fn(|d| cold.displacement_m[d] + size * random.between(-1.0, 1.0))
+    });
+    for before in &befores {
+        let warm = case.solve_from(before);
+        let distance = |v: &Vector<D>| length(&subtract(v, &case.desired));
+        let farther = distance(&warm.displacement_m) - distance(&cold.displacement_m);
+        assert!(farther.abs() <= allowed, "{farther:e} m farther from {before:?} in {case:?}");
+        assert_eq!(warm.outcome, cold.outcome, "from {before:?} in {case:?}");
+    }
+    u64::from(cold.working > 2 && case.solve_from(&cold.displacement_m).working == 2)
+}
+
 #[test]
 fn a_circle_that_meets_the_rest_in_two_arcs() {
     // a lens of two discs, cut by a wall whose two ends are both vertices

@@ -219,7 +219,7 @@ impl<const D: usize> Allies<D> {
         let own = (frame.levels[robot], degree);
         let mut program =
             params.budget().rows_between(own, neighbors, &desired_m, *params.reach(), &mut rows);
-        let answer = params.answer(&mut program);
+        let answer = params.answer(&mut program, &frame.velocities_m_s[robot]);
         frame.velocities_m_s[robot] = answer.velocity_m_s;
         frame.outcomes[robot] = answer.outcome;
         frame.modes[robot] = params.mode(answer.doubt, degree, frame.spares[robot]);

@@ -90,7 +90,7 @@ fn closest_on_one<const D: usize>(row: &Row<D>, point: &Vector<D>) -> Option<Vec
         step_onto(row, row.normal(), point)?
     };
     if !row.holds(&closest) {
-        let gradient = add_scaled(row.normal(), 2.0 * row.curvature(), &closest);
+        let gradient = row.gradient(&closest);
         closest = step_onto(row, &gradient, &closest).unwrap_or(closest);
     }
     straighten(row, &mut closest);
@@ -121,7 +121,7 @@ fn polish<const D: usize>(rows: &[&Row<D>], v: &mut Vector<D>) {
     }
     let mut step = Flat::whole();
     for row in rows {
-        let gradient = add_scaled(row.normal(), 2.0 * row.curvature(), v);
+        let gradient = row.gradient(v);
         if step.cut(&gradient, row.bound() - row.value(v)).is_none() {
             return;
         }
@@ -131,7 +131,7 @@ fn polish<const D: usize>(rows: &[&Row<D>], v: &mut Vector<D>) {
 
 /// The same for two boundaries that are far from parallel, without roots.
 fn step_onto_both<const D: usize>(one: &Row<D>, other: &Row<D>, v: &Vector<D>) -> Option<Vector<D>> {
-    let [a, b] = [one, other].map(|row| add_scaled(row.normal(), 2.0 * row.curvature(), v));
+    let [a, b] = [one, other].map(|row| row.gradient(v));
     let [missing_a, missing_b] = [one, other].map(|row| row.bound() - row.value(v));
     let (aa, ab, bb) = (dot(&a, &a), dot(&a, &b), dot(&b, &b));
     let square = aa * bb - ab * ab;
@@ -259,8 +259,7 @@ mod tests {
             match pair {
                 (Some(a), Some(b)) => {
                     met += 1;
-                    let [along_a, along_b] =
-                        [&one, &other].map(|row| add_scaled(row.normal(), 2.0 * row.curvature(), &a));
+                    let [along_a, along_b] = [&one, &other].map(|row| row.gradient(&a));
                     let square = |v: &Vector<2>| dot(v, v);
                     let sine = (along_a[0] * along_b[1] - along_a[1] * along_b[0]).abs()
                         / sqrt(square(&along_a) * square(&along_b));

@@ -25,11 +25,12 @@
 //! | what wrong positions and lag cost | [`margin`] |
 //! | what both ends of a pair share | [`tie`] |
 //! | all rows of a tick, recovery | [`rows`], `limits` |
-//! | the closest point | [`project`] |
+//! | the closest point | [`project`], `flat`, `guess` |
 //! | γ, γ_c and the rest | [`settings`] |
 
 pub mod curvature;
 mod flat;
+mod guess;
 pub mod interval;
 pub mod knowledge;
 mod limits;

@@ -1,7 +1,7 @@
 //! One constraint on the displacement of a tick: a ball or a half-space that contains 0.
 
 use crate::budget::reach::Reach;
-use crate::math::{Vector, dot, is_finite, larger};
+use crate::math::{Vector, add_scaled, dot, is_finite, larger};
 
 /// Relative rounding margin of [`Row::holds`].
 pub const ROUNDING: f64 = 8.0 * f64::EPSILON;
@@ -107,6 +107,16 @@ impl<const D: usize> Row<D> {
     /// True when v, of which |v|² is `square`, is at the boundary or inside it, with no margin: then the row holds too.
     pub(crate) fn clears(&self, v: &Vector<D>, square: f64) -> bool {
         dot(&self.normal, v) + self.curvature * square <= self.bound
+    }
+
+    /// By how much the left-hand side at v, of which |v|² is `square`, is below the bound.
+    pub(crate) fn slack(&self, v: &Vector<D>, square: f64) -> f64 {
+        self.bound - (dot(&self.normal, v) + self.curvature * square)
+    }
+
+    /// Gradient of the left-hand side at v.
+    pub(crate) fn gradient(&self, v: &Vector<D>) -> Vector<D> {
+        add_scaled(&self.normal, 2.0 * self.curvature, v)
     }
 
     /// True when v breaks the row by no more than `share` of its terms.

@@ -48,6 +48,12 @@ impl<'memory, const D: usize> Rows<'memory, D> {
         self.program.closest(&self.desired_m)
     }
 
+    /// The same up to rounding, faster where `before_m` is close to it ([`Program::closest_from`]).
+    #[must_use]
+    pub fn closest_from(&mut self, before_m: &Vector<D>) -> Closest<D> {
+        self.program.closest_from(&self.desired_m, before_m)
+    }
+
     /// Adds `row` of the vector that is known to `wrong`, which does not surely hold: once if that is 0, else for every corner
     /// of the cube around it.
     //= method margins

@@ -74,12 +74,20 @@ impl<const D: usize> Case<D> {
     }
 
     pub(crate) fn solve(&self) -> Closest<D> {
+        self.solve_by(|program| program.closest(&self.desired))
+    }
+
+    pub(crate) fn solve_from(&self, before: &Vector<D>) -> Closest<D> {
+        self.solve_by(|program| program.closest_from(&self.desired, before))
+    }
+
+    fn solve_by(&self, closest: impl FnOnce(&mut Program<'_, D>) -> Closest<D>) -> Closest<D> {
         let mut memory = [Row::default(); ROWS_MAX];
         let mut program = Program::new(&mut memory, Reach::new(&self.input, 1.0));
         for row in &self.rows {
             program.push(*row);
         }
-        let closest = program.closest(&self.desired);
+        let closest = closest(&mut program);
         let v = closest.displacement_m;
         assert!(!program.is_full() && self.admits(&v), "{v:?} is not admissible in {self:?}");
         closest

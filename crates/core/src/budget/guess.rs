@@ -1,0 +1,45 @@
+//! The closest point where it is likely to be: on the two boundaries that decided a tick ago.
+
+use crate::budget::flat::closest_on;
+use crate::budget::project::Program;
+use crate::budget::row::Row;
+use crate::math::{Vector, dot, subtract};
+
+/// A boundary is near within this share of the longest move.
+const NEAR: f64 = 1e-3;
+/// Gradients are far from parallel from this square of the sine of their angle on.
+const APART: f64 = 1e-4;
+
+impl<const D: usize> Program<'_, D> {
+    /// Where the two boundaries near `before` meet, if that is the closest point: every row holds there, and [`decide`].
+    pub(crate) fn guess(&self, desired: &Vector<D>, before: &Vector<D>) -> Option<Vector<D>> {
+        let [one, other] = self.nearest(before)?;
+        let v = closest_on(&[one, other], desired)?;
+        (decide(one, other, &v, desired) && self.rows().iter().all(|row| row.holds(&v))).then_some(v)
+    }
+
+    /// The two rows whose boundaries are nearest to `v` in the scale of rows, if they are near.
+    fn nearest(&self, v: &Vector<D>) -> Option<[&Row<D>; 2]> {
+        let (square, near_m) = (dot(v, v), NEAR * self.reach.longest_m());
+        let (mut nearest, mut least) = ([None; 2], [near_m; 2]);
+        for row in self.rows() {
+            let slack = row.slack(v, square).abs();
+            if slack < least[0] {
+                (nearest, least) = ([Some(row), nearest[0]], [slack, least[0]]);
+            } else if slack < least[1] {
+                (nearest[1], least[1]) = (Some(row), slack);
+            }
+        }
+        Some([nearest[0]?, nearest[1]?])
+    }
+}
+
+/// True if at v, where both boundaries are, the way to `desired` is a sum of their gradients with factors that are not
+/// negative: then no other point of the two balls is as close.
+fn decide<const D: usize>(one: &Row<D>, other: &Row<D>, v: &Vector<D>, desired: &Vector<D>) -> bool {
+    let ([a, b], way) = ([one, other].map(|row| row.gradient(v)), subtract(desired, v));
+    let (aa, ab, bb) = (dot(&a, &a), dot(&a, &b), dot(&b, &b));
+    let (along_a, along_b) = (dot(&a, &way), dot(&b, &way));
+    let apart = aa * bb - ab * ab > APART * aa * bb;
+    apart && bb * along_a >= ab * along_b && aa * along_b >= ab * along_a
+}
