@@ -5,10 +5,10 @@
 //! the weights between those it sees. Rows and answers are made by the functions of [`closeranks_core`] that a robot uses.
 
 use closeranks_core::barrier::degree_barrier;
-use closeranks_core::budget::knowledge::{Claim, Known};
+use closeranks_core::budget::knowledge::Known;
 use closeranks_core::budget::row::Row;
 use closeranks_core::budget::survey::Seen;
-use closeranks_core::budget::tie::{Knowledge, Neighbor, Tie};
+use closeranks_core::budget::tie::{Neighbor, Tie};
 use closeranks_core::composed::Sum;
 use closeranks_core::math::{Vector, add_scaled, dot, subtract};
 use closeranks_core::params::Params;
@@ -31,20 +31,22 @@ pub struct Allies<const D: usize> {
     params: Params<D>,
     tick: u32,
     consensus: Consensus,
-    /// Weight of every robot with every other, in lines of so many blocks, and its tie with those of higher numbers.
-    weights: Vec<[f64; LANES]>,
-    blocks: usize,
+    /// Weight of every robot with every other, in lines of whole blocks, and its tie with those of higher numbers.
+    weights: Vec<f64>,
+    line: usize,
     ties: Vec<Tie>,
     /// Behind φ_i.
     terms: Vec<f64>,
     sums: Vec<Sum<0, f64>>,
-    claims: Vec<Option<Claim>>,
+    /// What the claims of all are worth.
+    told: Vec<f64>,
     /// What those know of each robot who see everybody.
     knowns: Vec<Known>,
     /// Whom a robot sees, itself among them, whom not, and what it sees of the level of each.
     seen: Vec<usize>,
     unseen: Vec<usize>,
-    lows: Vec<[f64; LANES]>,
+    sees: usize,
+    lows: Vec<f64>,
     rows: Vec<Row<D>>,
 }
 
@@ -64,23 +66,32 @@ impl<const D: usize> Allies<D> {
         if !params.budget().is_plain() || !positions_m.iter().flatten().all(near) {
             return None;
         }
-        let blocks = robots.div_ceil(LANES);
-        let nobody = Tie { distance_m2: 0.0, distance_m: 0.0, slope: 0.0, bend: 0.0, wrong: 0.0 };
+        let line = robots.next_multiple_of(LANES);
+        let nobody = Tie {
+            distance_m2: 0.0,
+            distance_m: 0.0,
+            slope: 0.0,
+            bend: 0.0,
+            wrong: 0.0,
+            most: 0.0,
+            clear: false,
+        };
         let nothing = Known { budget: 0.0, deficit: 0.0, degree_max: 1.0 };
         Some(Self {
             params,
             tick: 0,
             consensus: Consensus::new(scenario, values),
-            weights: vec![[NO_LINK; LANES]; robots * blocks],
-            blocks,
+            weights: vec![NO_LINK; robots * line],
+            line,
             ties: vec![nobody; robots * robots],
             terms: vec![0.0; robots],
             sums: vec![Sum::new(0.0); robots],
-            claims: vec![None; robots],
+            told: vec![0.0; robots],
             knowns: vec![nothing; robots],
-            seen: Vec::new(),
-            unseen: Vec::new(),
-            lows: vec![[0.0; LANES]; blocks],
+            seen: vec![0; robots],
+            unseen: vec![0; robots],
+            sees: 0,
+            lows: vec![0.0; line],
             rows: vec![Row::default(); 2 * D + 2 * robots + 1],
         })
     }
@@ -91,8 +102,8 @@ impl<const D: usize> Allies<D> {
         liars.begin_tick(self.tick);
         self.tell(frame, liars);
         if self.consensus.is_due(self.tick) {
-            let (weights, blocks) = (&self.weights, self.blocks);
-            self.consensus.hold(frame, liars, |robot, other| linked(weights, blocks, robot, other));
+            let (weights, line) = (&self.weights, self.line);
+            self.consensus.hold(frame, liars, |robot, other| is_link(weights[robot * line + other]));
         }
         if frame.wants_phi {
             self.sum_phis(frame);
@@ -120,25 +131,21 @@ impl<const D: usize> Allies<D> {
 
     /// Links of `first` to robots of higher numbers.
     fn find_links(&mut self, first: usize, frame: &mut Frame<D>) {
-        let (robots, after, position) = (self.claims.len(), first + 1, frame.positions_m[first]);
-        let blocks = self.blocks;
+        let (robots, line) = (self.told.len(), self.line);
         let (mut level, mut degree) = (frame.levels[first], frame.degrees[first]);
-        let others = frame.levels[after..].iter_mut().zip(&mut frame.degrees[after..]);
-        let others = frame.positions_m[after..].iter().zip(others).zip(after..);
-        let ties = &mut self.ties[first * robots..after * robots];
-        for ((other, (other_level, other_degree)), second) in others {
-            let offset_m = subtract(&position, other);
-            let distance_m2 = dot(&offset_m, &offset_m);
-            let link = self.params.link().link_at::<f64>(distance_m2);
+        let ties = &mut self.ties[first * robots..(first + 1) * robots];
+        for second in first + 1..robots {
+            let offset_m = subtract(&frame.positions_m[first], &frame.positions_m[second]);
+            let link = self.params.link().link_at::<f64>(dot(&offset_m, &offset_m));
             let weight = link.map_or(NO_LINK, |link| link.weight);
-            self.weights[first * blocks + second / LANES][second % LANES] = weight;
-            self.weights[second * blocks + first / LANES][first % LANES] = weight;
+            self.weights[first * line + second] = weight;
+            self.weights[second * line + first] = weight;
             let Some(link) = link else { continue };
-            ties[second] = self.params.budget().tie(distance_m2, link.slope);
+            ties[second] = self.params.budget().tie(&offset_m, link.slope, self.params.reach());
             level += weight;
-            *other_level += weight;
+            frame.levels[second] += weight;
             degree += 1;
-            *other_degree += 1;
+            frame.degrees[second] += 1;
         }
         frame.links += u32::from(degree - frame.degrees[first]);
         (frame.levels[first], frame.degrees[first]) = (level, degree);
@@ -150,9 +157,9 @@ impl<const D: usize> Allies<D> {
         for (robot, level) in frame.levels.iter().enumerate() {
             frame.spares[robot] = degree_barrier(*level, budget.required());
             frame.told[robot] = liars.level(robot, *level);
-            let claim = settings.claim(frame.told[robot], settings.clock_error);
-            let seen = Seen { low: *level, degree: f64::from(frame.degrees[robot]), unseen: 0, claim };
-            self.claims[robot] = claim;
+            self.told[robot] = budget.told(settings.claim(frame.told[robot], settings.clock_error));
+            let degree = f64::from(frame.degrees[robot]);
+            let seen = Seen { low: *level, degree, unseen: 0, told: self.told[robot] };
             self.knowns[robot] = budget.known_from(&seen, 0.0);
         }
     }
@@ -196,11 +203,11 @@ impl<const D: usize> Allies<D> {
     }
 
     fn linked(&self, robot: usize, other: usize) -> bool {
-        linked(&self.weights, self.blocks, robot, other)
+        is_link(self.weights[robot * self.line + other])
     }
 
     fn tie(&self, robot: usize, other: usize) -> &Tie {
-        &self.ties[robot.min(other) * self.claims.len() + robot.max(other)]
+        &self.ties[robot.min(other) * self.told.len() + robot.max(other)]
     }
 
     /// Rows and answer of one robot.
@@ -208,11 +215,10 @@ impl<const D: usize> Allies<D> {
         self.look_around(robot);
         let mut rows = core::mem::take(&mut self.rows);
         let (params, position) = (&self.params, frame.positions_m[robot]);
-        let others = self.seen.iter().filter(|other| **other != robot);
-        let neighbors = others.map(|other| Neighbor {
-            offset_m: subtract(&position, &frame.positions_m[*other]),
-            tie: self.tie(robot, *other),
-            knowledge: self.knowledge(*other, frame),
+        let others = self.seen[..self.sees].iter().filter(|other| **other != robot);
+        let neighbors = others.map(|other| {
+            let (offset_m, tie) = (subtract(&position, &frame.positions_m[*other]), self.tie(robot, *other));
+            Neighbor { offset_m, tie, known: self.known(*other, tie, frame) }
         });
         let desired_m = params.desired_m(&frame.desired_m_s[robot]);
         let degree = frame.degrees[robot];
@@ -227,40 +233,46 @@ impl<const D: usize> Allies<D> {
     }
 
     /// What the robot that looked around knows of `other`.
-    fn knowledge(&self, other: usize, frame: &Frame<D>) -> Knowledge<'_> {
-        let unseen = self.unseen.len();
-        if unseen == 0 {
-            return Knowledge::Known(&self.knowns[other]);
+    #[inline]
+    fn known(&self, other: usize, tie: &Tie, frame: &Frame<D>) -> Known {
+        let unseen = &self.unseen[..self.told.len() - self.sees];
+        if unseen.is_empty() {
+            return self.knowns[other];
         }
-        let (low, degree) = (self.lows[other / LANES][other % LANES], usize::from(frame.degrees[other]));
-        let missed = self.unseen.iter().filter(|unseen| self.linked(other, **unseen)).count();
-        let degree = u32::try_from(degree - missed + unseen).map_or(f64::MAX, f64::from);
-        Knowledge::Seen(Seen { low, degree, unseen, claim: self.claims[other] })
+        let (low, told) = (self.lows[other], self.told[other]);
+        let beyond = unseen.iter().filter(|unseen| !self.linked(other, **unseen)).count();
+        let degree = f64::from(frame.degrees[other]) + number(beyond);
+        self.params.budget().known_from(&Seen { low, degree, unseen: unseen.len(), told }, tie.distance_m)
     }
 
     /// Whom `robot` sees, and what of the level of each: sums over the robots that it sees, in order of their numbers.
     fn look_around(&mut self, robot: usize) {
-        let line = &self.weights[robot * self.blocks..(robot + 1) * self.blocks];
-        let robots = self.claims.len();
-        self.seen.clear();
-        self.unseen.clear();
-        for (other, weight) in line.as_flattened()[..robots].iter().enumerate() {
-            let sees = other == robot || weight.is_sign_positive();
-            if sees { &mut self.seen } else { &mut self.unseen }.push(other);
+        let line = self.line;
+        let weights = &self.weights[robot * line..][..self.told.len()];
+        self.sees = 0;
+        for (other, weight) in weights.iter().enumerate() {
+            let sees = other == robot || is_link(*weight);
+            self.seen[self.sees] = other;
+            self.unseen[other - self.sees] = other;
+            self.sees += usize::from(sees);
         }
-        if self.unseen.is_empty() {
+        if self.sees == self.told.len() {
             return;
         }
-        for (block, lows) in self.lows.iter_mut().enumerate() {
-            let mut sums = [0.0; LANES];
-            for other in &self.seen {
-                sums = add_scaled(&sums, 1.0, &self.weights[other * self.blocks + block]);
-            }
-            *lows = sums;
+        let seen = &self.seen[..self.sees];
+        for (block, lows) in self.lows.as_chunks_mut().0.iter_mut().enumerate() {
+            let weights = |other: &usize| self.weights[other * line + block * LANES..].first_chunk();
+            let weights = seen.iter().filter_map(weights);
+            *lows = weights.fold([0.0; LANES], |sums, weights| add_scaled(&sums, 1.0, weights));
         }
     }
 }
 
-fn linked(weights: &[[f64; LANES]], blocks: usize, robot: usize, other: usize) -> bool {
-    weights[robot * blocks + other / LANES][other % LANES].is_sign_positive()
+/// A count as a number; exact, because no team has 2³² robots.
+fn number(count: usize) -> f64 {
+    u32::try_from(count).map_or(f64::MAX, f64::from)
+}
+
+fn is_link(weight: f64) -> bool {
+    weight.is_sign_positive()
 }

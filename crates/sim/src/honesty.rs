@@ -23,6 +23,8 @@ pub(crate) struct Honesty<const D: usize> {
     free: bool,
     /// Robots know their own state exactly.
     exact: bool,
+    /// How much more h may seem to be than it is.
+    blur: f64,
     told_ticks: u64,
     /// The last tick in which a robot could have noticed anything wrong.
     unwell: Option<u32>,
@@ -35,12 +37,13 @@ pub(crate) struct Honesty<const D: usize> {
 impl<const D: usize> Honesty<D> {
     /// For the robots of `scenario`, who may use a level for `told_ticks`.
     pub(crate) fn new(scenario: &Scenario, params: Params<D>, told_ticks: u64) -> Self {
-        let steady = scenario.trouble.clocks == Clocks::default();
+        let (steady, budget) = (scenario.trouble.clocks == Clocks::default(), params.budget());
         Self {
             malicious: scenario.malicious_mask(),
             free: scenario.motion_attack != MotionAttack::Obedient,
-            exact: params.budget().margin.offset_m == 0.0 && steady,
+            exact: budget.margin.offset_m == 0.0 && steady,
             told_ticks,
+            blur: 4.0 * budget.margin.offset_m * budget.curvature.fall_max() * f64::from(budget.robots),
             params,
             unwell: None,
             counted: [0; 3],
@@ -83,10 +86,8 @@ impl<const D: usize> Honesty<D> {
     /// True when a robot that senses within the stated errors must know that its h is negative, its degree too low, or another
     /// robot too close.
     fn untrue(&self, robot: usize, truth: &Truth) -> bool {
-        let budget = self.params.budget();
-        let blur = 4.0 * budget.margin.offset_m * budget.curvature.fall_max() * f64::from(budget.robots);
         let degree_low = self.exact && truth.degrees[robot] < required(&self.params);
-        degree_low || truth.spares[robot] < -ROUNDING - blur || self.crowded(robot, truth, false)
+        degree_low || truth.spares[robot] < -ROUNDING - self.blur || self.crowded(robot, truth, false)
     }
 
     /// True when another robot is certainly too close to `robot`; `anybody` counts disobedient ones too.

@@ -28,8 +28,9 @@ struct Mutant {
 }
 
 const LIMITS: &str = "core/src/budget/limits.rs";
+const TIE: &str = "core/src/budget/tie.rs";
 
-const MUTANTS: [Mutant; 18] = [
+const MUTANTS: [Mutant; 20] = [
     Mutant {
         name: "gradient with the wrong sign",
         law: "decay",
@@ -44,7 +45,7 @@ const MUTANTS: [Mutant; 18] = [
         law: "spare",
         lines: &[
             (
-                "core/src/budget/tie.rs",
+                TIE,
                 "self.loss_max(known.budget) / (known.degree_max + 1.0)",
                 "self.loss_max(known.budget) / 2.0",
             ),
@@ -105,20 +106,33 @@ const MUTANTS: [Mutant; 18] = [
         name: "near rows give too much",
         law: "path",
         lines: &[(
-            LIMITS,
-            "0.5 * self.gamma_c * spare_m2.max(0.0)",
-            "2.0 * self.gamma_c * spare_m2.max(0.0) + 0.05",
+            TIE,
+            "0.5 * self.gamma_c * larger(spare_m2, 0.0)",
+            "2.0 * self.gamma_c * larger(spare_m2, 0.0) + 0.05",
         )],
     },
     Mutant {
         name: "no near rows",
         law: "distance",
-        lines: &[(LIMITS, "        self.push_near(&neighbor.offset_m, neighbor.tie, rows);\n", "")],
+        lines: &[(LIMITS, "            self.push_near(&neighbor.offset_m, neighbor.tie, rows);\n", "")],
+    },
+    Mutant {
+        name: "rows left out where robots can break them",
+        law: "decay",
+        lines: &[("core/src/budget/reach.rs", "most * SURELY", "0.2 * most")],
+    },
+    Mutant {
+        name: "a guess that nobody looks at",
+        law: "decay",
+        lines: &[("core/src/budget/guess.rs", " && self.rows().iter().all(|row| row.holds(&v))", "")],
     },
     Mutant {
         name: "no margin for distances",
         law: "distance",
-        lines: &[(LIMITS, "self.spare_m2(tie, -error_m)", "self.spare_m2(tie, 0.0)")],
+        lines: &[
+            (LIMITS, "self.spare_m2(tie, -error_m)", "self.spare_m2(tie, 0.0)"),
+            (TIE, "self.spare_m2(&tie, -error_m)", "self.spare_m2(&tie, 0.0)"),
+        ],
     },
     Mutant {
         name: "F - 1 values trimmed",
@@ -174,7 +188,7 @@ const MUTANTS: [Mutant; 18] = [
         name: "budgets below 0 taken as they are",
         law: "feasible",
         lines: &[
-            (LIMITS, "0.5 * self.gamma_c * spare_m2.max(0.0)", "0.5 * self.gamma_c * spare_m2"),
+            (TIE, "0.5 * self.gamma_c * larger(spare_m2, 0.0)", "0.5 * self.gamma_c * spare_m2"),
             ("core/src/budget/row.rs", "bound: (scale * bound).max(0.0),", "bound: scale * bound,"),
         ],
     },

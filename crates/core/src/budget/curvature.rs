@@ -1,6 +1,6 @@
 //! How fast, and how sharply, a link can weaken within one tick.
 
-use crate::link::LinkShape;
+use crate::link::{Link, LinkShape};
 use crate::math::exp;
 
 /// `z` with `z tanh z = 1/4`: where the weight falls fastest with the squared distance.
@@ -34,6 +34,8 @@ pub struct Curvature {
     steepest_m2: f64,
     /// s at the peak of K, m², at most R².
     sharpest_m2: f64,
+    /// The weight at R/2.
+    half_way: f64,
 }
 
 impl Curvature {
@@ -42,15 +44,16 @@ impl Curvature {
     pub fn new(link: LinkShape) -> Self {
         let steepest_m2 = crate::math::sqrt(2.0 * STEEPEST / link.q2);
         let radius_m2 = link.radius_m * link.radius_m;
+        let half_way = link.link_at(0.25 * radius_m2).map_or(0.0, |link: Link<f64>| link.weight);
         let (mut low, mut high) = (steepest_m2, radius_m2);
         if low >= high {
-            return Self { link, steepest_m2, sharpest_m2: radius_m2 };
+            return Self { link, steepest_m2, sharpest_m2: radius_m2, half_way };
         }
         for _ in 0..HALVINGS {
             let middle = 0.5 * (low + high);
             *if rises(&link, middle) { &mut low } else { &mut high } = middle;
         }
-        Self { link, steepest_m2, sharpest_m2: low }
+        Self { link, steepest_m2, sharpest_m2: low, half_way }
     }
 
     /// The shape of the links.
@@ -80,6 +83,7 @@ impl Curvature {
     /// is continuous and the weight convex. Not negative. NaN in, NaN out.
     //= method far-prime
     #[must_use]
+    #[inline]
     pub fn bend_max(&self, distance_m: f64, move_max_m: f64, error_m: f64) -> f64 {
         let reach_m = 2.0 * move_max_m + error_m;
         let (low, high) = self.slacks(distance_m - reach_m, distance_m + reach_m);
@@ -97,15 +101,21 @@ impl Curvature {
     #[inline]
     #[must_use]
     pub fn gradient_error(&self, distance_m: f64, error_m: f64) -> f64 {
-        if error_m == 0.0 {
-            return 0.0;
-        }
+        if error_m == 0.0 { 0.0 } else { self.bend_error(distance_m, error_m) }
+    }
+
+    fn bend_error(&self, distance_m: f64, error_m: f64) -> f64 {
         let (low, high) = self.slacks(distance_m - error_m, distance_m + error_m);
         if high <= 0.0 {
             return 0.0;
         }
         let sharpest = bend(&self.link, closest(self.sharpest_m2, low, high));
         RAISE * sharpest.max(swell(&self.link, low)) * error_m
+    }
+
+    /// The weight of a link is at least this within R/2, rounding included.
+    pub(crate) fn least_within_half(&self) -> f64 {
+        self.half_way - 1e-9 * self.link.q1
     }
 
     /// Bound of how fast the weight falls with the distance, 1/m: `2 R f(s)` at the peak of f.
@@ -151,6 +161,7 @@ fn slope(link: &LinkShape, slack_m2: f64) -> f64 {
 }
 
 /// K(s), 1/m².
+#[inline]
 fn bend(link: &LinkShape, slack_m2: f64) -> f64 {
     let (factor, turn) = tail(link, slack_m2);
     let distance_m2 = link.radius_m * link.radius_m - slack_m2;
@@ -181,7 +192,6 @@ fn rises(link: &LinkShape, slack_m2: f64) -> bool {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::link::Link;
 
     fn shapes() -> impl Iterator<Item = LinkShape> {
         let radii = [0.7, 1.0, 3.0];

@@ -97,41 +97,45 @@ impl Budget {
         weights: &mut [f64],
     ) -> Known {
         let interval = self.interval(index, sightings, weights);
-        self.believe(&interval, sightings.get(index).and_then(|sighting| sighting.claim.as_ref()))
+        self.believe(&interval, sightings.get(index).and_then(|sighting| sighting.claim))
     }
 
-    /// The same of a robot at `distance_m` (m), from sums over its links. The high end costs an exponential and is left at
-    /// the low one where it cannot matter: where h_k ≥ 0 is seen and nothing more is claimed. If nobody is unseen, the
-    /// distance does not matter, and all who see it know the same.
+    /// The same of a robot at `distance_m` (m), from sums over its links. Where the high end cuts nothing, it is not computed: it
+    /// costs an exponential. If nobody is unseen, the distance does not matter, and all who see it know the same.
     #[must_use]
     pub fn known_from(&self, seen: &Seen, distance_m: f64) -> Known {
-        let (low, required) = (seen.low, f64::from(self.required()));
-        let claimed = seen.claim.as_ref().map(|claim| self.discounted(claim, required));
-        let more = self.trust != Trust::Seen && claimed.is_some_and(|claimed| claimed > low - required);
-        let high = if low < required || more { self.high(seen, distance_m) } else { low };
-        self.weigh(&Interval { low, high, degree_max: larger(seen.degree, 1.0) }, claimed, required)
+        let required = f64::from(self.required());
+        let reaches = |high: f64| seen.told <= high - required;
+        let high = match seen.low {
+            low if reaches(low) => low,
+            _ if reaches(self.surely_high(seen, distance_m)) => f64::INFINITY,
+            _ => self.high(seen, distance_m),
+        };
+        self.weigh([seen.low - required, high - required], seen.told, larger(seen.degree, 1.0))
     }
 
-    pub(crate) fn believe(&self, interval: &Interval, claim: Option<&Claim>) -> Known {
+    pub(crate) fn believe(&self, interval: &Interval, claim: Option<Claim>) -> Known {
         let required = f64::from(self.required());
-        self.weigh(interval, claim.map(|claim| self.discounted(claim, required)), required)
+        let spares = [interval.low - required, interval.high - required];
+        self.weigh(spares, self.told(claim), interval.degree_max)
     }
 
     #[inline]
-    fn weigh(&self, interval: &Interval, claimed: Option<f64>, required: f64) -> Known {
-        let (seen, most) = (interval.low - required, interval.high - required);
-        let told = claimed.map_or(0.0, |claimed| if claimed > most { most } else { claimed });
+    fn weigh(&self, [seen, most]: [f64; 2], told: f64, degree_max: f64) -> Known {
+        let told = if told > most { most } else { told };
         let believed = match self.trust {
             Trust::Told => told,
             Trust::ToldOrSeen => larger(told, seen),
             Trust::Seen => seen,
         };
-        Known { budget: larger(believed, 0.0), deficit: larger(-most, 0.0), degree_max: interval.degree_max }
+        Known { budget: larger(believed, 0.0), deficit: larger(-most, 0.0), degree_max }
     }
 
-    /// What m ticks leave of `(c − required)⁺`; 0 for a claim that is not finite.
-    fn discounted(&self, claim: &Claim, required: f64) -> f64 {
-        let spare = claim.level - required;
+    /// What m ticks leave of `(c − required)⁺`; 0 for a claim that is not finite, for none, and where none is believed.
+    #[must_use]
+    pub fn told(&self, claim: Option<Claim>) -> f64 {
+        let Some(claim) = claim.filter(|_| self.trust != Trust::Seen) else { return 0.0 };
+        let spare = claim.level - f64::from(self.required());
         match claim.age_ticks {
             _ if !spare.is_finite() => 0.0,
             0 => larger(spare, 0.0),

@@ -4,7 +4,7 @@ use crate::budget::knowledge::Known;
 use crate::budget::row::Row;
 use crate::budget::rows::Rows;
 use crate::budget::settings::{Budget, Form};
-use crate::budget::tie::{Knowledge, Neighbor, Tie};
+use crate::budget::tie::{Neighbor, Tie};
 use crate::math::{Vector, add_scaled, length};
 
 /// Own state that every row of a tick needs.
@@ -50,36 +50,33 @@ impl Budget {
         let gradient = &neighbor.tie.gradient(&neighbor.offset_m);
         own.gradient = add_scaled(&own.gradient, 1.0, gradient);
         self.push_far(own, neighbor, gradient, rows);
-        self.push_near(&neighbor.offset_m, neighbor.tie, rows);
+        if !neighbor.tie.clear {
+            self.push_near(&neighbor.offset_m, neighbor.tie, rows);
+        }
     }
 
     fn push_far<const D: usize>(
         &self,
         own: &mut Own<D>,
-        Neighbor { offset_m: offset, tie, knowledge }: &Neighbor<'_, D>,
+        Neighbor { offset_m: offset, tie, known }: &Neighbor<'_, D>,
         gradient: &Vector<D>,
         rows: &mut Rows<'_, D>,
     ) {
-        let &Tie { bend, wrong, .. } = *tie;
-        let most = rows.program.most(gradient, wrong, bend);
-        let known = match knowledge {
-            Knowledge::Known(known) => **known,
-            Knowledge::Seen(seen) => self.known_from(seen, tie.distance_m),
-        };
+        let &Tie { bend, wrong, most, .. } = *tie;
         match self.form() {
             Form::Link => {
                 let error_m = self.margin.offset_m;
                 let own_share = self.loss_max(own.h.max(0.0)) / own.degree.max(1.0);
                 let known_share = self.loss_max(known.budget) / known.degree_max;
                 let beta_m2 = self.beta_m2(bend, own_share, known_share);
-                if !rows.program.surely_holds(offset, error_m, 1.0, beta_m2) {
+                if exceeds(rows.program.reach.most(offset, error_m, 1.0), beta_m2) {
                     rows.push(offset, error_m, |offset| Row::far(offset, beta_m2));
                 }
             }
             Form::Level => {
                 (own.bend, own.wrong) = (own.bend + bend, own.wrong + wrong);
-                if !self.is_slack(most, &known) {
-                    let spend = self.spend(&known);
+                if !self.is_slack(most, known) {
+                    let spend = self.spend(known);
                     rows.push(gradient, wrong, |gradient| Row::far_level(gradient, bend, spend));
                 }
             }
@@ -99,7 +96,7 @@ impl Budget {
     pub(crate) fn push_own<const D: usize>(&self, own: &Own<D>, rows: &mut Rows<'_, D>) {
         if self.form() == Form::Level {
             let spend = self.loss_max(own.h.max(0.0)) / (own.degree + 1.0);
-            if !rows.program.surely_holds(&own.gradient, own.wrong, own.bend, spend) {
+            if exceeds(rows.program.reach.most(&own.gradient, own.wrong, own.bend), spend) {
                 rows.push(&own.gradient, own.wrong, |gradient| Row::far_level(gradient, own.bend, spend));
             }
         }
@@ -112,8 +109,8 @@ impl Budget {
     fn push_near<const D: usize>(&self, offset: &Vector<D>, tie: &Tie, rows: &mut Rows<'_, D>) {
         let error_m = self.margin.offset_m;
         let spare_m2 = self.spare_m2(tie, -error_m);
-        let give_m2 = 0.5 * self.gamma_c * spare_m2.max(0.0);
-        if !rows.program.surely_holds(offset, error_m, 0.0, 0.5 * give_m2) {
+        let give_m2 = self.give_m2(spare_m2);
+        if exceeds(rows.program.reach.most(offset, error_m, 0.0), 0.5 * give_m2) {
             rows.push(offset, error_m, |offset| Row::near(offset, give_m2));
         }
         if spare_m2 < 0.0 {
@@ -123,18 +120,13 @@ impl Budget {
         }
     }
 
-    /// `D − Δ_d²`, m², for a pair farther apart by `more_m`.
-    fn spare_m2(&self, tie: &Tie, more_m: f64) -> f64 {
-        let least_m2 = self.distance_min_m * self.distance_min_m;
-        if more_m == 0.0 {
-            return tie.distance_m2 - least_m2;
-        }
-        let distance_m = (tie.distance_m + more_m).max(0.0);
-        distance_m * distance_m - least_m2
-    }
-
     /// How far to go along `gradient` (1/m) to make up for `deficit`, m, at most ρ.
     fn mend_m<const D: usize>(&self, deficit: f64, gradient: &Vector<D>) -> f64 {
         (deficit / length(gradient)).min(self.move_max_m)
     }
+}
+
+/// True where a row is needed: unless its left-hand side is never more than its `bound`, and for NaN.
+fn exceeds(most: f64, bound: f64) -> bool {
+    most > bound || most.is_nan() || bound.is_nan()
 }

@@ -8,8 +8,6 @@ use crate::program::Outcome;
 
 /// A candidate may break a row by this share of its terms before [`settle`] pulls it back.
 const NEARLY: f64 = 1e-6;
-/// Far more than the rounding of a row and of its largest value in the box.
-const SURELY: f64 = 1.0 + 1e-9;
 /// A desired displacement counts up to this many times the longest move.
 const DESIRED_MAX: f64 = 1e6;
 
@@ -20,8 +18,6 @@ pub struct Program<'memory, const D: usize> {
     count: usize,
     full: bool,
     pub(crate) reach: Reach<D>,
-    /// How far the box reaches along each axis, m, to the longer side.
-    far_m: Vector<D>,
 }
 
 /// Answer of [`Program::closest`].
@@ -40,8 +36,7 @@ impl<'memory, const D: usize> Program<'memory, D> {
     /// The box alone.
     #[must_use]
     pub fn new(memory: &'memory mut [Row<D>], reach: Reach<D>) -> Self {
-        let far_m = core::array::from_fn(|d| reach.max_m()[d].max(-reach.min_m()[d]));
-        let mut program = Self { rows: memory, count: 0, full: false, reach, far_m };
+        let mut program = Self { rows: memory, count: 0, full: false, reach };
         for d in 0..D {
             program.keep(Row::side(d, 1.0, reach.max_m()[d]));
             program.keep(Row::side(d, -1.0, -reach.min_m()[d]));
@@ -54,21 +49,6 @@ impl<'memory, const D: usize> Program<'memory, D> {
         if !row.contains(&self.reach) {
             self.keep(row);
         }
-    }
-
-    /// True when a row with these coefficients, those of the normal up to `wrong`, surely holds in the whole box: then
-    /// [`push`](Self::push) would not add it. Much cheaper than making the row, and decisive for most.
-    pub(crate) fn surely_holds(&self, normal: &Vector<D>, wrong: f64, curvature: f64, bound: f64) -> bool {
-        self.most(normal, wrong, curvature) <= bound
-    }
-
-    /// More than the left-hand side of such a row is anywhere in the box; NaN if the curvature is no curvature.
-    pub(crate) fn most(&self, normal: &Vector<D>, wrong: f64, curvature: f64) -> f64 {
-        let mut most = 0.0;
-        for (component, far_m) in normal.iter().zip(&self.far_m) {
-            most += (component.abs() + wrong + curvature * far_m) * far_m;
-        }
-        if curvature >= 0.0 { most * SURELY } else { f64::NAN }
     }
 
     /// The rows kept, those of the box included.

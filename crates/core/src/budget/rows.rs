@@ -7,7 +7,7 @@ use crate::budget::reach::Reach;
 use crate::budget::row::Row;
 use crate::budget::settings::Budget;
 use crate::budget::survey::Survey;
-use crate::budget::tie::{Knowledge, NO_SLOPE, Neighbor};
+use crate::budget::tie::{NO_SLOPE, Neighbor};
 use crate::math::{Vector, add_scaled, dot, is_finite, length};
 
 /// Memory that the caller lends for one tick.
@@ -143,9 +143,9 @@ impl Budget {
         rows.h = own.h;
         for (index, &Sighting { offset_m, claim, .. }) in sightings.iter().enumerate() {
             if self.bounds_move(&offset_m, rows) {
-                let tie = &self.tie(dot(&offset_m, &offset_m), survey.slopes[index]);
-                let knowledge = Knowledge::Seen(survey.seen(index, claim));
-                self.push_neighbor(&mut own, &Neighbor { offset_m, tie, knowledge }, rows);
+                let tie = &self.tie(&offset_m, survey.slopes[index], &rows.program.reach);
+                let known = self.known_from(&survey.seen(index, self.told(claim)), tie.distance_m);
+                self.push_neighbor(&mut own, &Neighbor { offset_m, tie, known }, rows);
             }
         }
         self.push_own(&own, rows);
@@ -175,9 +175,9 @@ impl Budget {
                 self.interval(index, sightings, weights)
             };
             let slope = self.link(&offset_m).map_or(NO_SLOPE, |link| link.slope);
-            let tie = &self.tie(dot(&offset_m, &offset_m), slope);
-            let knowledge = Knowledge::Known(&self.believe(&interval, claim.as_ref()));
-            self.push_neighbor(&mut own, &Neighbor { offset_m, tie, knowledge }, rows);
+            let tie = &self.tie(&offset_m, slope, &rows.program.reach);
+            let known = self.believe(&interval, claim);
+            self.push_neighbor(&mut own, &Neighbor { offset_m, tie, known }, rows);
         }
         self.push_own(&own, rows);
     }

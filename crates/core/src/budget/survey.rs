@@ -3,7 +3,7 @@
 use core::ops::Range;
 
 use crate::budget::interval::number;
-use crate::budget::knowledge::{Assume, Claim, Sighting, place};
+use crate::budget::knowledge::{Assume, Sighting, place};
 use crate::budget::settings::Budget;
 use crate::budget::tie::NO_SLOPE;
 use crate::math::subtract;
@@ -30,8 +30,8 @@ pub struct Seen {
     pub degree: f64,
     /// Robots that it does not see.
     pub unseen: usize,
-    /// What the other told.
-    pub claim: Option<Claim>,
+    /// What it told is worth ([`Budget::told`]).
+    pub told: f64,
 }
 
 impl Budget {
@@ -103,6 +103,13 @@ impl Budget {
         (survey.lows[first], survey.degrees[first]) = (low, degree);
     }
 
+    /// No more than [`high`](Self::high), without an exponential.
+    pub(crate) fn surely_high(&self, seen: &Seen, distance_m: f64) -> f64 {
+        let near = self.nearest_m(distance_m) <= 0.5 * self.curvature.link().radius_m;
+        let least = if near { self.curvature.least_within_half() } else { 0.0 };
+        seen.low + number(seen.unseen) * least
+    }
+
     /// [`Interval::high`](crate::budget::interval::Interval::high) where nothing is trimmed.
     pub(crate) fn high(&self, seen: &Seen, distance_m: f64) -> f64 {
         let blur = if self.is_exact() { 0.0 } else { seen.degree * self.weight_error() };
@@ -122,8 +129,8 @@ impl Survey<'_> {
         }
     }
 
-    /// What is seen of the links of a sighting that told `claim`.
-    pub(crate) fn seen(&self, index: usize, claim: Option<Claim>) -> Seen {
-        Seen { low: self.lows[index], degree: self.degrees[index], unseen: self.unseen, claim }
+    /// What is seen of the links of a sighting whose claim is worth `told`.
+    pub(crate) fn seen(&self, index: usize, told: f64) -> Seen {
+        Seen { low: self.lows[index], degree: self.degrees[index], unseen: self.unseen, told }
     }
 }

@@ -1,9 +1,9 @@
 //! What the rows of two robots for each other have in common: all but the direction.
 
 use crate::budget::knowledge::{Assume, Known};
+use crate::budget::reach::Reach;
 use crate::budget::settings::{Budget, Form};
-use crate::budget::survey::Seen;
-use crate::math::{Vector, sqrt};
+use crate::math::{Vector, dot, larger, sqrt};
 
 /// Stands for no link; slopes are never positive.
 pub(crate) const NO_SLOPE: f64 = 1.0;
@@ -15,12 +15,16 @@ pub struct Tie {
     pub distance_m2: f64,
     /// Δ, m.
     pub distance_m: f64,
-    /// `2 ∂a/∂Δ²`, 1/m²; positive without a link.
+    /// `2 ∂a/∂Δ²`, 1/m², never positive; 0 without a link.
     pub slope: f64,
     /// κ of (far′), or L of (far), 1/m².
     pub bend: f64,
     /// Bound of the error of the gradient, 1/m.
     pub wrong: f64,
+    /// More than the left-hand side of (far′) is wherever the robot can go; without meaning for (far).
+    pub most: f64,
+    /// True if the pair is far enough apart and (near) holds wherever the robot can go.
+    pub clear: bool,
 }
 
 /// A neighbour, with all that its rows need.
@@ -31,24 +35,16 @@ pub struct Neighbor<'a, const D: usize> {
     /// What holds for both ends.
     pub tie: &'a Tie,
     /// What is known of its spare connectivity.
-    pub knowledge: Knowledge<'a>,
-}
-
-/// What a robot knows of h_j, or what it follows from: most rows hold wherever the robot can go, whatever the rest is.
-#[derive(Clone, Copy, Debug)]
-pub enum Knowledge<'a> {
-    /// All of it.
-    Known(&'a Known),
-    /// For [`Budget::known_from`].
-    Seen(Seen),
+    pub known: Known,
 }
 
 impl Budget {
-    /// The tie of two robots at Δ², m², with the `slope` of their link.
+    /// The tie of two robots with this `offset` (m), `slope` their link's, that can both move within `reach`.
     #[inline]
     #[must_use]
-    pub fn tie(&self, distance_m2: f64, slope: f64) -> Tie {
-        let (distance_m, error_m) = (sqrt(distance_m2), self.margin.offset_m);
+    pub fn tie<const D: usize>(&self, offset: &Vector<D>, slope: f64, reach: &Reach<D>) -> Tie {
+        let (distance_m2, error_m) = (dot(offset, offset), self.margin.offset_m);
+        let distance_m = sqrt(distance_m2);
         let (bend, wrong) = match self.form() {
             Form::Link => (self.curvature.slope_max(distance_m, self.move_max_m, error_m), 0.0),
             Form::Level => (
@@ -56,7 +52,28 @@ impl Budget {
                 self.curvature.gradient_error(distance_m, error_m),
             ),
         };
-        Tie { distance_m2, distance_m, slope, bend, wrong }
+        let slope = if slope <= 0.0 { slope } else { 0.0 };
+        let mut tie = Tie { distance_m2, distance_m, slope, bend, wrong, most: 0.0, clear: false };
+        tie.most = reach.most(&tie.gradient(offset), wrong, bend);
+        let spare_m2 = self.spare_m2(&tie, -error_m);
+        tie.clear = spare_m2 >= 0.0 && reach.most(offset, error_m, 0.0) <= 0.5 * self.give_m2(spare_m2);
+        tie
+    }
+
+    /// `D − Δ_d²`, m², for a pair farther apart by `more_m`.
+    pub(crate) fn spare_m2(&self, tie: &Tie, more_m: f64) -> f64 {
+        let least_m2 = self.distance_min_m * self.distance_min_m;
+        if more_m == 0.0 {
+            return tie.distance_m2 - least_m2;
+        }
+        let distance_m = (tie.distance_m + more_m).max(0.0);
+        distance_m * distance_m - least_m2
+    }
+
+    /// What (near) lets one of two robots take of `D − Δ_d²`, m².
+    //= method near
+    pub(crate) fn give_m2(&self, spare_m2: f64) -> f64 {
+        0.5 * self.gamma_c * larger(spare_m2, 0.0)
     }
 
     /// What a robot may spend of h_k by moving: `s(b_ik)/(δ⁺_ik + 1)`.
@@ -75,8 +92,9 @@ impl Budget {
 
 impl Tie {
     /// ∂a/∂x_i, 1/m, of the end from which the other is at −`offset`.
+    #[inline]
     #[must_use]
     pub fn gradient<const D: usize>(&self, offset: &Vector<D>) -> Vector<D> {
-        if self.slope <= 0.0 { offset.map(|component| self.slope * component) } else { [0.0; D] }
+        core::array::from_fn(|d| self.slope * offset[d])
     }
 }
