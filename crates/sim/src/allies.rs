@@ -45,7 +45,6 @@ pub struct Allies<const D: usize> {
     /// Whom a robot sees, itself among them, whom not, and what it sees of the level of each.
     seen: Vec<usize>,
     unseen: Vec<usize>,
-    sees: usize,
     lows: Vec<f64>,
     rows: Vec<Row<D>>,
 }
@@ -88,9 +87,8 @@ impl<const D: usize> Allies<D> {
             sums: vec![Sum::new(0.0); robots],
             told: vec![0.0; robots],
             knowns: vec![nothing; robots],
-            seen: vec![0; robots],
-            unseen: vec![0; robots],
-            sees: 0,
+            seen: Vec::new(),
+            unseen: Vec::new(),
             lows: vec![0.0; line],
             rows: vec![Row::default(); 2 * D + 2 * robots + 1],
         })
@@ -133,7 +131,6 @@ impl<const D: usize> Allies<D> {
     fn find_links(&mut self, first: usize, frame: &mut Frame<D>) {
         let (robots, line) = (self.told.len(), self.line);
         let (mut level, mut degree) = (frame.levels[first], frame.degrees[first]);
-        let ties = &mut self.ties[first * robots..(first + 1) * robots];
         for second in first + 1..robots {
             let offset_m = subtract(&frame.positions_m[first], &frame.positions_m[second]);
             let link = self.params.link().link_at::<f64>(dot(&offset_m, &offset_m));
@@ -141,7 +138,9 @@ impl<const D: usize> Allies<D> {
             self.weights[first * line + second] = weight;
             self.weights[second * line + first] = weight;
             let Some(link) = link else { continue };
-            ties[second] = self.params.budget().tie(&offset_m, link.slope, self.params.reach());
+            let tie = self.params.budget().tie(&offset_m, link.slope, self.params.reach());
+            self.ties[first * robots + second] = tie;
+            self.ties[second * robots + first] = tie;
             level += weight;
             frame.levels[second] += weight;
             degree += 1;
@@ -207,18 +206,20 @@ impl<const D: usize> Allies<D> {
     }
 
     fn tie(&self, robot: usize, other: usize) -> &Tie {
-        &self.ties[robot.min(other) * self.told.len() + robot.max(other)]
+        &self.ties[robot * self.told.len() + other]
     }
 
     /// Rows and answer of one robot.
     fn control(&mut self, robot: usize, frame: &mut Frame<D>) {
         self.look_around(robot);
         let mut rows = core::mem::take(&mut self.rows);
-        let (params, position) = (&self.params, frame.positions_m[robot]);
-        let others = self.seen[..self.sees].iter().filter(|other| **other != robot);
-        let neighbors = others.map(|other| {
-            let (offset_m, tie) = (subtract(&position, &frame.positions_m[*other]), self.tie(robot, *other));
-            Neighbor { offset_m, tie, known: self.known(*other, tie, frame) }
+        let (params, position, robots) = (&self.params, frame.positions_m[robot], self.told.len());
+        let links = self.weights[robot * self.line..].iter().zip(&self.ties[robot * robots..]);
+        let others = links.zip(&frame.positions_m).enumerate();
+        let neighbors = others.filter(|(_, ((weight, _), _))| is_link(**weight));
+        let neighbors = neighbors.map(|(other, ((_, tie), x))| {
+            let known = self.known(other, tie, frame.degrees[other]);
+            Neighbor { offset_m: subtract(&position, x), tie, known }
         });
         let desired_m = params.desired_m(&frame.desired_m_s[robot]);
         let degree = frame.degrees[robot];
@@ -232,37 +233,35 @@ impl<const D: usize> Allies<D> {
         self.rows = rows;
     }
 
-    /// What the robot that looked around knows of `other`.
+    /// What the robot that looked around knows of `other`, which has so many neighbours.
     #[inline]
-    fn known(&self, other: usize, tie: &Tie, frame: &Frame<D>) -> Known {
-        let unseen = &self.unseen[..self.told.len() - self.sees];
-        if unseen.is_empty() {
+    fn known(&self, other: usize, tie: &Tie, degree: u16) -> Known {
+        if self.unseen.is_empty() {
             return self.knowns[other];
         }
-        let (low, told) = (self.lows[other], self.told[other]);
-        let beyond = unseen.iter().filter(|unseen| !self.linked(other, **unseen)).count();
-        let degree = f64::from(frame.degrees[other]) + number(beyond);
-        self.params.budget().known_from(&Seen { low, degree, unseen: unseen.len(), told }, tie.distance_m)
+        let weights = &self.weights[other * self.line..];
+        let beyond = self.unseen.iter().filter(|unseen| !is_link(weights[**unseen])).count();
+        let (low, degree) = (self.lows[other], f64::from(degree) + number(beyond));
+        let seen = Seen { low, degree, unseen: self.unseen.len(), told: self.told[other] };
+        self.params.budget().known_from(&seen, tie.distance_m)
     }
 
-    /// Whom `robot` sees, and what of the level of each: sums over the robots that it sees, in order of their numbers.
+    /// Whom `robot` does not see, and what it sees of the level of each: sums over the robots that it sees, in order of their
+    /// numbers.
     fn look_around(&mut self, robot: usize) {
         let line = self.line;
         let weights = &self.weights[robot * line..][..self.told.len()];
-        self.sees = 0;
-        for (other, weight) in weights.iter().enumerate() {
-            let sees = other == robot || is_link(*weight);
-            self.seen[self.sees] = other;
-            self.unseen[other - self.sees] = other;
-            self.sees += usize::from(sees);
-        }
-        if self.sees == self.told.len() {
+        self.unseen.clear();
+        let sees = |other: usize| other == robot || is_link(weights[other]);
+        self.unseen.extend((0..weights.len()).filter(|other| !sees(*other)));
+        if self.unseen.is_empty() {
             return;
         }
-        let seen = &self.seen[..self.sees];
+        self.seen.clear();
+        self.seen.extend((0..weights.len()).filter(|other| sees(*other)));
         for (block, lows) in self.lows.as_chunks_mut().0.iter_mut().enumerate() {
             let weights = |other: &usize| self.weights[other * line + block * LANES..].first_chunk();
-            let weights = seen.iter().filter_map(weights);
+            let weights = self.seen.iter().filter_map(weights);
             *lows = weights.fold([0.0; LANES], |sums, weights| add_scaled(&sums, 1.0, weights));
         }
     }

@@ -36,8 +36,8 @@ const MUTANTS: [Mutant; 20] = [
         law: "decay",
         lines: &[(
             LIMITS,
-            "add_scaled(&own.gradient, 1.0, gradient)",
-            "add_scaled(&own.gradient, -1.0, gradient)",
+            "add_scaled(&own.gradient, 1.0, &gradient)",
+            "add_scaled(&own.gradient, -1.0, &gradient)",
         )],
     },
     Mutant {
@@ -114,7 +114,7 @@ const MUTANTS: [Mutant; 20] = [
     Mutant {
         name: "no near rows",
         law: "distance",
-        lines: &[(LIMITS, "            self.push_near(&neighbor.offset_m, neighbor.tie, rows);\n", "")],
+        lines: &[(LIMITS, "            self.push_near(offset_m, tie, rows);\n", "")],
     },
     Mutant {
         name: "rows left out where robots can break them",

@@ -102,6 +102,7 @@ impl Budget {
 
     /// The same of a robot at `distance_m` (m), from sums over its links. Where the high end cuts nothing, it is not computed: it
     /// costs an exponential. If nobody is unseen, the distance does not matter, and all who see it know the same.
+    #[inline]
     #[must_use]
     pub fn known_from(&self, seen: &Seen, distance_m: f64) -> Known {
         let required = f64::from(self.required());

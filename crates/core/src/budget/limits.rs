@@ -41,44 +41,42 @@ impl Budget {
         if slope_max <= 0.0 { f64::INFINITY } else { least / (4.0 * slope_max) }
     }
 
+    /// What a neighbour adds to the own gradient and κ_ii, and its rows where they bound the move.
+    #[inline]
     pub(crate) fn push_neighbor<const D: usize>(
         &self,
         own: &mut Own<D>,
         neighbor: &Neighbor<'_, D>,
         rows: &mut Rows<'_, D>,
     ) {
-        let gradient = &neighbor.tie.gradient(&neighbor.offset_m);
-        own.gradient = add_scaled(&own.gradient, 1.0, gradient);
-        self.push_far(own, neighbor, gradient, rows);
-        if !neighbor.tie.clear {
-            self.push_near(&neighbor.offset_m, neighbor.tie, rows);
+        let Neighbor { offset_m, tie, known } = neighbor;
+        let gradient = tie.gradient(offset_m);
+        own.gradient = add_scaled(&own.gradient, 1.0, &gradient);
+        (own.bend, own.wrong) = (own.bend + tie.bend, own.wrong + tie.wrong);
+        let slack = self.form() == Form::Level && self.is_slack(tie.most, known) && known.deficit <= 0.0;
+        if !slack {
+            self.push_far(own, neighbor, &gradient, rows);
+        }
+        if !tie.clear {
+            self.push_near(offset_m, tie, rows);
         }
     }
 
+    /// (far) or (far′), and what h_k below 0 asks for.
+    #[inline(never)]
     fn push_far<const D: usize>(
         &self,
-        own: &mut Own<D>,
-        Neighbor { offset_m: offset, tie, known }: &Neighbor<'_, D>,
+        own: &Own<D>,
+        Neighbor { offset_m, tie, known }: &Neighbor<'_, D>,
         gradient: &Vector<D>,
         rows: &mut Rows<'_, D>,
     ) {
-        let &Tie { bend, wrong, most, .. } = *tie;
         match self.form() {
-            Form::Link => {
-                let error_m = self.margin.offset_m;
-                let own_share = self.loss_max(own.h.max(0.0)) / own.degree.max(1.0);
-                let known_share = self.loss_max(known.budget) / known.degree_max;
-                let beta_m2 = self.beta_m2(bend, own_share, known_share);
-                if exceeds(rows.program.reach.most(offset, error_m, 1.0), beta_m2) {
-                    rows.push(offset, error_m, |offset| Row::far(offset, beta_m2));
-                }
-            }
+            Form::Link => self.push_link(own, offset_m, tie.bend, known, rows),
+            Form::Level if self.is_slack(tie.most, known) => {}
             Form::Level => {
-                (own.bend, own.wrong) = (own.bend + bend, own.wrong + wrong);
-                if !self.is_slack(most, known) {
-                    let spend = self.spend(known);
-                    rows.push(gradient, wrong, |gradient| Row::far_level(gradient, bend, spend));
-                }
+                let spend = self.spend(known);
+                rows.push(gradient, tie.wrong, |gradient| Row::far_level(gradient, tie.bend, spend));
             }
         }
         if known.deficit > 0.0 {
@@ -87,10 +85,28 @@ impl Budget {
         }
     }
 
+    /// (far)
+    fn push_link<const D: usize>(
+        &self,
+        own: &Own<D>,
+        offset: &Vector<D>,
+        slope_max: f64,
+        known: &Known,
+        rows: &mut Rows<'_, D>,
+    ) {
+        let error_m = self.margin.offset_m;
+        let own_share = self.loss_max(own.h.max(0.0)) / own.degree.max(1.0);
+        let known_share = self.loss_max(known.budget) / known.degree_max;
+        let beta_m2 = self.beta_m2(slope_max, own_share, known_share);
+        if exceeds(rows.program.reach.most(offset, error_m, 1.0), beta_m2) {
+            rows.push(offset, error_m, |offset| Row::far(offset, beta_m2));
+        }
+    }
+
     /// True when (far′), whose left-hand side is `most` wherever the robot can go, surely holds. No quotient: this is asked
     /// of every neighbour.
     fn is_slack(&self, most: f64, known: &Known) -> bool {
-        self.form() == Form::Level && most * (known.degree_max + 1.0) <= self.loss_max(known.budget)
+        most * (known.degree_max + 1.0) <= self.loss_max(known.budget)
     }
 
     pub(crate) fn push_own<const D: usize>(&self, own: &Own<D>, rows: &mut Rows<'_, D>) {
@@ -106,6 +122,7 @@ impl Budget {
         }
     }
 
+    #[inline(never)]
     fn push_near<const D: usize>(&self, offset: &Vector<D>, tie: &Tie, rows: &mut Rows<'_, D>) {
         let error_m = self.margin.offset_m;
         let spare_m2 = self.spare_m2(tie, -error_m);
