@@ -12,6 +12,13 @@ pub fn exp(x: f64) -> f64 {
     Number::exp(x)
 }
 
+/// `eˣ` of several numbers at once: the bits of [`exp`], with fewer instructions where all are ordinary.
+#[inline]
+#[must_use]
+pub(crate) fn exps<const L: usize>(x: [f64; L]) -> [f64; L] {
+    if x.iter().all(|x| x.abs() <= ORDINARY) { x.map(exp_ordinary) } else { x.map(exp) }
+}
+
 /// Beyond this |x| the exponent of `eˣ` saturates: far outside anything `f64` holds, far inside `i32`.
 const EXPONENT_LIMIT: f64 = 1e8;
 

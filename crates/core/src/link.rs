@@ -1,7 +1,12 @@
 //! Smooth weight of a link of the proximity graph.
 
+use crate::exponential::exps;
 use crate::math::{Vector, dot};
+
 use crate::scaled::{Number, Scaled};
+
+/// Pairs of robots that are computed at a time where there are many.
+pub(crate) const LANES: usize = 2;
 
 /// Shape of the link weight.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -44,15 +49,51 @@ impl LinkShape {
     #[inline]
     #[must_use]
     pub fn link_at<N: Number>(&self, distance_m2: f64) -> Option<Link<N>> {
-        let slack_m2 = self.radius_m * self.radius_m - distance_m2;
-        if slack_m2 < 0.0 || slack_m2.is_nan() {
-            return None;
+        let slack_m2 = self.slack_m2(distance_m2);
+        (slack_m2 >= 0.0).then(|| self.link_of(slack_m2, N::exp(self.exponent(slack_m2))))
+    }
+
+    /// [`link_at`](Self::link_at) of many pairs, the same bits: the weight in place of each squared distance, m², and the slope,
+    /// 1/m². Without a link both are −0: no sum notices it, and no weight of a link has that sign. Of different lengths, the
+    /// shorter counts.
+    pub fn links_at(&self, distances_m2: &mut [f64], slopes: &mut [f64]) {
+        let (pairs, rest) = distances_m2.as_chunks_mut();
+        let (pair_slopes, rest_slopes) = slopes.as_chunks_mut();
+        for (distances_m2, slopes) in pairs.iter_mut().zip(pair_slopes) {
+            self.link_some::<LANES>(distances_m2, slopes);
         }
-        let e = N::exp(-self.q2 * slack_m2 * slack_m2);
+        for (distance_m2, slope) in rest.iter_mut().zip(rest_slopes) {
+            let link = self.link_at(*distance_m2).unwrap_or(Link { weight: -0.0, slope: -0.0 });
+            (*distance_m2, *slope) = (link.weight, link.slope);
+        }
+    }
+
+    #[inline]
+    fn link_some<const L: usize>(&self, distances_m2: &mut [f64; L], slopes: &mut [f64; L]) {
+        let slacks_m2 = distances_m2.map(|distance_m2| self.slack_m2(distance_m2));
+        let tails = exps(slacks_m2.map(|slack_m2| self.exponent(slack_m2)));
+        let links: [Link<f64>; L] = core::array::from_fn(|k| self.link_of(slacks_m2[k], tails[k]));
+        *distances_m2 = core::array::from_fn(|k| if slacks_m2[k] >= 0.0 { links[k].weight } else { -0.0 });
+        *slopes = core::array::from_fn(|k| if slacks_m2[k] >= 0.0 { links[k].slope } else { -0.0 });
+    }
+
+    #[inline]
+    fn slack_m2(&self, distance_m2: f64) -> f64 {
+        self.radius_m * self.radius_m - distance_m2
+    }
+
+    #[inline]
+    fn exponent(&self, slack_m2: f64) -> f64 {
+        -self.q2 * slack_m2 * slack_m2
+    }
+
+    /// From s and e.
+    #[inline]
+    fn link_of<N: Number>(&self, slack_m2: f64, e: N) -> Link<N> {
         let tail = e.to_f64();
-        let inverse = if tail == 0.0 { 1.0 } else { 1.0 / (1.0 + tail) };
+        let inverse = 1.0 / (1.0 + tail);
         let steepness = -4.0 * self.q1 * self.q2 * slack_m2 * inverse * inverse;
-        Some(Link { weight: 0.5 * self.q1 * (1.0 - tail) * inverse, slope: e.times_f64(steepness) })
+        Link { weight: 0.5 * self.q1 * (1.0 - tail) * inverse, slope: e.times_f64(steepness) }
     }
 }
 
@@ -110,6 +151,29 @@ mod tests {
             let weight = SHAPE.link::<1, f64>(&[f64::from(step) * 0.001]).unwrap().weight;
             assert!((0.0..=last).contains(&weight), "at step {step}");
             last = weight;
+        }
+    }
+
+    #[test]
+    fn many_links_have_the_bits_of_each() {
+        let far_sighted = LinkShape { radius_m: 30.0, ..SHAPE };
+        let strange = [f64::NAN, f64::INFINITY, -1.0, 0.0, 9.0, 9.0 + 1e-12, 1e300];
+        for shape in [SHAPE, far_sighted, LinkShape { q2: 0.0, ..SHAPE }] {
+            for start in 0..40_u16 {
+                let ordinary = |k: u16| f64::from((start * 37 + k * k * 101) % 1000) * 0.0117;
+                let mut distances_m2 = [0, 1, 2, 3, 4, 5, 6].map(ordinary);
+                if start % 3 == 0 {
+                    distances_m2[usize::from(start % 7)] = strange[usize::from(start / 3 % 7)];
+                }
+                let links = distances_m2.map(|distance_m2| shape.link_at::<f64>(distance_m2));
+                let mut slopes = [1.0; 7];
+                shape.links_at(&mut distances_m2, &mut slopes);
+                for (link, found) in links.iter().zip(distances_m2.iter().zip(&slopes)) {
+                    let link = link.unwrap_or(Link { weight: -0.0, slope: -0.0 });
+                    let bits = |x: &f64| x.to_bits();
+                    assert_eq!((bits(&link.weight), bits(&link.slope)), (bits(found.0), bits(found.1)));
+                }
+            }
         }
     }
 

@@ -10,13 +10,14 @@ use closeranks_core::budget::row::Row;
 use closeranks_core::budget::survey::Seen;
 use closeranks_core::budget::tie::{Neighbor, Tie};
 use closeranks_core::composed::Sum;
-use closeranks_core::math::{Vector, add_scaled, dot, subtract};
+use closeranks_core::math::{Vector, add_scaled, sqrt, subtract};
 use closeranks_core::params::Params;
 
 use crate::consensus::Consensus;
 use crate::frame::Frame;
 use crate::liars::Liars;
 use crate::scenario::Scenario;
+use crate::truth::fill_pairs;
 
 /// Positions are rounded to far less than what a robot takes for a jump as long as they are nearer to 0 than this, m.
 const NEAR_M: f64 = 1e5;
@@ -35,6 +36,10 @@ pub struct Allies<const D: usize> {
     weights: Vec<f64>,
     line: usize,
     ties: Vec<Tie>,
+    /// Of pairs in the order of [`crate::truth::Truth::pairs_m2`] weights, slopes and κ.
+    pairs: Vec<f64>,
+    slopes: Vec<f64>,
+    bends: Vec<f64>,
     /// Behind φ_i.
     terms: Vec<f64>,
     sums: Vec<Sum<0, f64>>,
@@ -83,6 +88,9 @@ impl<const D: usize> Allies<D> {
             weights: vec![NO_LINK; robots * line],
             line,
             ties: vec![nobody; robots * robots],
+            pairs: Vec::new(),
+            slopes: Vec::new(),
+            bends: Vec::new(),
             terms: vec![0.0; robots],
             sums: vec![Sum::new(0.0); robots],
             told: vec![0.0; robots],
@@ -122,32 +130,48 @@ impl<const D: usize> Allies<D> {
         frame.levels.fill(0.0);
         frame.degrees.fill(0);
         frame.links = 0;
-        for first in 0..frame.positions_m.len() {
-            self.find_links(first, frame);
+        fill_pairs(&frame.positions_m, &mut self.pairs);
+        self.bends.clear();
+        self.bends.extend(self.pairs.iter().map(|pair_m2| sqrt(*pair_m2)));
+        self.params.budget().bends_max(&mut self.bends);
+        self.slopes.resize(self.pairs.len(), 0.0);
+        self.params.link().links_at(&mut self.pairs, &mut self.slopes);
+        let mut pair = 0;
+        for second in 0..frame.positions_m.len() {
+            self.find_links(second, pair, frame);
+            pair += second;
         }
     }
 
-    /// Links of `first` to robots of higher numbers.
-    fn find_links(&mut self, first: usize, frame: &mut Frame<D>) {
-        let (robots, line) = (self.told.len(), self.line);
-        let (mut level, mut degree) = (frame.levels[first], frame.degrees[first]);
-        for second in first + 1..robots {
-            let offset_m = subtract(&frame.positions_m[first], &frame.positions_m[second]);
-            let link = self.params.link().link_at::<f64>(dot(&offset_m, &offset_m));
-            let weight = link.map_or(NO_LINK, |link| link.weight);
-            self.weights[first * line + second] = weight;
-            self.weights[second * line + first] = weight;
-            let Some(link) = link else { continue };
-            let tie = self.params.budget().tie(&offset_m, link.slope, self.params.reach());
-            self.ties[first * robots + second] = tie;
-            self.ties[second * robots + first] = tie;
+    /// Links of `second` to robots of lower numbers, the first of which is that `pair`.
+    fn find_links(&mut self, second: usize, pair: usize, frame: &mut Frame<D>) {
+        let (robots, line, params) = (self.told.len(), self.line, &self.params);
+        let (weights, ties) = (&mut self.weights[..robots * line], &mut self.ties[..robots * robots]);
+        let [pairs, slopes, bends] =
+            [&self.pairs, &self.slopes, &self.bends].map(|of| &of[pair..pair + second]);
+        let Frame { positions_m, levels, degrees, .. } = frame;
+        let (positions_m, position) = (&positions_m[..second], positions_m[second]);
+        let (levels, own_level) = levels[..=second].split_at_mut(second);
+        let (degrees, own_degree) = degrees[..=second].split_at_mut(second);
+        let (mut level, mut degree) = (0.0, 0);
+        for first in 0..second {
+            let weight = pairs[first];
+            weights[first * line + second] = weight;
+            weights[second * line + first] = weight;
+            if !is_link(weight) {
+                continue;
+            }
+            let offset_m = subtract(&positions_m[first], &position);
+            let tie = params.budget().tie_with(&offset_m, slopes[first], bends[first], params.reach());
+            ties[first * robots + second] = tie;
+            ties[second * robots + first] = tie;
             level += weight;
-            frame.levels[second] += weight;
+            levels[first] += weight;
             degree += 1;
-            frame.degrees[second] += 1;
+            degrees[first] += 1;
         }
-        frame.links += u32::from(degree - frame.degrees[first]);
-        (frame.levels[first], frame.degrees[first]) = (level, degree);
+        frame.links += u32::from(degree);
+        (own_level[0], own_degree[0]) = (level, degree);
     }
 
     /// Levels, as they are and as they are told, and what comes of them for who sees everybody.

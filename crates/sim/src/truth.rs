@@ -26,6 +26,8 @@ pub(crate) struct Truth {
     pub(crate) least_m2: f64,
     /// `pairs_m2` of positions; empty where these are the references.
     actual_m2: Vec<f64>,
+    /// Weights and slopes of pairs.
+    scratch: [Vec<f64>; 2],
 }
 
 impl Clone for Truth {
@@ -78,14 +80,16 @@ impl Truth {
         let counts = |robot: usize| !(free && malicious[robot]);
         self.resize(frame.positions_m.len());
         let actual_m2 = first_filled(&self.actual_m2, &self.pairs_m2);
-        weigh(params.link(), actual_m2, |_| true, &mut self.levels, &mut self.degrees);
+        let scratch = &mut self.scratch;
+        weigh(params.link(), actual_m2, |_| true, &mut self.levels, &mut self.degrees, scratch);
         self.spares.clone_from(&self.levels);
         if free {
-            weigh(params.link(), actual_m2, counts, &mut self.spares, &mut self.degrees);
+            weigh(params.link(), actual_m2, counts, &mut self.spares, &mut self.degrees, scratch);
         }
         if free || margin {
             let degrees = &mut vec![0; self.degrees.len()];
-            weigh(params.budget().curvature.link(), &self.pairs_m2, counts, &mut self.spares, degrees);
+            let shape = params.budget().curvature.link();
+            weigh(shape, &self.pairs_m2, counts, &mut self.spares, degrees, scratch);
         }
         for spare in &mut self.spares {
             *spare -= required;
@@ -116,12 +120,12 @@ impl Truth {
     }
 }
 
-fn first_filled<'a>(numbers: &'a [f64], others: &'a [f64]) -> &'a [f64] {
+fn first_filled<'a>(numbers: &'a Vec<f64>, others: &'a Vec<f64>) -> &'a Vec<f64> {
     if numbers.is_empty() { others } else { numbers }
 }
 
 /// Puts squared distances of all pairs, m², into `pairs_m2`, in the order of [`Truth::pairs_m2`].
-fn fill_pairs<const D: usize>(positions_m: &[Vector<D>], pairs_m2: &mut Vec<f64>) {
+pub(crate) fn fill_pairs<const D: usize>(positions_m: &[Vector<D>], pairs_m2: &mut Vec<f64>) {
     let robots = positions_m.len();
     pairs_m2.resize(robots * robots.saturating_sub(1) / 2, 0.0);
     let mut rest = &mut pairs_m2[..];
@@ -137,25 +141,30 @@ fn fill_pairs<const D: usize>(positions_m: &[Vector<D>], pairs_m2: &mut Vec<f64>
 /// Sum and number of the links of every robot with the others that count, in order of their numbers; each pair once.
 fn weigh(
     shape: &LinkShape,
-    pairs_m2: &[f64],
+    pairs_m2: &Vec<f64>,
     counts: impl Fn(usize) -> bool,
     sums: &mut [f64],
     degrees: &mut [u16],
+    scratch: &mut [Vec<f64>; 2],
 ) {
     sums.fill(0.0);
     degrees.fill(0);
-    let mut pair = 0;
+    let [weights, slopes] = scratch;
+    weights.clone_from(pairs_m2);
+    slopes.resize(weights.len(), 0.0);
+    shape.links_at(weights, slopes);
+    let mut rest = &weights[..];
     for second in 0..sums.len() {
-        for (first, pair_m2) in pairs_m2[pair..pair + second].iter().enumerate() {
-            let Some(link) = shape.link_at::<f64>(*pair_m2) else { continue };
+        let (line, later) = rest.split_at(second);
+        for (first, weight) in line.iter().enumerate().filter(|(_, weight)| weight.is_sign_positive()) {
             for (end, other) in [(second, first), (first, second)] {
                 if counts(other) {
-                    sums[end] += link.weight;
+                    sums[end] += weight;
                     degrees[end] += 1;
                 }
             }
         }
-        pair += second;
+        rest = later;
     }
 }
 

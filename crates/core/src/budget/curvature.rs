@@ -1,6 +1,7 @@
 //! How fast, and how sharply, a link can weaken within one tick.
 
-use crate::link::{Link, LinkShape};
+use crate::exponential::exps;
+use crate::link::{LANES, Link, LinkShape};
 use crate::math::exp;
 
 /// `z` with `z tanh z = 1/4`: where the weight falls fastest with the squared distance.
@@ -85,12 +86,29 @@ impl Curvature {
     #[must_use]
     #[inline]
     pub fn bend_max(&self, distance_m: f64, move_max_m: f64, error_m: f64) -> f64 {
-        let reach_m = 2.0 * move_max_m + error_m;
-        let (low, high) = self.slacks(distance_m - reach_m, distance_m + reach_m);
-        if high <= 0.0 {
-            return 0.0;
+        let [bend] = self.bend_some([distance_m], move_max_m, error_m);
+        bend
+    }
+
+    /// [`bend_max`](Self::bend_max) of many pairs, in place of their distances, m.
+    pub fn bends_max(&self, distances_m: &mut [f64], move_max_m: f64, error_m: f64) {
+        let (pairs, rest) = distances_m.as_chunks_mut::<LANES>();
+        for distances_m in pairs {
+            *distances_m = self.bend_some(*distances_m, move_max_m, error_m);
         }
-        RAISE * bend(&self.link, closest(self.sharpest_m2, low, high))
+        for distance_m in rest {
+            *distance_m = self.bend_max(*distance_m, move_max_m, error_m);
+        }
+    }
+
+    #[inline]
+    fn bend_some<const L: usize>(&self, distances_m: [f64; L], move_max_m: f64, error_m: f64) -> [f64; L] {
+        let reach_m = 2.0 * move_max_m + error_m;
+        let slacks = distances_m.map(|distance_m| self.slacks(distance_m - reach_m, distance_m + reach_m));
+        let sharpest = slacks.map(|(low, high)| closest(self.sharpest_m2, low, high));
+        let tails = exps(sharpest.map(|slack_m2| -(self.link.q2 * slack_m2 * slack_m2)));
+        let bends: [f64; L] = core::array::from_fn(|k| RAISE * bend_of(&self.link, sharpest[k], tails[k]));
+        core::array::from_fn(|k| if slacks[k].1 <= 0.0 { 0.0 } else { bends[k] })
     }
 
     /// Bound of the error of the gradient of `r → a(|r|)`, 1/m, at `distance_m` when r is wrong by at most `error_m`.
@@ -109,7 +127,9 @@ impl Curvature {
         if high <= 0.0 {
             return 0.0;
         }
-        let sharpest = bend(&self.link, closest(self.sharpest_m2, low, high));
+        let sharpest_m2 = closest(self.sharpest_m2, low, high);
+        let e = exp(-(self.link.q2 * sharpest_m2 * sharpest_m2));
+        let sharpest = bend_of(&self.link, sharpest_m2, e);
         RAISE * sharpest.max(swell(&self.link, low)) * error_m
     }
 
@@ -146,13 +166,16 @@ fn closest(peak: f64, low: f64, high: f64) -> f64 {
     }
 }
 
-/// `2 q₁q₂ e/(1+e)²`, 1/m⁴, and `4 z tanh z`.
+/// `2 q₁q₂ e/(1+e)²`, 1/m⁴, and `4 z tanh z`, from s and e.
 #[inline]
-fn tail(link: &LinkShape, slack_m2: f64) -> (f64, f64) {
+fn tail_of(link: &LinkShape, slack_m2: f64, e: f64) -> (f64, f64) {
     let square = link.q2 * slack_m2 * slack_m2;
-    let e = exp(-square);
     let inverse = 1.0 / (1.0 + e);
     (2.0 * link.q1 * link.q2 * e * inverse * inverse, 2.0 * square * (1.0 - e) * inverse)
+}
+
+fn tail(link: &LinkShape, slack_m2: f64) -> (f64, f64) {
+    tail_of(link, slack_m2, exp(-(link.q2 * slack_m2 * slack_m2)))
 }
 
 /// f(s), 1/m².
@@ -160,10 +183,10 @@ fn slope(link: &LinkShape, slack_m2: f64) -> f64 {
     tail(link, slack_m2).0 * slack_m2
 }
 
-/// K(s), 1/m².
+/// K(s), 1/m², from s and e.
 #[inline]
-fn bend(link: &LinkShape, slack_m2: f64) -> f64 {
-    let (factor, turn) = tail(link, slack_m2);
+fn bend_of(link: &LinkShape, slack_m2: f64, e: f64) -> f64 {
+    let (factor, turn) = tail_of(link, slack_m2, e);
     let distance_m2 = link.radius_m * link.radius_m - slack_m2;
     2.0 * factor * (slack_m2 + 2.0 * distance_m2 * (turn - 1.0).max(0.0))
 }
@@ -250,6 +273,21 @@ mod tests {
                 let blur = 1e-2 * most;
                 assert!(sampled <= bound + 1e-6 * most, "{sampled} above {bound} at {distance} of {shape:?}");
                 assert!(bound <= sampled + blur, "{bound} far above {sampled} at {distance} of {shape:?}");
+            }
+        }
+    }
+
+    #[test]
+    fn many_bends_have_the_bits_of_each() {
+        for shape in shapes() {
+            let curvature = Curvature::new(shape);
+            for move_m in [0.0, 0.01, 0.4] {
+                for strange in [0.5, f64::NAN, f64::INFINITY, 1e200] {
+                    let mut distances = [0.0, 0.1, 0.69, 0.95, strange, 2.0, 2.7, 2.99, 3.2];
+                    let each = distances.map(|distance_m| curvature.bend_max(distance_m, move_m, 0.0));
+                    curvature.bends_max(&mut distances, move_m, 0.0);
+                    assert_eq!(each.map(f64::to_bits), distances.map(f64::to_bits));
+                }
             }
         }
     }

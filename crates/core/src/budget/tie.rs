@@ -3,7 +3,7 @@
 use crate::budget::knowledge::{Assume, Known};
 use crate::budget::reach::Reach;
 use crate::budget::settings::{Budget, Form};
-use crate::math::{Vector, dot, larger, sqrt};
+use crate::math::{Vector, dot, larger, length, sqrt};
 
 /// Stands for no link; slopes are never positive.
 pub(crate) const NO_SLOPE: f64 = 1.0;
@@ -43,14 +43,41 @@ impl Budget {
     #[inline]
     #[must_use]
     pub fn tie<const D: usize>(&self, offset: &Vector<D>, slope: f64, reach: &Reach<D>) -> Tie {
+        let bend = &mut [length(offset)];
+        self.bends_max(bend);
+        let [bend] = *bend;
+        self.tie_with(offset, slope, bend, reach)
+    }
+
+    /// κ of (far′), or L of (far), 1/m², of many pairs in place of their distances, m.
+    #[inline]
+    pub fn bends_max(&self, distances_m: &mut [f64]) {
+        let (move_max_m, error_m) = (self.move_max_m, self.margin.offset_m);
+        match self.form() {
+            Form::Level => self.curvature.bends_max(distances_m, move_max_m, error_m),
+            Form::Link => {
+                for distance_m in distances_m {
+                    *distance_m = self.curvature.slope_max(*distance_m, move_max_m, error_m);
+                }
+            }
+        }
+    }
+
+    /// [`tie`](Self::tie) with what [`bends_max`](Self::bends_max) gives.
+    #[inline]
+    #[must_use]
+    pub fn tie_with<const D: usize>(
+        &self,
+        offset: &Vector<D>,
+        slope: f64,
+        bend: f64,
+        reach: &Reach<D>,
+    ) -> Tie {
         let (distance_m2, error_m) = (dot(offset, offset), self.margin.offset_m);
         let distance_m = sqrt(distance_m2);
-        let (bend, wrong) = match self.form() {
-            Form::Link => (self.curvature.slope_max(distance_m, self.move_max_m, error_m), 0.0),
-            Form::Level => (
-                self.curvature.bend_max(distance_m, self.move_max_m, error_m),
-                self.curvature.gradient_error(distance_m, error_m),
-            ),
+        let wrong = match self.form() {
+            Form::Link => 0.0,
+            Form::Level => self.curvature.gradient_error(distance_m, error_m),
         };
         let slope = if slope <= 0.0 { slope } else { 0.0 };
         let mut tie = Tie { distance_m2, distance_m, slope, bend, wrong, most: 0.0, clear: false };
