@@ -54,8 +54,8 @@ impl LinkShape {
     }
 
     /// [`link_at`](Self::link_at) of many pairs, the same bits: the weight in place of each squared distance, m², and the slope,
-    /// 1/m². Without a link both are −0: no sum notices it, and no weight of a link has that sign. Of different lengths, the
-    /// shorter counts.
+    /// 1/m². Without a link both are −0: no sum notices it, and no weight of a link has that sign. Both slices are equally
+    /// long.
     pub fn links_at(&self, distances_m2: &mut [f64], slopes: &mut [f64]) {
         let (pairs, rest) = distances_m2.as_chunks_mut();
         let (pair_slopes, rest_slopes) = slopes.as_chunks_mut();

@@ -41,6 +41,7 @@ pub mod start;
 pub mod summary;
 pub mod sweep;
 pub mod team;
+mod ties;
 mod truth;
 mod voices;
 pub mod world;

@@ -118,6 +118,17 @@ impl Budget {
 }
 
 impl Tie {
+    /// Of two robots that have no link.
+    pub const NONE: Self = Self {
+        distance_m2: f64::INFINITY,
+        distance_m: f64::INFINITY,
+        slope: 0.0,
+        bend: 0.0,
+        wrong: 0.0,
+        most: 0.0,
+        clear: true,
+    };
+
     /// ∂a/∂x_i, 1/m, of the end from which the other is at −`offset`.
     #[inline]
     #[must_use]
