@@ -43,3 +43,35 @@ fn decide<const D: usize>(one: &Row<D>, other: &Row<D>, v: &Vector<D>, desired: 
     let apart = aa * bb - ab * ab > APART * aa * bb;
     apart && bb * along_a >= ab * along_b && aa * along_b >= ab * along_a
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::budget::reach::Reach;
+    use crate::program::InputBox;
+
+    /// The corner (1, 0.5) of a box is the answer to a desire beyond both of its sides, and no answer to one beyond a single side.
+    #[test]
+    fn a_corner_is_taken_only_where_both_sides_push_back() {
+        let input = InputBox { min_m_s: [-1.0; 2], max_m_s: [1.0, 0.5] };
+        let mut memory = [Row::default(); 5];
+        let mut program = Program::new(&mut memory, Reach::new(&input, 1.0));
+        let corner = [1.0, 0.5];
+        assert_eq!(program.guess(&[3.0, 2.0], &corner), Some(corner));
+        assert_eq!(program.guess(&[3.0, 2.0], &[0.9999, 0.5001]), Some(corner));
+        assert_eq!(program.guess(&[3.0, 0.4], &corner), None);
+        assert_eq!(program.guess(&[0.5, 2.0], &corner), None);
+        assert_eq!(program.guess(&[3.0, 2.0], &[0.0, 0.0]), None);
+        program.push(Row::new([1.0, 1.0], 0.0, 1.4));
+        assert_eq!(program.guess(&[3.0, 2.0], &corner), None, "a third row is broken there");
+    }
+
+    #[test]
+    fn where_gradients_are_nearly_parallel_nothing_is_guessed() {
+        let ball = Row::new([0.0, 0.0], 1.0, 1.0);
+        let grazing = |sine: f64| Row::new([1.0, sine], 0.0, 1.0);
+        for (sine, taken) in [(0.5, true), (0.1, true), (1e-3, false), (0.0, false)] {
+            assert_eq!(decide(&ball, &grazing(sine), &[1.0, 0.0], &[2.0, 0.25 * sine]), taken, "{sine}");
+        }
+    }
+}
