@@ -2,7 +2,6 @@
 
 use crate::exponential::exps;
 use crate::math::{Vector, dot};
-
 use crate::scaled::{Number, Scaled};
 
 /// Pairs of robots that are computed at a time where there are many.
@@ -54,11 +53,12 @@ impl LinkShape {
     }
 
     /// [`link_at`](Self::link_at) of many pairs, the same bits: the weight in place of each squared distance, m², and the slope,
-    /// 1/m². Without a link both are −0: no sum notices it, and no weight of a link has that sign. Both slices are equally
-    /// long.
+    /// 1/m². Without a link both are −0: no sum notices it, and no weight of a link has that sign. Where one slice is
+    /// longer, its rest stays as it is.
     pub fn links_at(&self, distances_m2: &mut [f64], slopes: &mut [f64]) {
-        let (pairs, rest) = distances_m2.as_chunks_mut();
-        let (pair_slopes, rest_slopes) = slopes.as_chunks_mut();
+        let count = distances_m2.len().min(slopes.len());
+        let (pairs, rest) = distances_m2[..count].as_chunks_mut();
+        let (pair_slopes, rest_slopes) = slopes[..count].as_chunks_mut();
         for (distances_m2, slopes) in pairs.iter_mut().zip(pair_slopes) {
             self.link_some::<LANES>(distances_m2, slopes);
         }

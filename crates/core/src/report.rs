@@ -2,8 +2,11 @@
 
 use core::time::Duration;
 
+use crate::barrier::degree_barrier;
 use crate::math::Vector;
+use crate::params::Controller;
 use crate::program::Outcome;
+use crate::robot::Robot;
 
 /// Velocity and everything a caller should look at before using it.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -89,4 +92,60 @@ pub enum Reason {
     Untold,
     /// thm:cbf-qp needs continuous time and a constant bias; a robot that ticks cannot have the first.
     ContinuousTime,
+}
+
+impl<const D: usize> Robot<'_, D> {
+    pub(crate) fn report(&self, phi: Option<f64>, outcome: Outcome, round: Option<RoundReport>) -> Report {
+        let degree = small(self.linked().count());
+        let untold = small(self.linked().filter(|slot| slot.told.is_none()).count());
+        let oldest = self.sensed().filter_map(|slot| slot.told.map(|told| told.at)).min();
+        let required = self.required();
+        let h = degree_barrier(self.level, required);
+        let mode = match self.params.settings().controller {
+            Controller::Composed => Mode::Degraded(composed_reason(degree < required, outcome, phi, untold)),
+            // With a margin, whoever is in view may be a neighbour.
+            Controller::Budget => self.budget_mode(small(self.sensed().count()), h),
+        };
+        Report {
+            degree,
+            margin: i32::from(degree) - i32::from(required),
+            level: self.level,
+            h,
+            phi,
+            outcome,
+            mode,
+            untold,
+            told_age_max: oldest.map_or(Duration::ZERO, |at| self.now.since(at)),
+            round,
+        }
+    }
+
+    /// F′, or θ under `budget` with free liars.
+    fn required(&self) -> u16 {
+        match self.params.settings().controller {
+            Controller::Composed => self.params.required_degree(),
+            Controller::Budget => self.params.budget().required(),
+        }
+    }
+
+    pub(crate) fn stopped(&self, round: Option<RoundReport>) -> Output<D> {
+        let watched = self.params.settings().controller == Controller::Composed;
+        let report = self.report(watched.then(|| self.phi()), Outcome::Infeasible, round);
+        Output { velocity_m_s: [0.0; D], report: Report { mode: Mode::Stopped, ..report } }
+    }
+}
+
+/// The gravest of what speaks against an answer of `composed`.
+fn composed_reason(degree_low: bool, outcome: Outcome, phi: Option<f64>, untold: u16) -> Reason {
+    match outcome {
+        _ if degree_low => Reason::Degree,
+        Outcome::Infeasible => Reason::Infeasible,
+        _ if phi.is_some_and(|phi| phi < 0.0) => Reason::OutsideSafeSet,
+        _ if untold > 0 => Reason::Untold,
+        _ => Reason::ContinuousTime,
+    }
+}
+
+pub(crate) fn small(count: usize) -> u16 {
+    u16::try_from(count).unwrap_or(u16::MAX)
 }

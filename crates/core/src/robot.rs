@@ -1,9 +1,6 @@
 //! One robot as a state machine without inputs or outputs of its own.
 
-use core::time::Duration;
-
 use crate::assurance::{Assurance, watches};
-use crate::barrier::degree_barrier;
 use crate::budget::knowledge::Sighting;
 use crate::budget::row::Row;
 use crate::composed::{Composition, Term};
@@ -12,9 +9,9 @@ use crate::math::{Vector, dot, is_finite, subtract};
 use crate::message::{Message, VALUE_MAX};
 use crate::neighbor::{NO_LINK, RobotId, Slot, Told};
 use crate::params::{Controller, Params};
-use crate::program::{Outcome, closest};
+use crate::program::closest;
 use crate::refusal::{ObserveError, Observed, ReceiveError, RobotError, SenseError};
-use crate::report::{Mode, Output, Reason, Report, RoundReport};
+use crate::report::{Mode, Output};
 use crate::scaled::Scaled;
 use crate::time::{Instant, Timer};
 
@@ -53,7 +50,7 @@ pub struct Robot<'memory, const D: usize> {
     value_timer: Timer,
     sequence: u32,
     /// c_i as sensed, and as told: the same for whoever follows eq:connectivity.
-    level: f64,
+    pub(crate) level: f64,
     level_at: Instant,
     told_level: f64,
     pub(crate) value: f64,
@@ -345,58 +342,4 @@ impl<'memory, const D: usize> Robot<'memory, D> {
         let own = composed.degree_term(self.told_level);
         composed.compose(own, self.linked().map(|slot| slot.term(composed)))
     }
-
-    fn report(&self, phi: Option<f64>, outcome: Outcome, round: Option<RoundReport>) -> Report {
-        let degree = small(self.linked().count());
-        let untold = small(self.linked().filter(|slot| slot.told.is_none()).count());
-        let oldest = self.sensed().filter_map(|slot| slot.told.map(|told| told.at)).min();
-        let required = self.required();
-        let h = degree_barrier(self.level, required);
-        let mode = match self.params.settings().controller {
-            Controller::Composed => Mode::Degraded(composed_reason(degree < required, outcome, phi, untold)),
-            // With a margin, whoever is in view may be a neighbour.
-            Controller::Budget => self.budget_mode(small(self.sensed().count()), h),
-        };
-        Report {
-            degree,
-            margin: i32::from(degree) - i32::from(required),
-            level: self.level,
-            h,
-            phi,
-            outcome,
-            mode,
-            untold,
-            told_age_max: oldest.map_or(Duration::ZERO, |at| self.now.since(at)),
-            round,
-        }
-    }
-
-    /// F′, or θ under `budget` with free liars.
-    fn required(&self) -> u16 {
-        match self.params.settings().controller {
-            Controller::Composed => self.params.required_degree(),
-            Controller::Budget => self.params.budget().required(),
-        }
-    }
-
-    fn stopped(&self, round: Option<RoundReport>) -> Output<D> {
-        let watched = self.params.settings().controller == Controller::Composed;
-        let report = self.report(watched.then(|| self.phi()), Outcome::Infeasible, round);
-        Output { velocity_m_s: [0.0; D], report: Report { mode: Mode::Stopped, ..report } }
-    }
-}
-
-/// The gravest of what speaks against an answer of `composed`.
-fn composed_reason(degree_low: bool, outcome: Outcome, phi: Option<f64>, untold: u16) -> Reason {
-    match outcome {
-        _ if degree_low => Reason::Degree,
-        Outcome::Infeasible => Reason::Infeasible,
-        _ if phi.is_some_and(|phi| phi < 0.0) => Reason::OutsideSafeSet,
-        _ if untold > 0 => Reason::Untold,
-        _ => Reason::ContinuousTime,
-    }
-}
-
-pub(crate) fn small(count: usize) -> u16 {
-    u16::try_from(count).unwrap_or(u16::MAX)
 }

@@ -1,8 +1,8 @@
 //! A consensus round as the robot lives it: values told since it began, W-MSR as soon as they are there.
 
 use crate::neighbor::{Slot, Told};
-use crate::report::RoundReport;
-use crate::robot::{Robot, small};
+use crate::report::{RoundReport, small};
+use crate::robot::Robot;
 use crate::time::Instant;
 use crate::wmsr;
 

@@ -33,7 +33,7 @@ pub struct Allies<const D: usize> {
     terms: Vec<f64>,
     sums: Vec<Sum<0, f64>>,
     /// What the claims of all are worth.
-    told: Vec<f64>,
+    worths: Vec<f64>,
     /// What those know of each robot who see everybody.
     knowns: Vec<Known>,
     rows: Vec<Row<D>>,
@@ -63,7 +63,7 @@ impl<const D: usize> Allies<D> {
             ties: Ties::new(robots),
             terms: vec![0.0; robots],
             sums: vec![Sum::new(0.0); robots],
-            told: vec![0.0; robots],
+            worths: vec![0.0; robots],
             knowns: vec![nothing; robots],
             rows: vec![Row::default(); 2 * D + 2 * robots + 1],
         })
@@ -96,9 +96,9 @@ impl<const D: usize> Allies<D> {
         for (robot, level) in frame.levels.iter().enumerate() {
             frame.spares[robot] = degree_barrier(*level, budget.required());
             frame.told[robot] = liars.level(robot, *level);
-            self.told[robot] = budget.told(settings.claim(frame.told[robot], settings.clock_error));
+            self.worths[robot] = budget.worth(settings.claim(frame.told[robot], settings.clock_error));
             let degree = f64::from(frame.degrees[robot]);
-            let seen = Seen { low: *level, degree, unseen: 0, told: self.told[robot] };
+            let seen = Seen { low: *level, degree, unseen: 0, worth: self.worths[robot] };
             self.knowns[robot] = budget.known_from(&seen, 0.0);
         }
     }
@@ -148,7 +148,7 @@ impl<const D: usize> Allies<D> {
         let (params, position) = (&self.params, frame.positions_m[robot]);
         let neighbors = self.ties.neighbors(robot).map(|(other, tie)| {
             let offset_m = subtract(&position, &frame.positions_m[other]);
-            let seen = self.ties.seen(other, frame.degrees[other], self.told[other]);
+            let seen = self.ties.seen(other, frame.degrees[other], self.worths[other]);
             let known = seen.map(|seen| params.budget().known_from(&seen, tie.distance_m));
             Neighbor { offset_m, tie, known: known.unwrap_or(self.knowns[other]) }
         });

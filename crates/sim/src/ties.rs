@@ -17,12 +17,13 @@ const LANES: usize = 4;
 #[derive(Clone, Debug)]
 pub(crate) struct Ties {
     robots: usize,
-    /// Weight of every robot with every other, in lines of whole blocks, and its tie.
+    /// Weight of every robot with every other, in lines of whole blocks, and how long a line is.
     weights: Vec<f64>,
     line: usize,
+    /// Tie of every robot with every other.
     all: Vec<Tie>,
-    /// Of pairs in the order of [`crate::truth::Truth::pairs_m2`] weights, slopes and κ.
-    pairs: Vec<f64>,
+    /// Of pairs in the order of [`crate::truth::Truth::pairs_m2`] weights, before that squared distances, m², slopes and κ.
+    pair_weights: Vec<f64>,
     slopes: Vec<f64>,
     bends: Vec<f64>,
     /// Whom the robot that looked around sees, itself among them, whom not, and what it sees of the level of each.
@@ -40,7 +41,7 @@ impl Ties {
             weights: vec![NO_LINK; robots * line],
             line,
             all: vec![Tie::NONE; robots * robots],
-            pairs: Vec::new(),
+            pair_weights: Vec::new(),
             slopes: Vec::new(),
             bends: Vec::new(),
             seen: Vec::new(),
@@ -52,12 +53,12 @@ impl Ties {
     /// Fills the ties, and of `frame` levels, degrees and the number of links.
     //= paper eq:connectivity
     pub(crate) fn find<const D: usize>(&mut self, params: &Params<D>, frame: &mut Frame<D>) {
-        fill_pairs(&frame.positions_m, &mut self.pairs);
+        fill_pairs(&frame.positions_m, &mut self.pair_weights);
         self.bends.clear();
-        self.bends.extend(self.pairs.iter().map(|pair_m2| sqrt(*pair_m2)));
+        self.bends.extend(self.pair_weights.iter().map(|pair_m2| sqrt(*pair_m2)));
         params.budget().bends_max(&mut self.bends);
-        self.slopes.resize(self.pairs.len(), 0.0);
-        params.link().links_at(&mut self.pairs, &mut self.slopes);
+        self.slopes.resize(self.pair_weights.len(), 0.0);
+        params.link().links_at(&mut self.pair_weights, &mut self.slopes);
         frame.links = 0;
         let mut pair = 0;
         for second in 0..self.robots {
@@ -77,15 +78,15 @@ impl Ties {
     ) {
         let (robots, line) = (self.robots, self.line);
         let (weights, ties) = (&mut self.weights[..robots * line], &mut self.all[..robots * robots]);
-        let [pairs, slopes, bends] =
-            [&self.pairs, &self.slopes, &self.bends].map(|of| &of[pair..pair + second]);
+        let [pair_weights, slopes, bends] =
+            [&self.pair_weights, &self.slopes, &self.bends].map(|of| &of[pair..pair + second]);
         let Frame { positions_m, levels, degrees, .. } = frame;
         let (positions_m, position) = (&positions_m[..second], positions_m[second]);
         let (levels, own_level) = levels[..=second].split_at_mut(second);
         let (degrees, own_degree) = degrees[..=second].split_at_mut(second);
         let (mut level, mut degree) = (0.0, 0);
         for first in 0..second {
-            let weight = pairs[first];
+            let weight = pair_weights[first];
             weights[first * line + second] = weight;
             weights[second * line + first] = weight;
             if !is_link(weight) {
@@ -142,17 +143,17 @@ impl Ties {
         }
     }
 
-    /// What the robot that looked around sees of `other`, which has so many neighbours and whose claim is worth `told`; `None`
+    /// What the robot that looked around sees of `other`, which has so many neighbours and whose claim is worth so much; `None`
     /// if it sees everybody.
     #[inline]
-    pub(crate) fn seen(&self, other: usize, degree: u16, told: f64) -> Option<Seen> {
+    pub(crate) fn seen(&self, other: usize, degree: u16, worth: f64) -> Option<Seen> {
         if self.unseen.is_empty() {
             return None;
         }
         let weights = &self.weights[other * self.line..];
         let beyond = self.unseen.iter().filter(|unseen| !is_link(weights[**unseen])).count();
         let degree = f64::from(degree) + number(beyond);
-        Some(Seen { low: self.lows[other], degree, unseen: self.unseen.len(), told })
+        Some(Seen { low: self.lows[other], degree, unseen: self.unseen.len(), worth })
     }
 }
 

@@ -5,7 +5,7 @@ use crate::budget::project::Program;
 use crate::budget::row::Row;
 use crate::math::{Vector, dot, subtract};
 
-/// A boundary is near within this share of the longest move.
+/// A boundary is near within this share of the longest move, in the scale of rows.
 const NEAR: f64 = 1e-3;
 /// Gradients are far from parallel from this square of the sine of their angle on.
 const APART: f64 = 1e-4;
@@ -34,8 +34,8 @@ impl<const D: usize> Program<'_, D> {
     }
 }
 
-/// True if at v, where both boundaries are, the way to `desired` is a sum of their gradients with factors that are not
-/// negative: then no other point of the two balls is as close.
+/// True if at v, of both boundaries the point closest to `desired`, the way there is a sum of their gradients with factors that are
+/// not negative: then no other point of the two balls is as close.
 fn decide<const D: usize>(one: &Row<D>, other: &Row<D>, v: &Vector<D>, desired: &Vector<D>) -> bool {
     let ([a, b], way) = ([one, other].map(|row| row.gradient(v)), subtract(desired, v));
     let (aa, ab, bb) = (dot(&a, &a), dot(&a, &b), dot(&b, &b));

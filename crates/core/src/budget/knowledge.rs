@@ -106,24 +106,24 @@ impl Budget {
     #[must_use]
     pub fn known_from(&self, seen: &Seen, distance_m: f64) -> Known {
         let required = f64::from(self.required());
-        let reaches = |high: f64| seen.told <= high - required;
+        let reaches = |high: f64| seen.worth <= high - required;
         let high = match seen.low {
             low if reaches(low) => low,
-            _ if reaches(self.surely_high(seen, distance_m)) => f64::INFINITY,
+            _ if reaches(self.high_at_least(seen, distance_m)) => f64::INFINITY,
             _ => self.high(seen, distance_m),
         };
-        self.weigh([seen.low - required, high - required], seen.told, larger(seen.degree, 1.0))
+        self.weigh([seen.low - required, high - required], seen.worth, larger(seen.degree, 1.0))
     }
 
     pub(crate) fn believe(&self, interval: &Interval, claim: Option<Claim>) -> Known {
         let required = f64::from(self.required());
         let spares = [interval.low - required, interval.high - required];
-        self.weigh(spares, self.told(claim), interval.degree_max)
+        self.weigh(spares, self.worth(claim), interval.degree_max)
     }
 
     #[inline]
-    fn weigh(&self, [seen, most]: [f64; 2], told: f64, degree_max: f64) -> Known {
-        let told = if told > most { most } else { told };
+    fn weigh(&self, [seen, most]: [f64; 2], worth: f64, degree_max: f64) -> Known {
+        let told = if worth > most { most } else { worth };
         let believed = match self.trust {
             Trust::Told => told,
             Trust::ToldOrSeen => larger(told, seen),
@@ -132,9 +132,9 @@ impl Budget {
         Known { budget: larger(believed, 0.0), deficit: larger(-most, 0.0), degree_max }
     }
 
-    /// What m ticks leave of `(c − required)⁺`; 0 for a claim that is not finite, for none, and where none is believed.
+    /// What a claim is worth, what m ticks leave of `(c − required)⁺`; 0 for a claim that is not finite, for none, and where none is believed.
     #[must_use]
-    pub fn told(&self, claim: Option<Claim>) -> f64 {
+    pub fn worth(&self, claim: Option<Claim>) -> f64 {
         let Some(claim) = claim.filter(|_| self.trust != Trust::Seen) else { return 0.0 };
         let spare = claim.level - f64::from(self.required());
         match claim.age_ticks {

@@ -65,14 +65,6 @@ impl<'memory, const D: usize> Program<'memory, D> {
 
     /// `arg min |v − desired|²` over the box and all rows, m.
     ///
-    /// The closest point is that of a *working set* of rows. While a row outside it is broken, the most broken one joins
-    /// and the closest point for the working set is found anew; it lies on the boundary of the newcomer. By the
-    /// optimality conditions it is the point closest to the desired one among those where some subset of at most D rows
-    /// holds with equality (were another such point as close, the Lagrangian, strictly convex, had two minima): so each
-    /// subset with the newcomer gives one candidate in closed form, and the closest one that breaks no row is taken. Both
-    /// arcs, where a boundary circle meets the rest in two, are so looked at. Every row joins once at most. Where no
-    /// multipliers exist, the set is {0}: two points of it would have a midpoint inside all balls.
-    ///
     /// Exact for D ≤ 3 up to rounding: in boxes of 1 m certified to 1e-12 m for ordinary sets, and where duplicates,
     /// tangents and empty budgets meet, no sample was closer by more than 1e-9 m. Feasible for every D: each candidate is
     /// pulled towards 0 until every row of the working set [holds](Row::holds), and what breaks any row is not returned.
@@ -104,6 +96,14 @@ impl<'memory, const D: usize> Program<'memory, D> {
     }
 
     /// The answer and the size of the working set.
+    ///
+    /// The closest point is that of a *working set* of rows. While a row outside it is broken, the most broken one joins
+    /// and the closest point for the working set is found anew; it lies on the boundary of the newcomer. By the
+    /// optimality conditions it is the point closest to the desired one among those where some subset of at most D rows
+    /// holds with equality (were another such point as close, the Lagrangian, strictly convex, had two minima): so each
+    /// subset with the newcomer gives one candidate in closed form, and the closest one that breaks no row is taken. Both
+    /// arcs, where a boundary circle meets the rest in two, are so looked at. Every row joins once at most. Where no
+    /// multipliers exist, the set is {0}: two points of it would have a midpoint inside all balls.
     fn search(&mut self, desired: &Vector<D>) -> (Vector<D>, usize) {
         let (mut v, mut working) = (*desired, 0);
         while let Some(worst) = self.worst(working, &v) {

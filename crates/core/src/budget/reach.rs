@@ -50,7 +50,7 @@ impl<const D: usize> Reach<D> {
         length(&self.far_m) * (1.0 + 4.0 * f64::EPSILON)
     }
 
-    /// More than `n·v + c |v|²` is anywhere in the box for a `normal` n known up to `wrong` along each axis and a `curvature` c;
+    /// At least what `n·v + c |v|²` is anywhere in the box for a `normal` n known up to `wrong` along each axis and a `curvature` c;
     /// NaN if that is no curvature. A row surely holds wherever the robot can go if this is at most its bound.
     #[inline]
     pub(crate) fn most(&self, normal: &Vector<D>, wrong: f64, curvature: f64) -> f64 {

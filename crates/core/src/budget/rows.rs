@@ -113,7 +113,7 @@ impl Budget {
     }
 
     /// The same rows for a robot with this own `level` and `degree`, from all its `neighbors` in order of their numbers: for
-    /// whoever computes a whole team at once.
+    /// whoever computes a whole team at once. Their ties must have been made with this `reach`: which rows can bind depends on it.
     #[must_use]
     pub fn rows_between<'memory, 'a, const D: usize>(
         &self,
@@ -144,7 +144,7 @@ impl Budget {
         for (index, &Sighting { offset_m, claim, .. }) in sightings.iter().enumerate() {
             if self.bounds_move(&offset_m, rows) {
                 let tie = &self.tie(&offset_m, survey.slopes[index], &rows.program.reach);
-                let known = self.known_from(&survey.seen(index, self.told(claim)), tie.distance_m);
+                let known = self.known_from(&survey.seen(index, self.worth(claim)), tie.distance_m);
                 self.push_neighbor(&mut own, &Neighbor { offset_m, tie, known }, rows);
             }
         }

@@ -30,8 +30,8 @@ pub struct Seen {
     pub degree: f64,
     /// Robots that it does not see.
     pub unseen: usize,
-    /// What it told is worth ([`Budget::told`]).
-    pub told: f64,
+    /// What its claim is worth ([`Budget::worth`]).
+    pub worth: f64,
 }
 
 impl Budget {
@@ -104,7 +104,7 @@ impl Budget {
     }
 
     /// No more than [`high`](Self::high), without an exponential.
-    pub(crate) fn surely_high(&self, seen: &Seen, distance_m: f64) -> f64 {
+    pub(crate) fn high_at_least(&self, seen: &Seen, distance_m: f64) -> f64 {
         let near = self.nearest_m(distance_m) <= 0.5 * self.curvature.link().radius_m;
         let least = if near { self.curvature.least_within_half() } else { 0.0 };
         seen.low + number(seen.unseen) * least
@@ -129,8 +129,8 @@ impl Survey<'_> {
         }
     }
 
-    /// What is seen of the links of a sighting whose claim is worth `told`.
-    pub(crate) fn seen(&self, index: usize, told: f64) -> Seen {
-        Seen { low: self.lows[index], degree: self.degrees[index], unseen: self.unseen, told }
+    /// What is seen of the links of a sighting whose claim is worth so much.
+    pub(crate) fn seen(&self, index: usize, worth: f64) -> Seen {
+        Seen { low: self.lows[index], degree: self.degrees[index], unseen: self.unseen, worth }
     }
 }

@@ -21,10 +21,10 @@ pub struct Tie {
     pub bend: f64,
     /// Bound of the error of the gradient, 1/m.
     pub wrong: f64,
-    /// More than the left-hand side of (far′) is wherever the robot can go; without meaning for (far).
-    pub most: f64,
+    /// At least the left-hand side of (far′) wherever the robot can go; without meaning for (far).
+    pub(crate) most: f64,
     /// True if the pair is far enough apart and (near) holds wherever the robot can go.
-    pub clear: bool,
+    pub(crate) clear: bool,
 }
 
 /// A neighbour, with all that its rows need.
@@ -32,7 +32,7 @@ pub struct Tie {
 pub struct Neighbor<'a, const D: usize> {
     /// x_i − x_j, m.
     pub offset_m: Vector<D>,
-    /// What holds for both ends.
+    /// What holds for both ends, made with the reach that the rows are for.
     pub tie: &'a Tie,
     /// What is known of its spare connectivity.
     pub known: Known,
@@ -118,7 +118,7 @@ impl Budget {
 }
 
 impl Tie {
-    /// Of two robots that have no link.
+    /// Of two robots out of sight: in place of a tie, not a tie of neighbours.
     pub const NONE: Self = Self {
         distance_m2: f64::INFINITY,
         distance_m: f64::INFINITY,
