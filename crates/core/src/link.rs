@@ -53,7 +53,7 @@ impl LinkShape {
     }
 
     /// [`link_at`](Self::link_at) of many pairs, the same bits: the weight in place of each squared distance, m², and the slope,
-    /// 1/m². Without a link both are −0: no sum notices it, and no weight of a link has that sign. Where one slice is
+    /// 1/m². Without a link both are those of [`Link::NONE`]. Where one slice is
     /// longer, its rest stays as it is.
     pub fn links_at(&self, distances_m2: &mut [f64], slopes: &mut [f64]) {
         let count = distances_m2.len().min(slopes.len());
@@ -63,7 +63,7 @@ impl LinkShape {
             self.link_some::<LANES>(distances_m2, slopes);
         }
         for (distance_m2, slope) in rest.iter_mut().zip(rest_slopes) {
-            let link = self.link_at(*distance_m2).unwrap_or(Link { weight: -0.0, slope: -0.0 });
+            let link = self.link_at(*distance_m2).unwrap_or(Link::NONE);
             (*distance_m2, *slope) = (link.weight, link.slope);
         }
     }
@@ -73,8 +73,10 @@ impl LinkShape {
         let slacks_m2 = distances_m2.map(|distance_m2| self.slack_m2(distance_m2));
         let tails = exps(slacks_m2.map(|slack_m2| self.exponent(slack_m2)));
         let links: [Link<f64>; L] = core::array::from_fn(|k| self.link_of(slacks_m2[k], tails[k]));
-        *distances_m2 = core::array::from_fn(|k| if slacks_m2[k] >= 0.0 { links[k].weight } else { -0.0 });
-        *slopes = core::array::from_fn(|k| if slacks_m2[k] >= 0.0 { links[k].slope } else { -0.0 });
+        *distances_m2 =
+            core::array::from_fn(|k| if slacks_m2[k] >= 0.0 { links[k].weight } else { Link::NONE.weight });
+        *slopes =
+            core::array::from_fn(|k| if slacks_m2[k] >= 0.0 { links[k].slope } else { Link::NONE.slope });
     }
 
     #[inline]
@@ -82,8 +84,9 @@ impl LinkShape {
         self.radius_m * self.radius_m - distance_m2
     }
 
+    /// `−q₂ s²`.
     #[inline]
-    fn exponent(&self, slack_m2: f64) -> f64 {
+    pub(crate) fn exponent(&self, slack_m2: f64) -> f64 {
         -self.q2 * slack_m2 * slack_m2
     }
 
@@ -94,6 +97,18 @@ impl LinkShape {
         let inverse = 1.0 / (1.0 + tail);
         let steepness = -4.0 * self.q1 * self.q2 * slack_m2 * inverse * inverse;
         Link { weight: 0.5 * self.q1 * (1.0 - tail) * inverse, slope: e.times_f64(steepness) }
+    }
+}
+
+impl Link<f64> {
+    /// In place of a link where there is none: −0, which no sum notices and whose sign no weight has.
+    pub const NONE: Self = Self { weight: -0.0, slope: -0.0 };
+
+    /// False for the weight of [`Link::NONE`].
+    #[inline]
+    #[must_use]
+    pub fn is_link(weight: f64) -> bool {
+        weight.is_sign_positive()
     }
 }
 
@@ -169,7 +184,7 @@ mod tests {
                 let mut slopes = [1.0; 7];
                 shape.links_at(&mut distances_m2, &mut slopes);
                 for (link, found) in links.iter().zip(distances_m2.iter().zip(&slopes)) {
-                    let link = link.unwrap_or(Link { weight: -0.0, slope: -0.0 });
+                    let link = link.unwrap_or(Link::NONE);
                     let bits = |x: &f64| x.to_bits();
                     assert_eq!((bits(&link.weight), bits(&link.slope)), (bits(found.0), bits(found.1)));
                 }

@@ -2,14 +2,13 @@
 
 use closeranks_core::budget::survey::Seen;
 use closeranks_core::budget::tie::Tie;
+use closeranks_core::link::Link;
 use closeranks_core::math::{add_scaled, sqrt, subtract};
 use closeranks_core::params::Params;
 
 use crate::frame::Frame;
 use crate::truth::fill_pairs;
 
-/// In place of a weight: no link. Sums do not notice.
-const NO_LINK: f64 = -0.0;
 /// Weights that are summed at a time.
 const LANES: usize = 4;
 
@@ -38,7 +37,7 @@ impl Ties {
         let line = robots.next_multiple_of(LANES);
         Self {
             robots,
-            weights: vec![NO_LINK; robots * line],
+            weights: vec![Link::NONE.weight; robots * line],
             line,
             all: vec![Tie::NONE; robots * robots],
             pair_weights: Vec::new(),
@@ -151,17 +150,12 @@ impl Ties {
             return None;
         }
         let weights = &self.weights[other * self.line..];
-        let beyond = self.unseen.iter().filter(|unseen| !is_link(weights[**unseen])).count();
-        let degree = f64::from(degree) + number(beyond);
+        let beyond: u16 = self.unseen.iter().map(|unseen| u16::from(!is_link(weights[*unseen]))).sum();
+        let degree = f64::from(degree) + f64::from(beyond);
         Some(Seen { low: self.lows[other], degree, unseen: self.unseen.len(), worth })
     }
 }
 
-/// A count as a number; exact, because no team has 2³² robots.
-fn number(count: usize) -> f64 {
-    u32::try_from(count).map_or(f64::MAX, f64::from)
-}
-
 fn is_link(weight: f64) -> bool {
-    weight.is_sign_positive()
+    Link::is_link(weight)
 }

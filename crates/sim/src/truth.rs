@@ -1,7 +1,7 @@
 //! The state of a team as only the world knows it: what the theorems are about.
 
 use closeranks_core::budget::knowledge::{Assume, Sighting};
-use closeranks_core::link::LinkShape;
+use closeranks_core::link::{Link, LinkShape};
 use closeranks_core::math::{Vector, subtract};
 use closeranks_core::params::{Controller, Params};
 
@@ -156,7 +156,7 @@ fn weigh(
     let mut rest = &weights[..];
     for second in 0..sums.len() {
         let (line, later) = rest.split_at(second);
-        for (first, weight) in line.iter().enumerate().filter(|(_, weight)| weight.is_sign_positive()) {
+        for (first, weight) in line.iter().enumerate().filter(|(_, weight)| Link::is_link(**weight)) {
             for (end, other) in [(second, first), (first, second)] {
                 if counts(other) {
                     sums[end] += weight;

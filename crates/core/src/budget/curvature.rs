@@ -83,8 +83,8 @@ impl Curvature {
     /// `a(r + e) ≥ a(r) + ∇a·e − κ/2 |e|²` for |e| up to twice `move_max_m`, across the rim as well: there the gradient
     /// is continuous and the weight convex. Not negative. NaN in, NaN out.
     //= method far-prime
-    #[must_use]
     #[inline]
+    #[must_use]
     pub fn bend_max(&self, distance_m: f64, move_max_m: f64, error_m: f64) -> f64 {
         let [bend] = self.bend_some([distance_m], move_max_m, error_m);
         bend
@@ -106,7 +106,7 @@ impl Curvature {
         let reach_m = 2.0 * move_max_m + error_m;
         let slacks = distances_m.map(|distance_m| self.slacks(distance_m - reach_m, distance_m + reach_m));
         let sharpest = slacks.map(|(low, high)| closest(self.sharpest_m2, low, high));
-        let tails = exps(sharpest.map(|slack_m2| -(self.link.q2 * slack_m2 * slack_m2)));
+        let tails = exps(sharpest.map(|slack_m2| self.link.exponent(slack_m2)));
         let bends: [f64; L] = core::array::from_fn(|k| RAISE * bend_of(&self.link, sharpest[k], tails[k]));
         core::array::from_fn(|k| if slacks[k].1 <= 0.0 { 0.0 } else { bends[k] })
     }
@@ -128,8 +128,7 @@ impl Curvature {
             return 0.0;
         }
         let sharpest_m2 = closest(self.sharpest_m2, low, high);
-        let e = exp(-(self.link.q2 * sharpest_m2 * sharpest_m2));
-        let sharpest = bend_of(&self.link, sharpest_m2, e);
+        let sharpest = bend_of(&self.link, sharpest_m2, exp(self.link.exponent(sharpest_m2)));
         RAISE * sharpest.max(swell(&self.link, low)) * error_m
     }
 
@@ -175,7 +174,7 @@ fn tail_of(link: &LinkShape, slack_m2: f64, e: f64) -> (f64, f64) {
 }
 
 fn tail(link: &LinkShape, slack_m2: f64) -> (f64, f64) {
-    tail_of(link, slack_m2, exp(-(link.q2 * slack_m2 * slack_m2)))
+    tail_of(link, slack_m2, exp(link.exponent(slack_m2)))
 }
 
 /// f(s), 1/m².

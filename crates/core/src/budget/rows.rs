@@ -7,7 +7,7 @@ use crate::budget::reach::Reach;
 use crate::budget::row::Row;
 use crate::budget::settings::Budget;
 use crate::budget::survey::Survey;
-use crate::budget::tie::{NO_SLOPE, Neighbor};
+use crate::budget::tie::Neighbor;
 use crate::math::{Vector, add_scaled, dot, is_finite, length};
 
 /// Memory that the caller lends for one tick.
@@ -174,7 +174,7 @@ impl Budget {
             } else {
                 self.interval(index, sightings, weights)
             };
-            let slope = self.link(&offset_m).map_or(NO_SLOPE, |link| link.slope);
+            let slope = self.link(&offset_m).map_or(0.0, |link| link.slope);
             let tie = &self.tie(&offset_m, slope, &rows.program.reach);
             let known = self.believe(&interval, claim);
             self.push_neighbor(&mut own, &Neighbor { offset_m, tie, known }, rows);

@@ -5,7 +5,6 @@ use core::ops::Range;
 use crate::budget::interval::number;
 use crate::budget::knowledge::{Assume, Sighting, place};
 use crate::budget::settings::Budget;
-use crate::budget::tie::NO_SLOPE;
 use crate::math::subtract;
 
 /// Sums over the links of a robot's sightings.
@@ -16,7 +15,7 @@ pub(crate) struct Survey<'memory> {
     /// Of each sighting [`Interval::low`](crate::budget::interval::Interval::low), and the neighbours that it may have, not yet at least 1.
     lows: &'memory mut [f64],
     degrees: &'memory mut [f64],
-    /// Of its link to the robot, [`NO_SLOPE`] without one.
+    /// Of its link to the robot, 0 without one.
     pub(crate) slopes: &'memory mut [f64],
     unseen: usize,
 }
@@ -71,7 +70,7 @@ impl Budget {
     /// Adds the robot's own link to a sighting.
     fn add_own<const D: usize>(&self, index: usize, sighting: &Sighting<D>, survey: &mut Survey<'_>) {
         let link = self.link(&sighting.offset_m);
-        survey.slopes[index] = link.map_or(NO_SLOPE, |link| link.slope);
+        survey.slopes[index] = link.map_or(0.0, |link| link.slope);
         let weight = match link {
             Some(link) if self.is_exact() => link.weight,
             _ => self.entry(&sighting.offset_m),

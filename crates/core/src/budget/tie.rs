@@ -5,9 +5,6 @@ use crate::budget::reach::Reach;
 use crate::budget::settings::{Budget, Form};
 use crate::math::{Vector, dot, larger, length, sqrt};
 
-/// Stands for no link; slopes are never positive.
-pub(crate) const NO_SLOPE: f64 = 1.0;
-
 /// Two robots at some distance, the same from both ends.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Tie {
@@ -39,7 +36,7 @@ pub struct Neighbor<'a, const D: usize> {
 }
 
 impl Budget {
-    /// The tie of two robots with this `offset` (m), `slope` their link's, that can both move within `reach`.
+    /// The tie of two robots with this `offset` (m), `slope` their link's or 0, that can both move within `reach`.
     #[inline]
     #[must_use]
     pub fn tie<const D: usize>(&self, offset: &Vector<D>, slope: f64, reach: &Reach<D>) -> Tie {
@@ -79,7 +76,6 @@ impl Budget {
             Form::Link => 0.0,
             Form::Level => self.curvature.gradient_error(distance_m, error_m),
         };
-        let slope = if slope <= 0.0 { slope } else { 0.0 };
         let mut tie = Tie { distance_m2, distance_m, slope, bend, wrong, most: 0.0, clear: false };
         tie.most = reach.most(&tie.gradient(offset), wrong, bend);
         let spare_m2 = self.spare_m2(&tie, -error_m);
