@@ -1,8 +1,8 @@
 //! Texts that say they are scenarios.
 
 use closeranks_sim::law::Law;
+use closeranks_sim::output::record::Record;
 use closeranks_sim::parse::{self, Problem, TEXT_MAX};
-use closeranks_sim::record::Record;
 use closeranks_sim::scenario::{Controller, Scenario};
 use closeranks_sim::sweep::Plan;
 use closeranks_sim::world::{Engine, Options, run};

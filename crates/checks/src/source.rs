@@ -2,7 +2,7 @@
 
 use core::time::Duration;
 
-use closeranks_core::math::Vector;
+use closeranks_core::num::Vector;
 
 /// Where arithmetic ends, and where settings do.
 const NASTY: [f64; 24] = [

@@ -2,7 +2,7 @@
 
 use closeranks_report::content::Claim;
 use closeranks_sim::law::Verdict;
-use closeranks_sim::robustness::weakest;
+use closeranks_sim::monitors::robustness::weakest;
 use closeranks_sim::scenario::Scenario;
 use closeranks_sim::world::Run;
 use serde_json::{Map, Value, json};

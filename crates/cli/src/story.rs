@@ -4,8 +4,8 @@ use core::fmt::Write as _;
 
 use closeranks_report::table::{number, telling};
 use closeranks_sim::law::{Law, Verdict};
+use closeranks_sim::output::summary::Summary;
 use closeranks_sim::scenario::{Controller, Scenario};
-use closeranks_sim::summary::Summary;
 
 /// Where the start lies, and when a start outside came inside.
 pub(crate) fn start(scenario: &Scenario, summary: &Summary) -> String {

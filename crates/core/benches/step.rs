@@ -2,15 +2,16 @@
 //!
 //! `cargo bench -p closeranks-core`
 
-use closeranks_core::composed::Term;
-use closeranks_core::link::Link;
-use closeranks_core::math::dot;
+use closeranks_core::equations::composition::Term;
+use closeranks_core::equations::link::Link;
 use closeranks_core::message::Message;
-use closeranks_core::neighbor::{RobotId, Slot};
-use closeranks_core::params::{Params, Settings};
-use closeranks_core::program::{InputBox, Row, closest};
+use closeranks_core::num::dot;
+use closeranks_core::num::scaled::Scaled;
+use closeranks_core::program::InputBox;
+use closeranks_core::program::box_row::{Row, closest};
 use closeranks_core::robot::Robot;
-use closeranks_core::scaled::Scaled;
+use closeranks_core::robot::neighbor::{RobotId, Slot};
+use closeranks_core::settings::params::{Params, Settings};
 use closeranks_core::time::Instant;
 use closeranks_core::wmsr;
 use divan::{Bencher, black_box};

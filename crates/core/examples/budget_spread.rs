@@ -5,16 +5,16 @@
 //! Eleven robots from the hexagonal patch `inside`, the paper's desired motion, no attack, 10 s; mean radius of gyration
 //! over twelve assignments of robots to places. Least h and least distance are asserted along the way.
 
-use closeranks_core::budget::curvature::Curvature;
-use closeranks_core::budget::knowledge::{Assume, Claim, Sighting, Trust};
-use closeranks_core::budget::margin::Margin;
-use closeranks_core::budget::reach::Reach;
-use closeranks_core::budget::row::Row;
-use closeranks_core::budget::rows::Memory;
-use closeranks_core::budget::settings::{Budget, Form, share_of_rate};
-use closeranks_core::link::LinkShape;
-use closeranks_core::math::{Vector, add_scaled, dot, length, subtract};
+use closeranks_core::controller::budget::curvature::Curvature;
+use closeranks_core::controller::budget::knowledge::{Assume, Claim, Sighting, Trust};
+use closeranks_core::controller::budget::margin::Margin;
+use closeranks_core::controller::budget::rows::Memory;
+use closeranks_core::controller::budget::settings::{Budget, Form, share_of_rate};
+use closeranks_core::equations::link::LinkShape;
+use closeranks_core::num::{Vector, add_scaled, dot, length, subtract};
 use closeranks_core::program::InputBox;
+use closeranks_core::program::balls::reach::Reach;
+use closeranks_core::program::balls::row::Row;
 
 const ROBOTS: usize = 11;
 const ASSIGNMENTS: u64 = 12;

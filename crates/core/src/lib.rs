@@ -13,40 +13,26 @@
 //!
 //! | paper | here |
 //! | --- | --- |
-//! | eq:adjacency | [`link`] |
-//! | eq:h_i, eq:shared_connectivity, eq:collision, F′ | [`barrier`] |
-//! | eq:composition, eq:phi_i, eq:split | [`composed`] |
+//! | eq:adjacency | [`equations::link`] |
+//! | eq:h_i, eq:shared_connectivity, eq:collision, F′ | [`equations::barrier`] |
+//! | eq:composition, eq:phi_i, eq:split | [`equations::composition`] |
 //! | seq:qp | [`program`] |
 //! | eq:linear, W-MSR | [`wmsr`] |
 //! | eq:connectivity and everything over time | [`robot`] |
 //! | what is told | [`message`] |
-//! | our controller (METHOD.md section 3) | [`budget`] |
+//! | our controller (METHOD.md section 3) | [`controller::budget`] |
 //!
 //! The crate allocates nothing, reads no clock, draws no random number, does no input or output and does not panic on
 //! any input. Lengths are in m, speeds in m/s, all numbers `f64`, the dimension is `const D` (2 and 3 are tested).
 
 #![no_std]
 
-mod allowance;
-pub mod allowed;
-pub mod answer;
-mod assurance;
-pub mod barrier;
-pub mod budget;
-pub mod composed;
-mod exponential;
-pub mod link;
-pub mod math;
+pub mod controller;
+pub mod equations;
 pub mod message;
-pub mod neighbor;
-pub mod params;
+pub mod num;
 pub mod program;
-pub mod refusal;
-pub mod report;
 pub mod robot;
-mod round;
-pub mod scaled;
 pub mod settings;
-mod slots;
 pub mod time;
 pub mod wmsr;

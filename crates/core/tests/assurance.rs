@@ -2,15 +2,15 @@
 
 use core::time::Duration;
 
-use closeranks_core::budget::knowledge::Sighting;
-use closeranks_core::budget::row::Row;
-use closeranks_core::math::Vector;
+use closeranks_core::controller::budget::knowledge::Sighting;
 use closeranks_core::message::Message;
-use closeranks_core::neighbor::{RobotId, Slot};
-use closeranks_core::params::{Controller, Params, Settings};
-use closeranks_core::refusal::ReceiveError;
-use closeranks_core::report::{Mode, Reason};
+use closeranks_core::num::Vector;
+use closeranks_core::program::balls::row::Row;
 use closeranks_core::robot::Robot;
+use closeranks_core::robot::error::ReceiveError;
+use closeranks_core::robot::neighbor::{RobotId, Slot};
+use closeranks_core::robot::report::{Mode, Reason};
+use closeranks_core::settings::params::{Controller, Params, Settings};
 use closeranks_core::time::Instant;
 
 const GUARANTEED: Mode = Mode::Guaranteed;

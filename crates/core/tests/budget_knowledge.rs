@@ -1,9 +1,9 @@
 //! What a robot knows of its neighbours' levels: true bounds, and claims that cannot do harm.
 
 use budget_team::Team;
-use closeranks_core::budget::knowledge::{Assume, Claim, Sighting, Trust};
-use closeranks_core::budget::settings::{Budget, Form};
-use closeranks_core::math::{dot, subtract};
+use closeranks_core::controller::budget::knowledge::{Assume, Claim, Sighting, Trust};
+use closeranks_core::controller::budget::settings::{Budget, Form};
+use closeranks_core::num::{dot, subtract};
 use seeded::Seeded;
 
 mod budget_team;

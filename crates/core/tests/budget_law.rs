@@ -1,13 +1,13 @@
 //! Theorems B, C and D: whatever is told, lost or wanted, no tick takes more than its share; and mutants that do.
 
 use budget_team::{Builder, ROWS_MAX, Team, crate_rows};
-use closeranks_core::budget::knowledge::{Assume, Claim, Sighting};
-use closeranks_core::budget::project::Program;
-use closeranks_core::budget::reach::Reach;
-use closeranks_core::budget::row::Row;
-use closeranks_core::budget::settings::{Budget, Form};
-use closeranks_core::link::Link;
-use closeranks_core::math::{add_scaled, dot, length};
+use closeranks_core::controller::budget::knowledge::{Assume, Claim, Sighting};
+use closeranks_core::controller::budget::settings::{Budget, Form};
+use closeranks_core::equations::link::Link;
+use closeranks_core::num::{add_scaled, dot, length};
+use closeranks_core::program::balls::Program;
+use closeranks_core::program::balls::reach::Reach;
+use closeranks_core::program::balls::row::Row;
 
 mod budget_team;
 mod seeded;

@@ -1,12 +1,12 @@
 //! The theorem with every sensed position wrong by up to e, right at the bound as a rule; and what happens without the margin.
 
 use budget_team::{Team, crate_rows};
-use closeranks_core::budget::curvature::Curvature;
-use closeranks_core::budget::knowledge::Assume;
-use closeranks_core::budget::margin::Margin;
-use closeranks_core::budget::settings::Form;
-use closeranks_core::link::{Link, LinkShape};
-use closeranks_core::math::{length, subtract};
+use closeranks_core::controller::budget::curvature::Curvature;
+use closeranks_core::controller::budget::knowledge::Assume;
+use closeranks_core::controller::budget::margin::Margin;
+use closeranks_core::controller::budget::settings::Form;
+use closeranks_core::equations::link::{Link, LinkShape};
+use closeranks_core::num::{length, subtract};
 
 mod budget_team;
 mod seeded;

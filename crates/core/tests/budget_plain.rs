@@ -2,15 +2,15 @@
 //! order, bit for bit, and so the same answer.
 
 use budget_plain_rows::{Plain, plain};
-use closeranks_core::budget::curvature::Curvature;
-use closeranks_core::budget::knowledge::{Assume, Claim, Sighting, Trust};
-use closeranks_core::budget::margin::Margin;
-use closeranks_core::budget::reach::Reach;
-use closeranks_core::budget::row::Row;
-use closeranks_core::budget::rows::Memory;
-use closeranks_core::budget::settings::{Budget, Form};
-use closeranks_core::link::LinkShape;
+use closeranks_core::controller::budget::curvature::Curvature;
+use closeranks_core::controller::budget::knowledge::{Assume, Claim, Sighting, Trust};
+use closeranks_core::controller::budget::margin::Margin;
+use closeranks_core::controller::budget::rows::Memory;
+use closeranks_core::controller::budget::settings::{Budget, Form};
+use closeranks_core::equations::link::LinkShape;
 use closeranks_core::program::InputBox;
+use closeranks_core::program::balls::reach::Reach;
+use closeranks_core::program::balls::row::Row;
 use seeded::Seeded;
 
 mod budget_plain_rows;

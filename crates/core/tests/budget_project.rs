@@ -1,10 +1,10 @@
 //! The closest point of balls, half-spaces and a box: admissible always, and certified to be the closest.
 
 use budget_case::Case;
-use closeranks_core::budget::project::Program;
-use closeranks_core::budget::reach::Reach;
-use closeranks_core::budget::row::Row;
-use closeranks_core::math::{Vector, add_scaled, dot, length, subtract};
+use closeranks_core::num::{Vector, add_scaled, dot, length, subtract};
+use closeranks_core::program::balls::Program;
+use closeranks_core::program::balls::reach::Reach;
+use closeranks_core::program::balls::row::Row;
 use closeranks_core::program::{InputBox, Outcome};
 use seeded::Seeded;
 

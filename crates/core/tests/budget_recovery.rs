@@ -1,15 +1,15 @@
 //! Starts outside the set: nothing that is broken gets worse, and what can be mended is.
 
-use closeranks_core::budget::curvature::Curvature;
-use closeranks_core::budget::knowledge::{Assume, Claim, Sighting, Trust};
-use closeranks_core::budget::margin::Margin;
-use closeranks_core::budget::reach::Reach;
-use closeranks_core::budget::row::Row;
-use closeranks_core::budget::rows::Memory;
-use closeranks_core::budget::settings::{Budget, Form};
-use closeranks_core::link::LinkShape;
-use closeranks_core::math::{Vector, add_scaled, dot, length, subtract};
+use closeranks_core::controller::budget::curvature::Curvature;
+use closeranks_core::controller::budget::knowledge::{Assume, Claim, Sighting, Trust};
+use closeranks_core::controller::budget::margin::Margin;
+use closeranks_core::controller::budget::rows::Memory;
+use closeranks_core::controller::budget::settings::{Budget, Form};
+use closeranks_core::equations::link::LinkShape;
+use closeranks_core::num::{Vector, add_scaled, dot, length, subtract};
 use closeranks_core::program::InputBox;
+use closeranks_core::program::balls::reach::Reach;
+use closeranks_core::program::balls::row::Row;
 use seeded::Seeded;
 
 mod seeded;

@@ -6,8 +6,9 @@
 
 #![expect(clippy::float_cmp, reason = "components rest on their bounds exactly")]
 
-use closeranks_core::math::{Vector, dot};
-use closeranks_core::program::{InputBox, Outcome, Row, closest};
+use closeranks_core::num::{Vector, dot};
+use closeranks_core::program::box_row::{Row, closest};
+use closeranks_core::program::{InputBox, Outcome};
 use seeded::Seeded;
 
 mod seeded;

@@ -4,12 +4,12 @@
 
 use core::time::Duration;
 
-use closeranks_core::neighbor::{RobotId, Slot};
-use closeranks_core::params::{Params, Settings};
 use closeranks_core::program::Outcome;
-use closeranks_core::refusal::{ObserveError, Observed, ReceiveError, RobotError, SenseError};
-use closeranks_core::report::{Mode, Output, Reason};
 use closeranks_core::robot::Robot;
+use closeranks_core::robot::error::{ObserveError, Observed, ReceiveError, RobotError, SenseError};
+use closeranks_core::robot::neighbor::{RobotId, Slot};
+use closeranks_core::robot::report::{Mode, Output, Reason};
+use closeranks_core::settings::params::{Params, Settings};
 use scene::{ME, Scene, at, lend, lend_with, message, message_at};
 use seeded::Seeded;
 

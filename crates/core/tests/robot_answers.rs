@@ -1,15 +1,16 @@
 //! What a robot answers: the equations, whatever the order of calls, and something safe whatever the calls.
 
-use closeranks_core::budget::knowledge::{Assume, Sighting, Trust};
-use closeranks_core::budget::row::Row;
-use closeranks_core::composed::{Share, Term};
-use closeranks_core::math::{Vector, dot, is_finite, subtract};
+use closeranks_core::controller::budget::knowledge::{Assume, Sighting, Trust};
+use closeranks_core::equations::composition::{Share, Term};
 use closeranks_core::message::{MESSAGE_BYTES, Message};
-use closeranks_core::neighbor::{RobotId, Slot};
-use closeranks_core::params::{Controller, MAGNITUDE_MAX, Params, Settings};
-use closeranks_core::program::{InputBox, closest};
-use closeranks_core::report::{Mode, Output};
+use closeranks_core::num::{Vector, dot, is_finite, subtract};
+use closeranks_core::program::InputBox;
+use closeranks_core::program::balls::row::Row;
+use closeranks_core::program::box_row::closest;
 use closeranks_core::robot::Robot;
+use closeranks_core::robot::neighbor::{RobotId, Slot};
+use closeranks_core::robot::report::{Mode, Output};
+use closeranks_core::settings::params::{Controller, MAGNITUDE_MAX, Params, Settings};
 use closeranks_core::time::Instant;
 use proptest::prelude::*;
 use proptest::test_runner::RngSeed;

@@ -3,8 +3,8 @@
 //! Because ∂h_k/∂x_i = ∂a_ik/∂x_i, H_i is the gradient of φ (eq:composition) with respect to x_i whenever all levels are honest.
 //! The row is that inequality divided by a power of two, which is read off `bound = −α φ_i · scale`.
 
-use closeranks_core::composed::{Composition, Share};
-use closeranks_core::math::Vector;
+use closeranks_core::equations::composition::{Composition, Share};
+use closeranks_core::num::Vector;
 use cluster::Cluster;
 
 mod cluster;

@@ -3,10 +3,10 @@
 //! The paper's H_i is then a sum of numbers like e^(10⁷) and e^(−10⁵). The crate carries their exponents along; here the same
 //! sum is formed from logarithms, relative to its largest term. Either way the direction must come out, and a finite row.
 
-use closeranks_core::composed::{Composition, Share};
-use closeranks_core::link::LinkShape;
-use closeranks_core::math::{Vector, dot, subtract};
-use closeranks_core::scaled::Number;
+use closeranks_core::equations::composition::{Composition, Share};
+use closeranks_core::equations::link::LinkShape;
+use closeranks_core::num::scaled::Number;
+use closeranks_core::num::{Vector, dot, subtract};
 use cluster::Cluster;
 use seeded::Seeded;
 

@@ -4,10 +4,10 @@
 //! whole team at once do the same. Scaling by a power of two rounds nothing, so shrinking all offsets by 2⁻⁷⁴⁰ forces
 //! the second way upon a row of which the first is known.
 
-use closeranks_core::composed::{Composed, Share, Sum};
-use closeranks_core::link::Link;
-use closeranks_core::math::dot;
-use closeranks_core::scaled::{Number, Scaled};
+use closeranks_core::equations::composition::{Composed, Share, Sum};
+use closeranks_core::equations::link::Link;
+use closeranks_core::num::dot;
+use closeranks_core::num::scaled::{Number, Scaled};
 use cluster::Cluster;
 use seeded::Seeded;
 

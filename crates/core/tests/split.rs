@@ -4,9 +4,9 @@
 //! (eq:composition) only if every degree is F′, and may exceed it if a robot overstates: the proof of lem:equivalence assumes it
 //! cannot. The own share, `φ_i = 1/n − Ê_i − ½ Σ E^c_ij`, has neither fault.
 
-use closeranks_core::composed::{Composed, Share};
-use closeranks_core::link::LinkShape;
-use closeranks_core::math::Vector;
+use closeranks_core::equations::composition::{Composed, Share};
+use closeranks_core::equations::link::LinkShape;
+use closeranks_core::num::Vector;
 use cluster::Cluster;
 use seeded::Seeded;
 

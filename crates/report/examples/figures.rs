@@ -9,9 +9,9 @@ use closeranks_report::html::html;
 use closeranks_report::parquet::{Metadata, write};
 use closeranks_report::png::{SCALE_200_DPI, png};
 use closeranks_sim::attack::LevelAttack;
-use closeranks_sim::record::Record;
+use closeranks_sim::output::record::Record;
 use closeranks_sim::scenario::Scenario;
-use closeranks_sim::start::Start;
+use closeranks_sim::scenario::start::Start;
 use closeranks_sim::world::{Options, run};
 
 type Failure = Box<dyn core::error::Error>;

@@ -1,7 +1,7 @@
 //! The sentences of the paper's section V, each held against the runs.
 
 use closeranks_sim::law::Law;
-use closeranks_sim::summary::Summary;
+use closeranks_sim::output::summary::Summary;
 
 use crate::content::Claim;
 use crate::table::number;

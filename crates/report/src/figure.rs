@@ -1,6 +1,6 @@
 //! The figures of the paper's section V, and one for a single run.
 
-use closeranks_sim::record::Record;
+use closeranks_sim::output::record::Record;
 use closeranks_sim::scenario::Scenario;
 
 use crate::axes::{Axes, Decoration};

@@ -1,6 +1,6 @@
 //! A panel with the robots of one tick and the links between them.
 
-use closeranks_sim::record::Record;
+use closeranks_sim::output::record::Record;
 
 use crate::axes::{Axes, Place};
 use crate::figure::Case;

@@ -1,7 +1,7 @@
 //! Who is linked with whom.
 
-use closeranks_core::math::{Vector, dot, subtract};
-use closeranks_sim::record::Record;
+use closeranks_core::num::{Vector, dot, subtract};
+use closeranks_sim::output::record::Record;
 
 /// Two robots within the radius of each other, by index from 0, `first < second`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -25,7 +25,7 @@ pub(crate) fn position(record: &Record, tick: usize, index: usize) -> Vector<3> 
 
 /// The links of `tick`: all pairs with `R² − ‖x_i − x_j‖² ≥ 0`, in the order of their numbers.
 ///
-/// Computed as [`closeranks_core::link::LinkShape::link`] does, so that every robot has as many as its recorded degree.
+/// Computed as [`closeranks_core::equations::link::LinkShape::link`] does, so that every robot has as many as its recorded degree.
 //= paper eq:adjacency
 #[must_use]
 pub(crate) fn links(record: &Record, radius_m: f64, tick: usize) -> Vec<Link> {

@@ -19,7 +19,7 @@ use ::parquet::file::metadata::KeyValue;
 use ::parquet::file::properties::{WriterProperties, WriterPropertiesPtr};
 use ::parquet::file::writer::SerializedFileWriter;
 use ::parquet::schema::types::{Type, TypePtr};
-use closeranks_sim::record::Record;
+use closeranks_sim::output::record::Record;
 
 use crate::columns::{AXES, Column, columns};
 

@@ -8,7 +8,7 @@ use ::parquet::data_type::{DoubleType, Int32Type};
 use ::parquet::errors::ParquetError;
 use ::parquet::file::writer::SerializedFileWriter;
 use ::parquet::schema::types::{Type, TypePtr};
-use closeranks_sim::robustness::Round;
+use closeranks_sim::monitors::robustness::Round;
 
 use crate::axes::{Axes, Decoration};
 use crate::columns::put;

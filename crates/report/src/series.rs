@@ -1,6 +1,6 @@
 //! A panel with a column of the record over time, a line a robot.
 
-use closeranks_sim::record::Record;
+use closeranks_sim::output::record::Record;
 
 use crate::axes::Axes;
 use crate::figure::Case;

@@ -4,9 +4,9 @@ use core::fmt::Write as _;
 
 use closeranks_graph::verdict::Interval;
 use closeranks_sim::law::Law;
-use closeranks_sim::robustness::{Round, weakest};
+use closeranks_sim::monitors::robustness::{Round, weakest};
+use closeranks_sim::output::summary::Summary;
 use closeranks_sim::scenario::Scenario;
-use closeranks_sim::summary::Summary;
 
 use crate::content::Table;
 

@@ -4,9 +4,9 @@
 use closeranks_report::figure::{Case, figure1, figure2, overview};
 use closeranks_report::png::png;
 use closeranks_sim::attack::LevelAttack;
-use closeranks_sim::record::Record;
+use closeranks_sim::output::record::Record;
 use closeranks_sim::scenario::Scenario;
-use closeranks_sim::start::Start;
+use closeranks_sim::scenario::start::Start;
 use closeranks_sim::world::{Options, run};
 
 const TITLES: [&str; 4] = ["nominal updating", "understating", "overstating", "a <b> & \"c\""];

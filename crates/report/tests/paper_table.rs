@@ -5,9 +5,9 @@
 
 use closeranks_report::claims::SectionFive;
 use closeranks_report::table::{Line, table, text};
+use closeranks_sim::output::summary::Summary;
 use closeranks_sim::parse::scenario;
 use closeranks_sim::scenario::{Controller, Scenario};
-use closeranks_sim::summary::Summary;
 use closeranks_sim::world::{Options, Run, run};
 
 const FILES: [&str; 6] = [

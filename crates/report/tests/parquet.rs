@@ -4,9 +4,9 @@
 use bytes::Bytes;
 use closeranks_report::parquet::{Metadata, write};
 use closeranks_sim::attack::LevelAttack;
-use closeranks_sim::record::{Record, outcome_name};
+use closeranks_sim::output::record::{Record, outcome_name};
 use closeranks_sim::scenario::Scenario;
-use closeranks_sim::start::Start;
+use closeranks_sim::scenario::start::Start;
 use closeranks_sim::world::{Options, run};
 use parquet::file::reader::{FileReader, SerializedFileReader};
 use parquet::record::{Field, Row};

@@ -2,15 +2,15 @@
 //!
 //! `cargo bench -p closeranks-sim`
 
-use closeranks_core::params::Params;
+use closeranks_core::settings::params::Params;
 use closeranks_sim::attack::LevelAttack;
+use closeranks_sim::attack::liars::Liars;
+use closeranks_sim::engine::fleet::Fleet;
+use closeranks_sim::engine::memory::Memory;
+use closeranks_sim::engine::team::Team;
 use closeranks_sim::frame::Frame;
-use closeranks_sim::liars::Liars;
-use closeranks_sim::memory::Memory;
-use closeranks_sim::robots::Fleet;
+use closeranks_sim::scenario::start::Start;
 use closeranks_sim::scenario::{Controller, Scenario};
-use closeranks_sim::start::Start;
-use closeranks_sim::team::Team;
 use closeranks_sim::world::{Options, initial_values, run, want};
 use divan::Bencher;
 

@@ -3,13 +3,13 @@
 //!
 //! `cargo run --release -p closeranks-sim --example choose_inside -- 20000`
 
-use closeranks_core::composed::Share;
+use closeranks_core::equations::composition::Share;
 use closeranks_sim::attack::LevelAttack;
 use closeranks_sim::law::Law;
+use closeranks_sim::output::summary::Summary;
 use closeranks_sim::random::{Random, Stream};
 use closeranks_sim::scenario::Scenario;
-use closeranks_sim::start::Start;
-use closeranks_sim::summary::Summary;
+use closeranks_sim::scenario::start::Start;
 use closeranks_sim::world::{Options, run};
 
 /// Columns count half spacings, rows are `√3/2` spacings apart.

@@ -1,8 +1,8 @@
 //! One tick of all robots, as it is watched, recorded and integrated.
 
-use closeranks_core::math::Vector;
+use closeranks_core::num::Vector;
 use closeranks_core::program::Outcome;
-use closeranks_core::report::{Mode, Reason};
+use closeranks_core::robot::report::{Mode, Reason};
 
 /// State of every robot in one tick; index 0 is robot 1.
 ///
@@ -83,7 +83,7 @@ impl<const D: usize> Frame<D> {
     //= paper eq:dynamics
     pub fn integrate(&mut self, step_s: f64) {
         for (position, velocity) in self.positions_m.iter_mut().zip(&self.velocities_m_s) {
-            *position = closeranks_core::math::add_scaled(position, step_s, velocity);
+            *position = closeranks_core::num::add_scaled(position, step_s, velocity);
         }
         self.references_m.clone_from(&self.positions_m);
     }

@@ -10,38 +10,22 @@
 //! | --- | --- |
 //! | what to run, and the TOML it is written in | [`scenario`], [`parse`] |
 //! | many scenarios out of one text with draws | [`sweep`] |
-//! | where robots start and want to go | [`start`], [`motion`] |
-//! | what malicious robots tell | [`attack`], [`liars`] |
+//! | where robots start and want to go | [`scenario::start`], [`scenario::desired`] |
+//! | what malicious robots tell | [`attack`], [`attack::liars`] |
 //! | what goes wrong with messages, clocks, sensors and bodies | [`faults`] |
-//! | all robots of a tick, one by one or as a team | [`robots`], [`team`], [`allies`] |
-//! | the theorems as code, and exact robustness round by round | [`law`], [`monitor`], [`robustness`] |
-//! | the run, its record and its table row | [`world`], [`record`], [`summary`] |
+//! | all robots of a tick, one by one or as a team | [`engine`] |
+//! | the theorems as code, and exact robustness round by round | [`law`], [`monitors`] |
+//! | the run, its record and its table row | [`world`], [`output`] |
 
-pub mod allies;
 pub mod attack;
-mod consensus;
+pub mod engine;
 pub mod faults;
 pub mod frame;
-mod honesty;
 pub mod law;
-pub mod liars;
-pub mod memory;
-pub mod monitor;
-pub mod motion;
-mod pairs;
+pub mod monitors;
+pub mod output;
 pub mod parse;
-mod promise;
 pub mod random;
-pub mod record;
-pub mod robots;
-pub mod robustness;
-mod scatter;
 pub mod scenario;
-pub mod start;
-pub mod summary;
 pub mod sweep;
-pub mod team;
-mod ties;
-mod truth;
-mod voices;
 pub mod world;

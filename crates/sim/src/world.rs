@@ -1,32 +1,32 @@
 //! The run: scenario in, record and summary out.
 
-use closeranks_core::allowed::ParamsError;
-use closeranks_core::params::Params;
-use closeranks_core::refusal::RobotError;
+use closeranks_core::robot::error::RobotError;
+use closeranks_core::settings::params::Params;
+use closeranks_core::settings::range::ParamsError;
 
-use crate::allies::Allies;
+use crate::attack::liars::Liars;
+use crate::engine::allies::Allies;
+use crate::engine::fleet::Fleet;
+use crate::engine::memory::Memory;
+use crate::engine::team::Team;
 use crate::frame::Frame;
-use crate::liars::Liars;
-use crate::memory::Memory;
-use crate::monitor::Monitors;
-use crate::motion::Motion;
+use crate::monitors::Monitors;
+use crate::monitors::robustness::{Round, Watcher};
+use crate::output::record::Record;
+use crate::output::summary::{Collector, Summary};
 use crate::random::{Random, Stream};
-use crate::record::Record;
-use crate::robots::Fleet;
-use crate::robustness::{Round, Watcher};
+use crate::scenario::desired::Motion;
+use crate::scenario::start::StartError;
 use crate::scenario::{Controller, Scenario, Values};
-use crate::start::StartError;
-use crate::summary::{Collector, Summary};
-use crate::team::Team;
 
 /// How robots are computed; both give the same bits.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Engine {
-    /// All at once ([`crate::team`], for `budget` [`crate::allies`]); `budget` with free liars, with margins for errors or far
+    /// All at once ([`crate::engine::team`], for `budget` [`crate::engine::allies`]); `budget` with free liars, with margins for errors or far
     /// from the origin, and any world that is not perfect, run one by one all the same.
     #[default]
     Team,
-    /// One by one, with every message as bytes ([`crate::robots`]).
+    /// One by one, with every message as bytes ([`crate::engine::fleet`]).
     Robots,
 }
 

@@ -4,12 +4,12 @@
 
 use core::time::Duration;
 
-use closeranks_core::budget::knowledge::{Assume, Trust};
+use closeranks_core::controller::budget::knowledge::{Assume, Trust};
 use closeranks_core::program::Outcome;
 use closeranks_sim::attack::LevelAttack;
 use closeranks_sim::law::Law;
+use closeranks_sim::scenario::start::Start;
 use closeranks_sim::scenario::{Controller, Scenario};
-use closeranks_sim::start::Start;
 use closeranks_sim::world::{Options, Run, run};
 
 fn budget() -> Scenario {

@@ -3,11 +3,11 @@
 
 use core::time::Duration;
 
-use closeranks_core::budget::knowledge::{Assume, Trust};
-use closeranks_core::composed::Share;
+use closeranks_core::controller::budget::knowledge::{Assume, Trust};
+use closeranks_core::equations::composition::Share;
 use closeranks_sim::attack::LevelAttack;
+use closeranks_sim::scenario::start::Start;
 use closeranks_sim::scenario::{Controller, Scenario};
-use closeranks_sim::start::Start;
 use closeranks_sim::world::{Options, run};
 
 /// Random start, wide enough that links break and form, an attack on levels and on values, the own share.

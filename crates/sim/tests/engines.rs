@@ -3,11 +3,11 @@
 
 use core::time::Duration;
 
-use closeranks_core::budget::knowledge::Trust;
-use closeranks_core::composed::Share;
+use closeranks_core::controller::budget::knowledge::Trust;
+use closeranks_core::equations::composition::Share;
 use closeranks_sim::attack::{LevelAttack, ValueAttack};
+use closeranks_sim::scenario::start::Start;
 use closeranks_sim::scenario::{Controller, Scenario};
-use closeranks_sim::start::Start;
 use closeranks_sim::world::{Engine, Options, Run, run};
 
 fn recorded(scenario: &Scenario, engine: Engine) -> Run {

@@ -2,13 +2,13 @@
 
 use core::time::Duration;
 
-use closeranks_core::composed::Share;
-use closeranks_core::params::MAGNITUDE_MAX;
+use closeranks_core::equations::composition::Share;
+use closeranks_core::settings::params::MAGNITUDE_MAX;
 use closeranks_sim::attack::{LevelAttack, ValueAttack};
 use closeranks_sim::law::Law;
 use closeranks_sim::random::{Random, Stream};
+use closeranks_sim::scenario::start::Start;
 use closeranks_sim::scenario::{Scenario, Values};
-use closeranks_sim::start::Start;
 use closeranks_sim::world::{Engine, Options, run};
 
 /// One of `choices`.

@@ -4,8 +4,8 @@
 use closeranks_core::message::{Message, VALUE_MAX};
 use closeranks_core::program::InputBox;
 use closeranks_core::time::Instant;
+use closeranks_sim::attack::liars::Liars;
 use closeranks_sim::attack::{LevelAttack, MotionAttack, ValueAttack};
-use closeranks_sim::liars::Liars;
 use closeranks_sim::scenario::Scenario;
 
 /// Robots 1 and 2 lie; the normal ones hold 10, 11, ... 18.

@@ -7,9 +7,9 @@ use core::time::Duration;
 
 use closeranks_sim::attack::{LevelAttack, ValueAttack};
 use closeranks_sim::law::Law;
+use closeranks_sim::output::summary::Summary;
 use closeranks_sim::scenario::Scenario;
-use closeranks_sim::start::Start;
-use closeranks_sim::summary::Summary;
+use closeranks_sim::scenario::start::Start;
 use closeranks_sim::world::{Options, run};
 
 const ATTACKS: [LevelAttack; 3] = [LevelAttack::None, LevelAttack::Bias(-2.5), LevelAttack::Bias(3.5)];

@@ -8,10 +8,10 @@ use closeranks_sim::attack::{LevelAttack, ValueAttack};
 use closeranks_sim::faults::Spell;
 use closeranks_sim::frame::Frame;
 use closeranks_sim::law::{Law, Violation};
-use closeranks_sim::monitor::Monitors;
+use closeranks_sim::monitors::Monitors;
+use closeranks_sim::output::summary::Summary;
+use closeranks_sim::scenario::start::Start;
 use closeranks_sim::scenario::{Controller, Scenario, Values};
-use closeranks_sim::start::Start;
-use closeranks_sim::summary::Summary;
 use closeranks_sim::world::{Options, run};
 
 fn summary(scenario: &Scenario) -> Summary {

@@ -27,8 +27,8 @@ struct Mutant {
     lines: &'static [(&'static str, &'static str, &'static str)],
 }
 
-const LIMITS: &str = "core/src/budget/limits.rs";
-const TIE: &str = "core/src/budget/tie.rs";
+const LIMITS: &str = "core/src/controller/budget/limits.rs";
+const TIE: &str = "core/src/controller/budget/tie.rs";
 
 const MUTANTS: [Mutant; 20] = [
     Mutant {
@@ -59,7 +59,11 @@ const MUTANTS: [Mutant; 20] = [
     Mutant {
         name: "|v|² left out of (far')",
         law: "decay",
-        lines: &[("core/src/budget/row.rs", "-component), bend, spend)", "-component), 0.0 * bend, spend)")],
+        lines: &[(
+            "core/src/program/balls/row.rs",
+            "-component), bend, spend)",
+            "-component), 0.0 * bend, spend)",
+        )],
     },
     Mutant {
         name: "no row of its own",
@@ -74,7 +78,7 @@ const MUTANTS: [Mutant; 20] = [
         name: "L at the wrong distance",
         law: "decay",
         lines: &[(
-            "core/src/budget/curvature.rs",
+            "core/src/controller/budget/curvature.rs",
             "distance_m + (2.0 * move_max_m + error_m)",
             "0.5 * distance_m",
         )],
@@ -83,7 +87,7 @@ const MUTANTS: [Mutant; 20] = [
         name: "stale levels not discounted",
         law: "decay",
         lines: &[(
-            "core/src/budget/knowledge.rs",
+            "core/src/controller/budget/knowledge.rs",
             "ticks => self.left(larger(spare, 0.0), ticks)",
             "_ => larger(spare, 0.0)",
         )],
@@ -91,13 +95,17 @@ const MUTANTS: [Mutant; 20] = [
     Mutant {
         name: "age from receipt",
         law: "decay",
-        lines: &[("core/src/allowance.rs", "checked_since(told.stamp)", "checked_since(told.at)")],
+        lines: &[(
+            "core/src/controller/budget/allowance.rs",
+            "checked_since(told.stamp)",
+            "checked_since(told.at)",
+        )],
     },
     Mutant {
         name: "claims not cut, budgets fourfold",
         law: "spare",
         lines: &[(
-            "core/src/budget/knowledge.rs",
+            "core/src/controller/budget/knowledge.rs",
             "budget: larger(believed, 0.0),",
             "budget: 4.0 * larger(believed, 0.0) + 1.0,",
         )],
@@ -119,12 +127,16 @@ const MUTANTS: [Mutant; 20] = [
     Mutant {
         name: "rows left out where robots can break them",
         law: "decay",
-        lines: &[("core/src/budget/reach.rs", "most * SURELY", "0.2 * most")],
+        lines: &[("core/src/program/balls/reach.rs", "most * SURELY", "0.2 * most")],
     },
     Mutant {
         name: "a guess that nobody looks at",
         law: "decay",
-        lines: &[("core/src/budget/guess.rs", " && self.rows().iter().all(|row| row.holds(&v))", "")],
+        lines: &[(
+            "core/src/program/balls/warm_start.rs",
+            " && self.rows().iter().all(|row| row.holds(&v))",
+            "",
+        )],
     },
     Mutant {
         name: "no margin for distances",
@@ -156,7 +168,7 @@ const MUTANTS: [Mutant; 20] = [
         name: "the box forgotten",
         law: "input",
         lines: &[(
-            "core/src/answer.rs",
+            "core/src/controller/budget/answer.rs",
             "velocity_m_s: self.settings().input.clip(&velocity),",
             "velocity_m_s: velocity.map(|component| 1.1 * component),",
         )],
@@ -165,11 +177,23 @@ const MUTANTS: [Mutant; 20] = [
         name: "always guaranteed",
         law: "mode",
         lines: &[
-            ("core/src/answer.rs", "Some(reason) => Mode::Degraded(reason),", "Some(_) => Mode::Guaranteed,"),
-            ("core/src/answer.rs", "_ if degree_low => Mode::Degraded(Reason::Degree),", ""),
-            ("core/src/answer.rs", "None if exact && h < 0.0 => Mode::Degraded(Reason::OutsideSafeSet),", ""),
             (
-                "core/src/answer.rs",
+                "core/src/controller/budget/answer.rs",
+                "Some(reason) => Mode::Degraded(reason),",
+                "Some(_) => Mode::Guaranteed,",
+            ),
+            (
+                "core/src/controller/budget/answer.rs",
+                "_ if degree_low => Mode::Degraded(Reason::Degree),",
+                "",
+            ),
+            (
+                "core/src/controller/budget/answer.rs",
+                "None if exact && h < 0.0 => Mode::Degraded(Reason::OutsideSafeSet),",
+                "",
+            ),
+            (
+                "core/src/controller/budget/answer.rs",
                 "let exact = self.budget().margin.offset_m == 0.0;",
                 "let _ = (degree_low, h);",
             ),
@@ -179,7 +203,7 @@ const MUTANTS: [Mutant; 20] = [
         name: "never guaranteed again",
         law: "mode",
         lines: &[(
-            "core/src/assurance.rs",
+            "core/src/robot/assurance.rs",
             "now.since(*then) <= told_max",
             "now.since(*then) <= 2 * told_max",
         )],
@@ -189,14 +213,14 @@ const MUTANTS: [Mutant; 20] = [
         law: "feasible",
         lines: &[
             (TIE, "0.5 * self.gamma_c * larger(spare_m2, 0.0)", "0.5 * self.gamma_c * spare_m2"),
-            ("core/src/budget/row.rs", "bound: (scale * bound).max(0.0),", "bound: scale * bound,"),
+            ("core/src/program/balls/row.rs", "bound: (scale * bound).max(0.0),", "bound: scale * bound,"),
         ],
     },
     Mutant {
         name: "one neighbour fewer required",
         law: "degree",
         lines: &[(
-            "core/src/budget/interval.rs",
+            "core/src/controller/budget/interval.rs",
             "crate::barrier::required_degree(self.robots, self.faults)",
             "crate::barrier::required_degree(self.robots, self.faults) - 1",
         )],

@@ -2,7 +2,7 @@
 
 use closeranks_sim::parse::{Problem, scenario};
 use closeranks_sim::scenario::Scenario;
-use closeranks_sim::start::Start;
+use closeranks_sim::scenario::start::Start;
 
 fn problems(text: &str) -> Vec<Problem> {
     scenario(text).expect_err("must be refused")

@@ -1,9 +1,9 @@
 //! Everything that can go wrong, with `budget`: nothing is broken where its assumptions hold.
 #![expect(clippy::unwrap_used, reason = "helpers of tests")]
 
+use closeranks_sim::output::summary::Summary;
 use closeranks_sim::parse;
 use closeranks_sim::scenario::Scenario;
-use closeranks_sim::summary::Summary;
 use closeranks_sim::world::{Options, run};
 
 /// What is wrong, and whether the assumptions of the theorem hold all the same.

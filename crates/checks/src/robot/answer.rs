@@ -1,8 +1,8 @@
 //! What every answer of a robot must keep.
 
-use closeranks_core::math::{Vector, is_finite};
+use closeranks_core::num::{Vector, is_finite};
 use closeranks_core::program::Outcome;
-use closeranks_core::report::{Mode, Output, Report};
+use closeranks_core::robot::report::{Mode, Output, Report};
 
 use super::calls::Play;
 

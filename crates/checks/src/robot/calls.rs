@@ -1,10 +1,10 @@
 //! The calls that bytes stand for, and what is known of a robot while they are played.
 
-use closeranks_core::math::is_finite;
 use closeranks_core::message::{MESSAGE_BYTES, Message};
-use closeranks_core::neighbor::RobotId;
-use closeranks_core::params::Params;
+use closeranks_core::num::is_finite;
 use closeranks_core::robot::Robot;
+use closeranks_core::robot::neighbor::RobotId;
+use closeranks_core::settings::params::Params;
 use closeranks_core::time::Instant;
 
 use super::ME;

@@ -4,13 +4,13 @@ mod answer;
 mod calls;
 mod settings;
 
-use closeranks_core::budget::knowledge::Sighting;
-use closeranks_core::budget::row::Row;
+use closeranks_core::controller::budget::knowledge::Sighting;
 use closeranks_core::message::VALUE_MAX;
-use closeranks_core::neighbor::{RobotId, Slot};
-use closeranks_core::params::Params;
-use closeranks_core::refusal::RobotError;
+use closeranks_core::program::balls::row::Row;
 use closeranks_core::robot::Robot;
+use closeranks_core::robot::error::RobotError;
+use closeranks_core::robot::neighbor::{RobotId, Slot};
+use closeranks_core::settings::params::Params;
 
 use crate::source::Source;
 use calls::Play;

@@ -1,8 +1,8 @@
 //! Settings of any kind, from ordinary to refused.
 
-use closeranks_core::budget::knowledge::{Assume, Trust};
-use closeranks_core::composed::Share;
-use closeranks_core::params::{Controller, MAGNITUDE_MAX, Settings};
+use closeranks_core::controller::budget::knowledge::{Assume, Trust};
+use closeranks_core::equations::composition::Share;
+use closeranks_core::settings::params::{Controller, MAGNITUDE_MAX, Settings};
 
 use crate::source::Source;
 

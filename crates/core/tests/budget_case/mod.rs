@@ -2,11 +2,11 @@
 
 #![allow(dead_code, reason = "not every file of tests needs every part")]
 
-use closeranks_core::budget::project::{Closest, Program};
-use closeranks_core::budget::reach::Reach;
-use closeranks_core::budget::row::Row;
-use closeranks_core::math::{Vector, add_scaled, dot, length, subtract};
+use closeranks_core::num::{Vector, add_scaled, dot, length, subtract};
 use closeranks_core::program::InputBox;
+use closeranks_core::program::balls::reach::Reach;
+use closeranks_core::program::balls::row::Row;
+use closeranks_core::program::balls::{Closest, Program};
 
 use crate::seeded::Seeded;
 

@@ -1,12 +1,12 @@
 //! The rows of a tick, one after the other, each from the formula and nothing kept from one to the next.
 
-use closeranks_core::budget::knowledge::{Assume, Known, Sighting};
-use closeranks_core::budget::project::Program;
-use closeranks_core::budget::reach::Reach;
-use closeranks_core::budget::row::Row;
-use closeranks_core::budget::settings::{Budget, Form};
-use closeranks_core::link::Link;
-use closeranks_core::math::{Vector, add_scaled, dot, is_finite, length};
+use closeranks_core::controller::budget::knowledge::{Assume, Known, Sighting};
+use closeranks_core::controller::budget::settings::{Budget, Form};
+use closeranks_core::equations::link::Link;
+use closeranks_core::num::{Vector, add_scaled, dot, is_finite, length};
+use closeranks_core::program::balls::Program;
+use closeranks_core::program::balls::reach::Reach;
+use closeranks_core::program::balls::row::Row;
 
 /// What a tick comes to.
 pub(crate) struct Plain<const D: usize> {

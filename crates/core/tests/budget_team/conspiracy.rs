@@ -1,9 +1,9 @@
 //! A tick in which all robots conspire, and the law that it may not break.
 
-use closeranks_core::budget::knowledge::Assume;
-use closeranks_core::budget::project::Program;
-use closeranks_core::budget::row::Row;
-use closeranks_core::math::{Vector, add_scaled, dot, length, subtract};
+use closeranks_core::controller::budget::knowledge::Assume;
+use closeranks_core::num::{Vector, add_scaled, dot, length, subtract};
+use closeranks_core::program::balls::Program;
+use closeranks_core::program::balls::row::Row;
 
 use crate::budget_team::{Builder, DISTANCE_MIN_M, ROWS_MAX, Team};
 use crate::seeded::Seeded;

@@ -2,16 +2,16 @@
 
 #![allow(dead_code, reason = "not every file of tests needs every part")]
 
-use closeranks_core::budget::curvature::Curvature;
-use closeranks_core::budget::knowledge::{Assume, Claim, Sighting, Trust};
-use closeranks_core::budget::margin::Margin;
-use closeranks_core::budget::reach::Reach;
-use closeranks_core::budget::row::Row;
-use closeranks_core::budget::rows::Memory;
-use closeranks_core::budget::settings::{Budget, Form};
-use closeranks_core::link::LinkShape;
-use closeranks_core::math::{Vector, add_scaled, dot, length, subtract};
+use closeranks_core::controller::budget::curvature::Curvature;
+use closeranks_core::controller::budget::knowledge::{Assume, Claim, Sighting, Trust};
+use closeranks_core::controller::budget::margin::Margin;
+use closeranks_core::controller::budget::rows::Memory;
+use closeranks_core::controller::budget::settings::{Budget, Form};
+use closeranks_core::equations::link::LinkShape;
+use closeranks_core::num::{Vector, add_scaled, dot, length, subtract};
 use closeranks_core::program::InputBox;
+use closeranks_core::program::balls::reach::Reach;
+use closeranks_core::program::balls::row::Row;
 
 use crate::seeded::Seeded;
 

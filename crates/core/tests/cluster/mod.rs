@@ -2,10 +2,10 @@
 
 #![allow(dead_code, reason = "not every file of tests needs every equation")]
 
-use closeranks_core::composed::{Composed, Composition, Share, Term};
-use closeranks_core::link::{Link, LinkShape};
-use closeranks_core::math::{Vector, dot, subtract};
-use closeranks_core::scaled::Scaled;
+use closeranks_core::equations::composition::{Composed, Composition, Share, Term};
+use closeranks_core::equations::link::{Link, LinkShape};
+use closeranks_core::num::scaled::Scaled;
+use closeranks_core::num::{Vector, dot, subtract};
 
 use crate::seeded::Seeded;
 

@@ -2,12 +2,12 @@
 
 #![allow(dead_code, reason = "not every file of tests needs every part")]
 
-use closeranks_core::math::Vector;
 use closeranks_core::message::Message;
-use closeranks_core::neighbor::{RobotId, Slot};
-use closeranks_core::params::{Params, Settings};
-use closeranks_core::report::Output;
+use closeranks_core::num::Vector;
 use closeranks_core::robot::Robot;
+use closeranks_core::robot::neighbor::{RobotId, Slot};
+use closeranks_core::robot::report::Output;
+use closeranks_core::settings::params::{Params, Settings};
 use closeranks_core::time::Instant;
 
 use crate::seeded::Seeded;

@@ -1,6 +1,6 @@
 //! Networks of robots that agree by W-MSR, some of which lie, and Theorem A for one round of one.
 
-use closeranks_core::barrier::required_degree;
+use closeranks_core::equations::barrier::required_degree;
 use closeranks_core::wmsr::update;
 
 pub(crate) const ROBOTS_MAX: usize = 30;

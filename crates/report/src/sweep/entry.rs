@@ -1,8 +1,8 @@
 //! One row a run and controller: which columns there are and where each comes from.
 
 use closeranks_sim::law::{Law, Verdict};
+use closeranks_sim::output::summary::Summary;
 use closeranks_sim::scenario::{Controller, Scenario};
-use closeranks_sim::summary::Summary;
 use closeranks_sim::sweep::{Drawn, Field};
 
 use super::rows::{Cell, Head, Kind};

@@ -1,6 +1,6 @@
 //! What becomes of velocities: robots lag, miss ticks, crash and return.
 
-use closeranks_core::math::{Vector, add_scaled, length, subtract};
+use closeranks_core::num::{Vector, add_scaled, length, subtract};
 
 use super::Spell;
 use crate::random::{Random, Stream};
@@ -42,7 +42,7 @@ impl<const D: usize> Bodies<D> {
     #[must_use]
     pub fn new(scenario: &Scenario, positions_m: &[Vector<D>]) -> Self {
         let (plant, tick_s) = (scenario.trouble.plant, scenario.tick_s());
-        let stays = if plant.lag_s > 0.0 { closeranks_core::math::exp(-tick_s / plant.lag_s) } else { 0.0 };
+        let stays = if plant.lag_s > 0.0 { closeranks_core::num::exp(-tick_s / plant.lag_s) } else { 0.0 };
         Self {
             plant,
             random: Random::new(scenario.seed, Stream::Plant),

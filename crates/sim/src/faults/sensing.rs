@@ -1,6 +1,6 @@
 //! What robots sense of positions: not always where everybody is.
 
-use closeranks_core::math::{Vector, add_scaled, dot, length, subtract};
+use closeranks_core::num::{Vector, add_scaled, dot, length, subtract};
 
 use super::Spell;
 use crate::random::{Random, Stream};

@@ -1,8 +1,8 @@
 //! The table `attack` of a scenario text.
 
-use closeranks_core::allowed::Allowed;
 use closeranks_core::message::VALUE_MAX;
-use closeranks_core::params::MAGNITUDE_MAX;
+use closeranks_core::settings::params::MAGNITUDE_MAX;
+use closeranks_core::settings::range::Allowed;
 
 use super::fields::{ANY, NOT_NEGATIVE, interval, set};
 use super::reader::{Reader, Section};

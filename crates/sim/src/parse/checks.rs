@@ -1,11 +1,11 @@
 //! What no single field can tell: ranges that depend on others, and whether the start exists.
 
-use closeranks_core::allowed::{Field, ParamsError};
+use closeranks_core::settings::range::{Field, ParamsError};
 
 use super::ROWS_MAX;
 use super::reader::Reader;
+use crate::scenario::start::{Start, StartError, squared_distance};
 use crate::scenario::{Controller, Scenario, Values};
-use crate::start::{Start, StartError, squared_distance};
 
 /// Notes in `reader` what cannot be run; `scenario` holds fields that were each read without fault.
 pub(super) fn check(reader: &mut Reader, scenario: &Scenario) {

@@ -2,17 +2,17 @@
 
 use core::time::Duration;
 
-use closeranks_core::allowed::Allowed;
-use closeranks_core::budget::knowledge::{Assume, Trust};
-use closeranks_core::composed::Share;
-use closeranks_core::params::{MAGNITUDE_MAX, ROBOTS_MAX};
+use closeranks_core::controller::budget::knowledge::{Assume, Trust};
+use closeranks_core::equations::composition::Share;
+use closeranks_core::settings::params::{MAGNITUDE_MAX, ROBOTS_MAX};
+use closeranks_core::settings::range::Allowed;
 use toml::de::{DeTable, DeValue};
 
 use super::reader::{Reader, Section, number, whole};
 use crate::law::Law;
-use crate::motion::Motion;
+use crate::scenario::desired::Motion;
+use crate::scenario::start::Start;
 use crate::scenario::{Controller, Scenario, Values};
-use crate::start::Start;
 
 pub(super) const ANY: Allowed = Allowed::Closed(-MAGNITUDE_MAX, MAGNITUDE_MAX);
 pub(super) const POSITIVE: Allowed = Allowed::LeftOpen(0.0, MAGNITUDE_MAX);

@@ -3,7 +3,7 @@
 use core::ops::Range;
 use std::collections::BTreeMap;
 
-use closeranks_core::allowed::Allowed;
+use closeranks_core::settings::range::Allowed;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 

@@ -1,7 +1,7 @@
 //! The tables `network`, `clocks`, `sensing` and `plant` of a scenario text: what goes wrong.
 
-use closeranks_core::allowed::Allowed;
-use closeranks_core::params::MAGNITUDE_MAX;
+use closeranks_core::settings::params::MAGNITUDE_MAX;
+use closeranks_core::settings::range::Allowed;
 
 use super::fields::{NOT_NEGATIVE, set, small};
 use super::reader::{Reader, Section};

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use closeranks_core::math::exp;
+use closeranks_core::num::exp;
 use toml::Value;
 
 use super::tree::{Node, below};

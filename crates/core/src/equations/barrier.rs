@@ -1,0 +1,70 @@
+//! The constraint functions: degree, told degree and distance.
+
+use crate::num::Vector;
+
+/// `F′ = F + ⌊n/2⌋`: the number of neighbours that every normal robot must keep.
+///
+/// Enough for resilient consensus by W-MSR with parameter F under F-total malicious robots, for `F ≤ (n−1)/2`.
+//= paper thm:rs_robust
+#[must_use]
+pub fn required_degree(robots: u16, faults: u16) -> u16 {
+    faults.saturating_add(robots / 2)
+}
+
+/// `h_i = c_i − F′` from the true level `c_i = Σ_{j∈N_i} a_ij`, and `ĥ_k = c_k − F′` from a told one.
+///
+/// Dimensionless. `h_i ≥ 0` only if robot i has at least F′ neighbours (lem:connectivity).
+/// Its gradient is that of the level: ∂h_k/∂x_i = ∂a_ik/∂x_i for a neighbour k, and ∂h_i/∂x_i = Σ_j ∂a_ij/∂x_i.
+//= paper eq:h_i
+//= paper eq:shared_connectivity
+#[must_use]
+pub fn degree_barrier(level: f64, required: u16) -> f64 {
+    level - f64::from(required)
+}
+
+/// `h^col_ij = ‖x_i − x_j‖² − Δ_d²`, m², from the squared distance.
+///
+/// Its gradient with respect to x_i is `2 (x_i − x_j)`, m: see [`collision_gradient`].
+//= paper eq:collision
+#[must_use]
+pub fn collision_barrier(distance_m2: f64, distance_min_m: f64) -> f64 {
+    distance_m2 - distance_min_m * distance_min_m
+}
+
+/// ∂h^col_ij/∂x_i = `2 (x_i − x_j)`, m.
+//= paper eq:collision
+#[must_use]
+pub fn collision_gradient<const D: usize>(offset: &Vector<D>) -> Vector<D> {
+    offset.map(|component| 2.0 * component)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    //= paper thm:rs_robust type=test
+    #[test]
+    fn the_paper_needs_seven_neighbours() {
+        assert_eq!(required_degree(11, 2), 7);
+        assert_eq!(required_degree(2, 0), 1);
+        assert_eq!(required_degree(u16::MAX, u16::MAX), u16::MAX);
+    }
+
+    //= paper eq:h_i type=test
+    //= paper eq:shared_connectivity type=test
+    #[test]
+    fn the_degree_barrier_is_the_spare_level() {
+        assert_eq!(degree_barrier(7.25, 7), 0.25);
+        assert_eq!(degree_barrier(0.0, 7), -7.0);
+    }
+
+    //= paper eq:collision type=test
+    #[test]
+    fn the_collision_gradient_is_the_derivative_of_the_barrier() {
+        let step = 1e-6;
+        let at = |x: f64| collision_barrier(x * x + 0.4 * 0.4 + 0.1 * 0.1, 0.3);
+        let slope = (at(0.7 + step) - at(0.7 - step)) / (2.0 * step);
+        assert!((collision_gradient(&[0.7, 0.4, -0.1])[0] - slope).abs() < 1e-8);
+        assert_eq!(collision_barrier(0.3 * 0.3, 0.3), 0.0);
+    }
+}

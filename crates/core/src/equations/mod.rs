@@ -1,0 +1,5 @@
+//! The equations of the paper, each with its value and its gradient in one function.
+
+pub mod barrier;
+pub mod composition;
+pub mod link;

@@ -1,0 +1,190 @@
+//! Numbers whose exponent cannot overflow: for exponentials of told levels, which may be anything.
+
+use crate::num::exponential::{ORDINARY, exp_ordinary, exp_scaled};
+
+/// `mantissa · 2^exponent`.
+///
+/// The mantissa stays within a few orders of 1 (or is 0); scaling by powers of two is exact, so a sum of `Scaled`
+/// numbers rounds exactly as the same sum of `f64` does wherever `f64` neither overflows nor underflows.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Scaled {
+    /// Finite; 0 means the number is 0.
+    pub mantissa: f64,
+    /// Binary exponent; saturating.
+    pub exponent: i32,
+}
+
+/// The arithmetic that links and rows are made of: plain `f64`, or [`Scaled`] where that runs out of range.
+///
+/// Both give the same bits wherever `f64` neither overflows nor underflows.
+pub trait Number: Copy {
+    /// 0.
+    const ZERO: Self;
+    /// `eˣ`.
+    #[must_use]
+    fn exp(x: f64) -> Self;
+    /// As `f64`; 0 or infinity where that is out of range.
+    #[must_use]
+    fn to_f64(self) -> f64;
+    /// From mantissa and exponent; `f64` flushes to 0 or overflows to infinity.
+    #[must_use]
+    fn from_scaled(number: Scaled) -> Self;
+    /// Sum.
+    #[must_use]
+    fn plus(self, other: Self) -> Self;
+    /// Product.
+    #[must_use]
+    fn times(self, other: Self) -> Self;
+    /// Product with an ordinary number.
+    #[must_use]
+    fn times_f64(self, factor: f64) -> Self;
+}
+
+/// Below this, `eˣ` is less than 2⁻¹⁰²² and counts as 0 in `f64`.
+const EXP_IS_ZERO: f64 = -710.0;
+
+/// `2^exponent`; 0 below 2⁻¹⁰²¹ (so that no product with a mantissa is subnormal), infinity above 2¹⁰²³.
+#[inline]
+fn power_of_two(exponent: i32) -> f64 {
+    let biased = exponent.saturating_add(1023).clamp(1, 2047).unsigned_abs();
+    if biased == 1 { 0.0 } else { f64::from_bits(u64::from(biased) << 52) }
+}
+
+impl Scaled {
+    /// 0.
+    pub const ZERO: Self = Self { mantissa: 0.0, exponent: 0 };
+
+    /// From a finite `f64`, with the mantissa in [1, 2) up to sign. Subnormal numbers count as 0.
+    #[must_use]
+    pub fn new(value: f64) -> Self {
+        let biased = i32::try_from((value.to_bits() >> 52) & 0x7ff).unwrap_or(0);
+        if biased == 0 {
+            return Self::ZERO;
+        }
+        let exponent = biased - 1023;
+        let mantissa_bits = (value.to_bits() & !(0x7ff << 52)) | (1023 << 52);
+        Self { mantissa: f64::from_bits(mantissa_bits), exponent }
+    }
+
+    /// The same number with its mantissa in [1, 2) up to sign.
+    #[must_use]
+    pub fn normalized(self) -> Self {
+        let inner = Self::new(self.mantissa);
+        Self { mantissa: inner.mantissa, exponent: self.exponent.saturating_add(inner.exponent) }
+    }
+
+    /// As `f64`: 0 below 2⁻¹⁰²¹, ±infinity above the largest.
+    #[inline]
+    #[must_use]
+    pub fn value(self) -> f64 {
+        if self.mantissa == 0.0 { 0.0 } else { self.mantissa * power_of_two(self.exponent) }
+    }
+
+    /// The number times `2^shift`.
+    #[must_use]
+    pub fn shifted(self, shift: i32) -> Self {
+        Self { mantissa: self.mantissa, exponent: self.exponent.saturating_add(shift) }
+    }
+
+    /// Product.
+    #[must_use]
+    pub fn times(self, other: Self) -> Self {
+        Self {
+            mantissa: self.mantissa * other.mantissa,
+            exponent: self.exponent.saturating_add(other.exponent),
+        }
+    }
+
+    /// Sum, aligned to the larger exponent; what lies 2¹⁰²¹ below it is lost.
+    #[must_use]
+    pub fn plus(self, other: Self) -> Self {
+        if self.mantissa == 0.0 {
+            return other;
+        }
+        if other.mantissa == 0.0 {
+            return self;
+        }
+        let (large, small) = if self.exponent >= other.exponent { (self, other) } else { (other, self) };
+        let gap = small.exponent.saturating_sub(large.exponent);
+        Self { mantissa: large.mantissa + small.mantissa * power_of_two(gap), exponent: large.exponent }
+    }
+}
+
+impl Number for f64 {
+    const ZERO: Self = 0.0;
+    #[inline]
+    fn exp(x: f64) -> Self {
+        match x.abs() {
+            ..=ORDINARY => exp_ordinary(x),
+            _ if x < EXP_IS_ZERO => 0.0,
+            _ => exp_scaled(x).value(),
+        }
+    }
+    fn to_f64(self) -> f64 {
+        self
+    }
+    fn from_scaled(number: Scaled) -> Self {
+        number.value()
+    }
+    fn plus(self, other: Self) -> Self {
+        self + other
+    }
+    fn times(self, other: Self) -> Self {
+        self * other
+    }
+    fn times_f64(self, factor: f64) -> Self {
+        self * factor
+    }
+}
+
+impl Number for Scaled {
+    const ZERO: Self = Self::ZERO;
+    fn exp(x: f64) -> Self {
+        exp_scaled(x)
+    }
+    fn to_f64(self) -> f64 {
+        self.value()
+    }
+    fn from_scaled(number: Scaled) -> Self {
+        number
+    }
+    fn plus(self, other: Self) -> Self {
+        Self::plus(self, other).normalized()
+    }
+    fn times(self, other: Self) -> Self {
+        Self::times(self, other)
+    }
+    fn times_f64(self, factor: f64) -> Self {
+        Self::times(self, Self::new(factor)).normalized()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn new_and_value_are_inverse() {
+        for x in [1.0, -2.5, 0.1, 1e300, -1e-300, 2.0 * f64::MIN_POSITIVE, f64::MAX] {
+            assert_eq!(Scaled::new(x).value(), x);
+        }
+        assert_eq!(Scaled::new(0.0).value(), 0.0);
+    }
+
+    #[test]
+    fn sums_round_as_f64_does() {
+        let numbers = [0.1, 3e7, -0.7, 1e-9, 5.5, -3e7];
+        let plain: f64 = numbers.iter().sum();
+        let scaled = numbers.iter().fold(Scaled::ZERO, |sum, &x| Number::plus(sum, Scaled::new(x)));
+        assert_eq!(scaled.value(), plain);
+    }
+
+    #[test]
+    fn a_vanishing_number_keeps_its_direction_and_a_huge_one_its_sign() {
+        let tiny = Scaled { mantissa: -1.5, exponent: -90_000 };
+        assert_eq!(tiny.value(), 0.0);
+        assert_eq!(tiny.shifted(90_000).value(), -1.5);
+        assert_eq!(Scaled { mantissa: -1.5, exponent: 90_000 }.value(), f64::NEG_INFINITY);
+        assert_eq!(tiny.plus(Scaled::new(1.0)).value(), 1.0);
+    }
+}

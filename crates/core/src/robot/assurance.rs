@@ -1,0 +1,101 @@
+//! What a robot can check about the assumptions of the theorem while it runs.
+
+use core::time::Duration;
+
+use crate::controller::budget::knowledge::Assume;
+use crate::num::{Vector, add_scaled, length, subtract};
+use crate::robot::neighbor::Slot;
+use crate::robot::report::Reason;
+use crate::settings::params::{Controller, Params};
+use crate::time::Instant;
+
+/// Rounding of a position and of a clock in one tick, as shares; what they miss is no reason to complain.
+const ROUNDING: f64 = 1e-9;
+const CLOCK: f64 = 0.01;
+
+/// Where the robot should be, and since when it cannot promise anything.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Assurance<const D: usize> {
+    /// The reference of the last tick and the velocity since.
+    last: Option<(Instant, Vector<D>, Vector<D>)>,
+    /// The reference of this tick is not the last one plus its move.
+    pub(crate) anew: bool,
+    /// The last time an assumption was seen broken, and which.
+    broken: Option<(Instant, Reason)>,
+    /// What speaks against the state of this tick; `Uncertain` only if the theorem does not carry over from an earlier one.
+    doubt: Option<Reason>,
+}
+
+impl<const D: usize> Assurance<D> {
+    pub(crate) const NEW: Self =
+        Self { last: None, anew: true, broken: None, doubt: Some(Reason::Uncertain) };
+
+    /// Where the robot counts itself: where it senses itself, or with a tracking error where its moves have taken it.
+    ///
+    /// Notes when it is not where it should be, or was not called in time. It then begins anew from where it is.
+    pub(crate) fn place(&mut self, params: &Params<D>, now: Instant, sensed: Vector<D>) -> Vector<D> {
+        self.anew = true;
+        let Some((then, position, velocity)) = self.last else { return sensed };
+        let (elapsed, hold_max) = (now.since(then), params.settings().hold_max());
+        let expected = add_scaled(&position, elapsed.min(hold_max).as_secs_f64(), &velocity);
+        if elapsed > hold_max {
+            self.broken = Some((now, Reason::Late));
+            return sensed;
+        }
+        let margin = params.budget().margin;
+        let blur_m = ROUNDING * (1.0 + length(&sensed)) + CLOCK * length(&subtract(&expected, &position));
+        let away_m = length(&subtract(&sensed, &expected));
+        // The error of one sensed position against a reference that is known; else those of two.
+        let most_m = if margin.away_m > 0.0 { margin.sensed_m() } else { margin.offset_m };
+        if away_m.is_nan() || away_m > most_m + blur_m {
+            self.broken = Some((now, Reason::Moved));
+            return sensed;
+        }
+        self.anew = false;
+        if margin.away_m > 0.0 { expected } else { sensed }
+    }
+
+    /// Notes a neighbour that went farther since the last tick than it can.
+    pub(crate) fn watch(&mut self, params: &Params<D>, now: Instant, slot: &Slot<D>, offset_m: &Vector<D>) {
+        let Some((then, _, _)) = self.last else { return };
+        let obedient = params.settings().assume == Assume::Obedient;
+        if !obedient || now.since(then) > params.settings().hold_max() {
+            return;
+        }
+        let went_m = length(&subtract(offset_m, &slot.offset_m));
+        let most_m = 2.0 * params.reach().longest_m() + 2.0 * params.budget().margin.offset_m;
+        if went_m > most_m * (1.0 + CLOCK) + ROUNDING {
+            self.broken = Some((now, Reason::Moved));
+        }
+    }
+
+    /// Notes what the rows of this tick say about its state. What is only uncertain does not count while the theorem carries
+    /// the last certain state on.
+    pub(crate) fn doubt(&mut self, now: Instant, doubt: Option<Reason>) {
+        let carried = self.doubt.is_none() && self.broken.is_none_or(|(then, _)| then != now);
+        self.doubt = doubt.filter(|reason| *reason != Reason::Uncertain || !carried);
+    }
+
+    /// Ends a tick in which the robot counted itself at `position` and moves with `velocity`.
+    pub(crate) fn moved(&mut self, now: Instant, position: Vector<D>, velocity: Vector<D>) {
+        self.last = Some((now, position, velocity));
+    }
+
+    /// Forgets where it was: there is no position.
+    pub(crate) fn lose(&mut self, now: Instant) {
+        if self.last.take().is_some() {
+            self.broken = Some((now, Reason::Late));
+        }
+    }
+
+    /// Why nothing is guaranteed now, if so.
+    pub(crate) fn reason(&self, now: Instant, told_max: Duration) -> Option<Reason> {
+        let recent = self.broken.filter(|(then, _)| now.since(*then) <= told_max);
+        self.doubt.or(recent.map(|(_, reason)| reason))
+    }
+}
+
+/// Only `budget` promises anything.
+pub(crate) fn watches<const D: usize>(params: &Params<D>) -> bool {
+    params.settings().controller == Controller::Budget
+}

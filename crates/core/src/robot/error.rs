@@ -1,0 +1,97 @@
+//! What a robot answers to calls and messages that it does not take. Nothing of the call is used then.
+
+use core::fmt;
+
+/// What [`Robot::observe`](crate::robot::Robot::observe) made of a position.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Observed {
+    /// Within R: a neighbour.
+    Neighbor,
+    /// Farther away than R as sensed, but perhaps not in truth: the margin of `budget` reckons with it.
+    InView,
+    /// Farther away than R.
+    OutOfRange,
+}
+
+/// Why a robot cannot be made.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum RobotError {
+    /// `values` is shorter than `slots`.
+    Memory,
+    /// The initial value is NaN or beyond ±[`VALUE_MAX`](crate::message::VALUE_MAX).
+    Value,
+}
+
+/// Why own position or time were not taken; the robot is then [`Mode::Stopped`](crate::robot::report::Mode::Stopped) until the next good call.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum SenseError {
+    /// A coordinate is NaN or infinite.
+    NotFinite,
+    /// `now` lies before the previous one.
+    TimeFell,
+}
+
+/// Why an observation was not taken.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum ObserveError {
+    /// A coordinate is NaN or infinite.
+    NotFinite,
+    /// There is no own position to measure from.
+    NoPosition,
+    /// That is the robot itself.
+    OwnId,
+    /// Every slot holds a neighbour sensed in this tick; the observation is dropped.
+    Full,
+}
+
+/// Why a message was not taken.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum ReceiveError {
+    /// The sender is not among the neighbours observed in this tick.
+    NotNeighbor,
+    /// Not newer than the last message of that sender.
+    Stale,
+}
+
+impl fmt::Display for RobotError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::Memory => "fewer values than slots were lent",
+            Self::Value => "initial value is not a number of at most 1e300",
+        })
+    }
+}
+
+impl fmt::Display for SenseError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::NotFinite => "own position is not finite",
+            Self::TimeFell => "time fell",
+        })
+    }
+}
+
+impl fmt::Display for ObserveError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::NotFinite => "observed position is not finite",
+            Self::NoPosition => "own position is unknown",
+            Self::OwnId => "observed itself",
+            Self::Full => "no slot is left for another neighbour",
+        })
+    }
+}
+
+impl fmt::Display for ReceiveError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::NotNeighbor => "sender is not a neighbour",
+            Self::Stale => "message is not newer than the last one",
+        })
+    }
+}
+
+impl core::error::Error for RobotError {}
+impl core::error::Error for SenseError {}
+impl core::error::Error for ObserveError {}
+impl core::error::Error for ReceiveError {}

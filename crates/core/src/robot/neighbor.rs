@@ -1,0 +1,118 @@
+//! What a robot holds about one neighbour, in memory that its owner lends.
+
+use core::time::Duration;
+
+use crate::equations::composition::{Composed, Term};
+use crate::equations::link::Link;
+use crate::num::scaled::Scaled;
+use crate::num::{Vector, dot};
+use crate::time::Instant;
+
+/// Of a robot that is out of range.
+pub(crate) const NO_LINK: Link = Link { weight: 0.0, slope: Scaled::ZERO };
+
+/// Number of a robot in its team; the paper counts from 1.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct RobotId(pub u16);
+
+/// What a neighbour told, and when it was received.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Told {
+    pub(crate) sequence: u32,
+    /// When it was sensed, by its sender's clock.
+    pub(crate) stamp: Instant,
+    pub(crate) level: f64,
+    /// When it was received, by the own clock.
+    pub(crate) at: Instant,
+    /// y_j of the consensus round that is on, if told.
+    pub(crate) value: Option<f64>,
+}
+
+/// Memory for one neighbour. The owner of a [`Robot`](crate::robot::Robot) lends a slice of these, one for each
+/// neighbour it wants to be able to have.
+#[derive(Clone, Copy, Debug)]
+#[expect(clippy::struct_excessive_bools, reason = "four facts, each with its own life")]
+pub struct Slot<const D: usize> {
+    pub(crate) id: RobotId,
+    /// Sensed in this tick.
+    pub(crate) sensed: bool,
+    /// Sensed in the tick before and not yet in this one.
+    pub(crate) seen_before: bool,
+    pub(crate) offset_m: Vector<D>,
+    /// As sensed.
+    pub(crate) position_m: Vector<D>,
+    pub(crate) link: Link,
+    /// Within R as sensed; false for a robot that only the margin of `budget` brings into view.
+    pub(crate) linked: bool,
+    pub(crate) told: Option<Told>,
+    pub(crate) discarded: bool,
+}
+
+impl<const D: usize> Default for Slot<D> {
+    fn default() -> Self {
+        Self {
+            id: RobotId(0),
+            sensed: false,
+            seen_before: false,
+            offset_m: [0.0; D],
+            position_m: [0.0; D],
+            link: NO_LINK,
+            linked: false,
+            told: None,
+            discarded: false,
+        }
+    }
+}
+
+impl<const D: usize> Slot<D> {
+    /// Whose slot this is.
+    #[must_use]
+    pub fn id(&self) -> RobotId {
+        self.id
+    }
+
+    /// x_i − x_j, m, as sensed.
+    #[must_use]
+    pub fn offset_m(&self) -> Vector<D> {
+        self.offset_m
+    }
+
+    /// The link to it.
+    #[must_use]
+    pub fn link(&self) -> Link {
+        self.link
+    }
+
+    /// The level it last told, if any.
+    #[must_use]
+    pub fn told_level(&self) -> Option<f64> {
+        self.told.map(|told| told.level)
+    }
+
+    /// How long ago, at `now`, that was received.
+    #[must_use]
+    pub fn told_age(&self, now: Instant) -> Option<Duration> {
+        self.told.map(|told| now.since(told.at))
+    }
+
+    /// The value it told in the consensus round that is on, if any.
+    #[must_use]
+    pub fn told_value(&self) -> Option<f64> {
+        self.told.and_then(|told| told.value)
+    }
+
+    /// True if W-MSR discarded its value in the last consensus round.
+    #[must_use]
+    pub fn discarded(&self) -> bool {
+        self.discarded
+    }
+
+    pub(crate) fn term(&self, composed: &Composed) -> Term<D> {
+        Term {
+            offset_m: self.offset_m,
+            link: self.link,
+            collision: composed.collision_term(dot(&self.offset_m, &self.offset_m)),
+            told: self.told.map_or(Scaled::ZERO, |told| composed.degree_term(told.level)),
+        }
+    }
+}

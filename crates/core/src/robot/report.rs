@@ -1,0 +1,151 @@
+//! What a robot says about one tick.
+
+use core::time::Duration;
+
+use crate::equations::barrier::degree_barrier;
+use crate::num::Vector;
+use crate::program::Outcome;
+use crate::robot::Robot;
+use crate::settings::params::Controller;
+
+/// Velocity and everything a caller should look at before using it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Output<const D: usize> {
+    /// u_i, m/s, always finite and inside U_i.
+    pub velocity_m_s: Vector<D>,
+    /// How it came about.
+    pub report: Report,
+}
+
+/// State of one robot after a tick, from what it knows itself.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Report {
+    /// δ_i, neighbours sensed within R, whatever the margin.
+    pub degree: u16,
+    /// δ_i − F′; negative when the condition of thm:rs_robust does not hold here.
+    pub margin: i32,
+    /// c_i as sensed at the last update, before any restatement.
+    pub level: f64,
+    /// h_i = c_i − F′ (eq:h_i); under `budget` with free liars T_i − θ, with a margin the least that it can be.
+    pub h: f64,
+    /// φ_i (eq:phi_i) if the answer depends on it: under `composed`. May be negative while all is well (METHOD.md 2.2).
+    /// [`Robot::phi`](crate::robot::Robot::phi) has it whatever the controller.
+    pub phi: Option<f64>,
+    /// What the program found.
+    pub outcome: Outcome,
+    /// What the answer is worth.
+    pub mode: Mode,
+    /// Neighbours that have told no level yet; `composed` leaves their terms out.
+    pub untold: u16,
+    /// Time since the oldest told level in use was received.
+    pub told_age_max: Duration,
+    /// The consensus round of this tick, if one was on.
+    pub round: Option<RoundReport>,
+}
+
+/// A consensus round as a robot saw it; [`Slot::discarded`](crate::robot::neighbor::Slot::discarded) says whose values went.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct RoundReport {
+    /// Values of neighbours kept.
+    pub kept: u16,
+    /// Values discarded because they were among the F largest or smallest.
+    pub discarded: u16,
+    /// Neighbours that told no value in this round.
+    pub silent: u16,
+}
+
+/// What a robot can promise for its answer.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Mode {
+    /// All assumptions of THEORY.md B that a robot can check hold. It cannot check that positions are exact, that all
+    /// robots have the same settings, and that messages were not delayed on their way (docs/budget.md). `composed`
+    /// never says so: its theorem needs continuous time.
+    Guaranteed,
+    /// The answer is used, but an assumption does not hold.
+    Degraded(Reason),
+    /// No usable desired velocity: the answer is the one closest to standing still.
+    Hold,
+    /// No usable own position: the answer is 0.
+    Stopped,
+}
+
+/// Why an answer is not guaranteed; the gravest that applies.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Reason {
+    /// Fewer than F′ neighbours (θ under [`Assume::Free`](crate::controller::budget::knowledge::Assume::Free)).
+    Degree,
+    /// The program had no solution.
+    Infeasible,
+    /// `composed`: φ_i < 0, outside Z_i (thm:cbf-qp). `budget`: h_i < 0, a neighbour's h certainly negative, or a pair too
+    /// close.
+    OutsideSafeSet,
+    /// More time than a velocity may be held has passed since the last tick. Said for
+    /// [`told_max`](crate::settings::Settings::told_max) more: until then a level told before may be worth less than it says.
+    Late,
+    /// The robot, or under [`Assume::Obedient`](crate::controller::budget::knowledge::Assume::Obedient) a neighbour, is not where the
+    /// stated errors and the input box allow it to be: sensing or tracking is worse than stated. Said for as long.
+    Moved,
+    /// `budget` with a margin: h_i or a distance is not certain to be safe, and was not since the start or since the last
+    /// broken assumption.
+    Uncertain,
+    /// A neighbour has told no level.
+    Untold,
+    /// thm:cbf-qp needs continuous time and a constant bias; a robot that ticks cannot have the first.
+    ContinuousTime,
+}
+
+impl<const D: usize> Robot<'_, D> {
+    pub(crate) fn report(&self, phi: Option<f64>, outcome: Outcome, round: Option<RoundReport>) -> Report {
+        let degree = small(self.linked().count());
+        let untold = small(self.linked().filter(|slot| slot.told.is_none()).count());
+        let oldest = self.sensed().filter_map(|slot| slot.told.map(|told| told.at)).min();
+        let required = self.required();
+        let h = degree_barrier(self.level, required);
+        let mode = match self.params.settings().controller {
+            Controller::Composed => Mode::Degraded(composed_reason(degree < required, outcome, phi, untold)),
+            // With a margin, whoever is in view may be a neighbour.
+            Controller::Budget => self.budget_mode(small(self.sensed().count()), h),
+        };
+        Report {
+            degree,
+            margin: i32::from(degree) - i32::from(required),
+            level: self.level,
+            h,
+            phi,
+            outcome,
+            mode,
+            untold,
+            told_age_max: oldest.map_or(Duration::ZERO, |at| self.now.since(at)),
+            round,
+        }
+    }
+
+    /// F′, or θ under `budget` with free liars.
+    fn required(&self) -> u16 {
+        match self.params.settings().controller {
+            Controller::Composed => self.params.required_degree(),
+            Controller::Budget => self.params.budget().required(),
+        }
+    }
+
+    pub(crate) fn stopped(&self, round: Option<RoundReport>) -> Output<D> {
+        let watched = self.params.settings().controller == Controller::Composed;
+        let report = self.report(watched.then(|| self.phi()), Outcome::Infeasible, round);
+        Output { velocity_m_s: [0.0; D], report: Report { mode: Mode::Stopped, ..report } }
+    }
+}
+
+/// The gravest of what speaks against an answer of `composed`.
+fn composed_reason(degree_low: bool, outcome: Outcome, phi: Option<f64>, untold: u16) -> Reason {
+    match outcome {
+        _ if degree_low => Reason::Degree,
+        Outcome::Infeasible => Reason::Infeasible,
+        _ if phi.is_some_and(|phi| phi < 0.0) => Reason::OutsideSafeSet,
+        _ if untold > 0 => Reason::Untold,
+        _ => Reason::ContinuousTime,
+    }
+}
+
+pub(crate) fn small(count: usize) -> u16 {
+    u16::try_from(count).unwrap_or(u16::MAX)
+}

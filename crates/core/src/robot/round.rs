@@ -1,0 +1,73 @@
+//! A consensus round as the robot lives it: values told since it began, W-MSR as soon as they are there.
+
+use crate::robot::Robot;
+use crate::robot::neighbor::{Slot, Told};
+use crate::robot::report::{RoundReport, small};
+use crate::time::Instant;
+use crate::wmsr;
+
+impl<const D: usize> Robot<'_, D> {
+    /// Takes up the value of the last round and forgets what was told in it.
+    pub(crate) fn begin_round(&mut self) {
+        self.value = self.next_value;
+        (self.round, self.round_news) = (Some(self.now), true);
+        for slot in &mut self.slots[..self.count] {
+            slot.discarded = false;
+            slot.told = slot.told.map(|told| Told { value: None, ..told });
+        }
+    }
+
+    /// True for a value told since the round began, as far as clocks agree. A value is told with the last level, which may
+    /// be τ₁ older.
+    pub(crate) fn in_round(&self, stamp: Instant) -> bool {
+        let settings = self.params.settings();
+        let latest = stamp.after(settings.clock_error).after(settings.level_period);
+        self.round.is_some_and(|began| latest > began)
+    }
+
+    /// Runs W-MSR on what was told since the round began; again when more of it came late. What comes after the next round
+    /// began is not used.
+    pub(crate) fn end_round(&mut self) -> Option<RoundReport> {
+        if !core::mem::take(&mut self.round_news) {
+            return None;
+        }
+        let mut heard = 0;
+        for slot in &self.slots[..self.count] {
+            if let Some(value) = slot.told_value() {
+                self.values[heard] = value;
+                heard += 1;
+            }
+        }
+        let round = wmsr::update(self.value, &mut self.values[..heard], self.params.settings().faults);
+        self.mark_discarded(&round);
+        self.next_value = round.value;
+        Some(RoundReport {
+            kept: small(round.kept),
+            discarded: small(round.below + round.above),
+            silent: small(self.count - heard),
+        })
+    }
+
+    /// Marks whose values went; of equal values at the edge, those of the lowest numbers.
+    fn mark_discarded(&mut self, round: &wmsr::Round) {
+        let values = |slots: &[Slot<D>], beyond: fn(f64, f64) -> bool, edge: f64| {
+            slots.iter().filter(|slot| slot.told_value().is_some_and(|value| beyond(value, edge))).count()
+        };
+        let slots = &mut self.slots[..self.count];
+        let mut low_ties = round.below.saturating_sub(values(slots, |value, edge| value < edge, round.low));
+        let mut high_ties = round.above.saturating_sub(values(slots, |value, edge| value > edge, round.high));
+        for slot in slots {
+            let Some(value) = slot.told_value() else { continue };
+            slot.discarded = value < round.low
+                || value > round.high
+                || (value == round.low && take_one(&mut low_ties))
+                || (value == round.high && take_one(&mut high_ties));
+        }
+    }
+}
+
+fn take_one(left: &mut usize) -> bool {
+    let some = *left > 0;
+    *left = left.saturating_sub(1);
+    some
+}

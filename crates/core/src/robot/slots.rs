@@ -1,0 +1,59 @@
+//! Slots of neighbours in order of their number, in memory that is never more than was lent.
+
+use crate::robot::Robot;
+use crate::robot::error::ObserveError;
+use crate::robot::neighbor::{RobotId, Slot};
+
+impl<const D: usize> Robot<'_, D> {
+    /// Where the slot of `id` is, made anew in its place in the order if it had none. When all are taken, one of a robot that was
+    /// not yet sensed in this tick is given up.
+    pub(crate) fn slot(&mut self, id: RobotId) -> Result<usize, ObserveError> {
+        if let Some(index) = self.find(id) {
+            return Ok(index);
+        }
+        if self.count == self.slots.len() {
+            let unsensed =
+                self.neighbors().iter().rposition(|slot| !slot.sensed).ok_or(ObserveError::Full)?;
+            self.slots.copy_within(unsensed + 1..self.count, unsensed);
+            self.count -= 1;
+        }
+        let index = self.neighbors().partition_point(|slot| slot.id < id);
+        self.slots.copy_within(index..self.count, index + 1);
+        self.slots[index] = Slot { id, ..Slot::default() };
+        self.count += 1;
+        Ok(index)
+    }
+
+    /// The slot of `id`, if it has one: as a rule the one after that found last, because robots are gone through in order.
+    pub(crate) fn find(&mut self, id: RobotId) -> Option<usize> {
+        let next = if self.next < self.count { self.next } else { 0 };
+        let slots = self.neighbors();
+        let index = match slots.get(next) {
+            Some(slot) if slot.id == id => next,
+            _ => slots.binary_search_by_key(&id, |slot| slot.id).ok()?,
+        };
+        self.next = index + 1;
+        Some(index)
+    }
+
+    /// A robot seen out of range is not a neighbour, whatever was observed before.
+    pub(crate) fn lose(&mut self, id: RobotId) {
+        if let Some(index) = self.find(id) {
+            self.slots[index].sensed = false;
+        }
+    }
+
+    /// Frees the slots of robots that were not sensed in this tick.
+    pub(crate) fn forget_unsensed(&mut self) {
+        let mut kept = 0;
+        for index in 0..self.count {
+            if self.slots[index].sensed {
+                if kept < index {
+                    self.slots[kept] = self.slots[index];
+                }
+                kept += 1;
+            }
+        }
+        self.count = kept;
+    }
+}

@@ -1,0 +1,64 @@
+//! Consensus rounds of a whole team in a perfect network.
+
+use closeranks_core::wmsr;
+
+use crate::attack::liars::Liars;
+use crate::frame::Frame;
+use crate::scenario::Scenario;
+
+/// Values of a team and scratch for its rounds.
+#[derive(Clone, Debug)]
+pub(crate) struct Consensus {
+    faults: u16,
+    ticks_per_round: u32,
+    malicious: Vec<bool>,
+    next_values: Vec<f64>,
+    speakers: Vec<usize>,
+    heard: Vec<f64>,
+}
+
+impl Consensus {
+    /// For the robots of `scenario` with initial `values`.
+    pub(crate) fn new(scenario: &Scenario, values: &[f64]) -> Self {
+        Self {
+            faults: scenario.faults,
+            ticks_per_round: scenario.ticks_per_round(),
+            malicious: scenario.malicious_mask(),
+            next_values: values.to_vec(),
+            speakers: (0..values.len()).collect(),
+            heard: Vec::new(),
+        }
+    }
+
+    /// True in a tick with which a round begins.
+    pub(crate) fn is_due(&self, tick: u32) -> bool {
+        tick.is_multiple_of(self.ticks_per_round)
+    }
+
+    /// A round: values are told, then every robot updates its own from those of the robots it is `linked` to.
+    ///
+    /// Speakers are sorted once for all, so that each robot hears values in order and has nothing left to sort.
+    pub(crate) fn hold<const D: usize>(
+        &mut self,
+        frame: &mut Frame<D>,
+        liars: &mut Liars,
+        linked: impl Fn(usize, usize) -> bool,
+    ) {
+        liars.begin_round(self.next_values.iter().copied());
+        for (index, value) in frame.values.iter_mut().enumerate() {
+            *value = liars.value(index, self.next_values[index]);
+        }
+        self.speakers.sort_unstable_by(|a, b| frame.values[*a].total_cmp(&frame.values[*b]).then(a.cmp(b)));
+        for (index, own) in self.next_values.iter_mut().enumerate() {
+            let speakers = self.speakers.iter().filter(|speaker| linked(index, **speaker));
+            self.heard.clear();
+            let mut normal = 0;
+            for speaker in speakers {
+                self.heard.push(frame.values[*speaker]);
+                normal += u16::from(!self.malicious[*speaker]);
+            }
+            frame.heard[index] = [frame.degrees[index], normal];
+            *own = wmsr::update(*own, &mut self.heard, self.faults).value;
+        }
+    }
+}

@@ -1,0 +1,262 @@
+//! Pairs of robots from tick to tick: how near they come, between ticks too, and how fast.
+
+use closeranks_core::num::{Vector, add_scaled, dot, sqrt, subtract};
+use closeranks_core::settings::params::{Controller, Params};
+
+use crate::attack::MotionAttack;
+use crate::frame::Frame;
+use crate::law::{Law, Verdicts, Violation};
+use crate::monitors::carry::{Before, ROUNDING};
+use crate::monitors::truth::Truth;
+use crate::scenario::Scenario;
+use crate::scenario::start::squared_distance;
+
+/// What became of the pairs of a run.
+#[derive(Clone, Debug)]
+pub(crate) struct Pairs<const D: usize> {
+    params: Params<D>,
+    malicious: Vec<bool>,
+    /// Pairs with a malicious robot may collide: it goes where it likes.
+    free: bool,
+    /// Squares of distances are rounded by far less than this, m².
+    blur_m2: f64,
+    /// Pairs that were safe once and must have been ever since: no assumption was broken.
+    apart: Vec<bool>,
+    /// Least squared distance of two robots yet, m².
+    least_m2: f64,
+}
+
+impl<const D: usize> Pairs<D> {
+    /// For the robots of `scenario`.
+    pub(crate) fn new(scenario: &Scenario, params: Params<D>) -> Self {
+        let radius_m = params.settings().radius_m;
+        Self {
+            malicious: scenario.malicious_mask(),
+            free: scenario.motion_attack != MotionAttack::Obedient,
+            blur_m2: ROUNDING * radius_m * radius_m,
+            params,
+            apart: Vec::new(),
+            least_m2: f64::INFINITY,
+        }
+    }
+
+    /// Least squared distance of two robots yet, m².
+    pub(crate) fn least_m2(&self) -> f64 {
+        self.least_m2
+    }
+
+    /// Looks at one tick; `before` is the last one, if what held then says something about this one.
+    pub(crate) fn watch(
+        &mut self,
+        tick: u32,
+        frame: &Frame<D>,
+        truth: &Truth,
+        before: Option<&Before<D>>,
+        verdicts: &mut Verdicts,
+    ) {
+        self.watch_nearer(self.near_m2(frame, before), tick, frame, truth, before, verdicts);
+    }
+
+    /// Leaves out pairs that are farther apart than the root of `near_m2`, unless they come closer too fast.
+    fn watch_nearer(
+        &mut self,
+        near_m2: f64,
+        tick: u32,
+        frame: &Frame<D>,
+        truth: &Truth,
+        before: Option<&Before<D>>,
+        verdicts: &mut Verdicts,
+    ) {
+        let mut pair = 0;
+        for second in 0..frame.positions_m.len() {
+            for (first, distance_m2) in truth.actual_m2()[pair..pair + second].iter().enumerate() {
+                self.least_m2 = if *distance_m2 < self.least_m2 { *distance_m2 } else { self.least_m2 };
+                let place = pair + first;
+                let spares_m2 = before.map(|before| self.spares_m2(place, truth, before));
+                let nears = spares_m2.is_some_and(|[floor_m2, now_m2]| now_m2 < floor_m2);
+                if *distance_m2 < near_m2 || nears {
+                    let pair = Pair { place, robots: [first, second], distance_m2: *distance_m2, spares_m2 };
+                    self.watch_pair(&pair, tick, frame, before, verdicts);
+                }
+            }
+            pair += second;
+        }
+    }
+
+    /// A pair that is farther apart than the root of this, m², was not too near since the tick before.
+    fn near_m2(&self, frame: &Frame<D>, before: Option<&Before<D>>) -> f64 {
+        let moves = before.map(|before| frame.positions_m.iter().zip(&before.positions_m));
+        let moves_m2 = moves.into_iter().flatten().map(|(x, y)| squared_distance(x, y));
+        let near_m = self.params.settings().distance_min_m + 2.0 * sqrt(moves_m2.fold(0.0, f64::max));
+        near_m * near_m * (1.0 + ROUNDING)
+    }
+
+    /// Of two references, m²: what must be left of their spare at the tick before, and what is.
+    fn spares_m2(&self, place: usize, truth: &Truth, before: &Before<D>) -> [f64; 2] {
+        let least_m = self.params.budget().distance_min_m;
+        let [then, now] = [&before.truth, truth].map(|truth| truth.pairs_m2[place] - least_m * least_m);
+        [(1.0 - self.params.settings().gamma_c) * then, now]
+    }
+
+    fn watch_pair(
+        &self,
+        pair: &Pair,
+        tick: u32,
+        frame: &Frame<D>,
+        before: Option<&Before<D>>,
+        verdicts: &mut Verdicts,
+    ) {
+        let [first, second] = pair.robots;
+        if self.free && (self.malicious[first] || self.malicious[second]) {
+            return;
+        }
+        let robots = pair.robots.map(|index| u16::try_from(index + 1).unwrap_or(u16::MAX));
+        let at = |seen, demanded| Violation { tick, robots, seen, demanded };
+        let carried = before.is_some_and(|before| before.moves && self.apart[pair.place]);
+        let least_m = self.params.settings().distance_min_m;
+        let limit_m2 = self.limit_m2(least_m);
+        if pair.distance_m2 < limit_m2 {
+            verdicts.broke(Law::Distance, at(sqrt(pair.distance_m2), least_m), carried);
+        }
+        let Some((before, [floor_m2, now_m2])) = before.zip(pair.spares_m2) else { return };
+        let [start, end] = [&before.positions_m, &frame.positions_m].map(|x| subtract(&x[second], &x[first]));
+        let path_m2 = nearest_m2(&start, &end);
+        if path_m2 < limit_m2 {
+            verdicts.broke(Law::Path, at(sqrt(path_m2), least_m), carried);
+        }
+        if self.binds(pair.place, before) && floor_m2 >= 0.0 && now_m2 < floor_m2 - self.blur_m2 {
+            verdicts.broke(Law::Decay, at(now_m2, floor_m2), carried);
+        }
+    }
+
+    /// A pair at least `least_m` apart is no nearer than this, but for rounding, m².
+    fn limit_m2(&self, least_m: f64) -> f64 {
+        least_m * least_m - self.blur_m2
+    }
+
+    /// True if (near) bounded how fast a pair could come closer: under `budget`, if it was linked.
+    fn binds(&self, place: usize, before: &Before<D>) -> bool {
+        let radius_m = self.params.budget().curvature.link().radius_m;
+        let budget = self.params.settings().controller == Controller::Budget;
+        budget && before.truth.pairs_m2[place] <= radius_m * radius_m
+    }
+
+    /// What is safe now, or was and must still be, must be so at the next tick. `inside` is false while nothing is promised.
+    pub(crate) fn carry(&mut self, truth: &Truth, before: &Before<D>, inside: bool, moves: bool) {
+        let limit_m2 = self.limit_m2(self.params.budget().distance_min_m);
+        self.apart.resize(truth.pairs_m2.len(), false);
+        for (apart, pair_m2) in self.apart.iter_mut().zip(&truth.pairs_m2) {
+            *apart = moves && ((inside && *pair_m2 >= limit_m2) || (*apart && before.moves));
+        }
+    }
+}
+
+/// Two robots of a tick.
+struct Pair {
+    /// In the order of [`Truth::pairs_m2`].
+    place: usize,
+    robots: [usize; 2],
+    distance_m2: f64,
+    /// See [`Pairs::spares_m2`].
+    spares_m2: Option<[f64; 2]>,
+}
+
+/// Square of the least distance while an offset goes straight from `start` to `end`, m².
+fn nearest_m2<const D: usize>(start: &Vector<D>, end: &Vector<D>) -> f64 {
+    let step = subtract(end, start);
+    let (length_m2, end_m2) = (dot(&step, &step), dot(end, end));
+    if length_m2 == 0.0 {
+        return end_m2;
+    }
+    let share = (-dot(start, &step) / length_m2).clamp(0.0, 1.0);
+    let nearest = add_scaled(start, share, &step);
+    dot(&nearest, &nearest).min(end_m2)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::random::{Random, Stream};
+    use crate::scenario;
+
+    /// A tick of a team in a small box, its references up to `noise_m` from its positions.
+    fn drawn(random: &mut Random, robots: u16, noise_m: f64) -> Frame<2> {
+        let mut near =
+            |[x, y]: Vector<2>, by_m: f64| [x + random.uniform(-by_m, by_m), y + random.uniform(-by_m, by_m)];
+        let positions_m = (0..robots).map(|_| near([0.0; 2], 0.8)).collect();
+        let mut frame = Frame::new(positions_m, vec![0.0; usize::from(robots)]);
+        for (reference, x) in frame.references_m.iter_mut().zip(&frame.positions_m) {
+            *reference = near(*x, noise_m);
+        }
+        frame
+    }
+
+    /// The next tick: nobody moves farther than `move_m` along an axis, and references with their robots up to `noise_m`.
+    fn moved(random: &mut Random, frame: &Frame<2>, move_m: f64, noise_m: f64) -> Frame<2> {
+        let mut next = frame.clone();
+        for (reference, x) in next.references_m.iter_mut().zip(&mut next.positions_m) {
+            for d in 0..2 {
+                let step_m = random.uniform(-move_m, move_m);
+                x[d] += step_m;
+                reference[d] += step_m + random.uniform(-noise_m, noise_m);
+            }
+        }
+        next
+    }
+
+    /// Both ways to look at a tick after another, or at a first one.
+    fn verdicts(scenario: &Scenario, seed: u64) -> [(Verdicts, f64); 2] {
+        let random = &mut Random::new(seed, Stream::Start);
+        let noise_m = [0.0, 1e-3, 0.2][usize::try_from(random.below(3)).unwrap_or(0)];
+        let move_m = [0.0, 0.01, 0.1, 0.5, 1.0][usize::try_from(random.below(5)).unwrap_or(0)];
+        let then = drawn(random, scenario.robots, noise_m);
+        let now = moved(random, &then, move_m, noise_m);
+        let (params, malicious) = (scenario.params().unwrap(), scenario.malicious_mask());
+        let [was, is] = [&then, &now].map(|frame| {
+            let mut truth = Truth::default();
+            truth.look(&params, &malicious, frame, false);
+            truth
+        });
+        let mut pairs = Pairs::new(scenario, params);
+        let mut before = Before::default();
+        before.moves = random.chance(0.9);
+        pairs.carry(&was, &before, true, before.moves);
+        (before.truth, before.positions_m) = (was, then.positions_m);
+        let before = random.chance(0.9).then_some(&before);
+        [pairs.near_m2(&now, before), f64::INFINITY].map(|near_m2| {
+            let (mut pairs, mut verdicts) = (pairs.clone(), Verdicts::default());
+            pairs.watch_nearer(near_m2, 7, &now, &is, before, &mut verdicts);
+            (verdicts, pairs.least_m2())
+        })
+    }
+
+    #[test]
+    fn pairs_that_are_left_out_break_nothing() {
+        let plain = Scenario {
+            robots: 5,
+            faults: 1,
+            controller: scenario::Controller::Budget,
+            ..Scenario::default()
+        };
+        let margins = Scenario { tracking_error_m: 0.05, position_error_m: 0.02, ..plain.clone() };
+        let free = Scenario { motion_attack: MotionAttack::Flee, ..plain.clone() };
+        let mut broken = [0; 3];
+        for scenario in [plain, margins, free] {
+            for seed in 0..3_000 {
+                let [screened, all] = verdicts(&scenario, seed);
+                assert_eq!(screened, all, "seed {seed}, {scenario:?}");
+                for (count, law) in broken.iter_mut().zip([Law::Distance, Law::Path, Law::Decay]) {
+                    *count += all.0.of(law).count;
+                }
+            }
+        }
+        assert!(broken.iter().all(|count| *count > 1_000), "{broken:?}");
+    }
+
+    #[test]
+    fn robots_that_pass_each_other_between_ticks_are_seen() {
+        assert_eq!(nearest_m2(&[-1.0, 0.25], &[1.0, 0.25]), 0.0625);
+        assert_eq!(nearest_m2(&[1.0, 0.0], &[2.0, 0.0]), 1.0);
+        assert_eq!(nearest_m2(&[2.0, 0.0], &[2.0, 0.0]), 4.0);
+    }
+}

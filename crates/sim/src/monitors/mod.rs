@@ -1,0 +1,252 @@
+//! The theorems as code: each law names what must hold and remembers where it first did not.
+
+mod carry;
+mod distance;
+mod heard;
+mod mode;
+pub mod robustness;
+pub(crate) mod truth;
+
+use closeranks_core::equations::barrier::degree_barrier;
+use closeranks_core::num::sqrt;
+use closeranks_core::program::{InputBox, Outcome};
+use closeranks_core::settings::params::Params;
+
+use crate::frame::Frame;
+use crate::law::{Law, Verdicts, Violation};
+use crate::monitors::carry::Promise;
+use crate::monitors::heard::Voices;
+use crate::monitors::truth::Truth;
+use crate::scenario::{Controller, Scenario};
+
+/// Watches the frames of one run.
+#[derive(Clone, Debug)]
+pub struct Monitors<const D: usize> {
+    params: Params<D>,
+    malicious: Vec<bool>,
+    ticks_per_round: u32,
+    /// Whether the robots know their true levels, and no more of them lie than the team is prepared for.
+    plain: bool,
+    few_lie: bool,
+    truth: Truth,
+    promise: Promise<D>,
+    verdicts: Verdicts,
+    interval: Option<[f64; 2]>,
+    spread: Option<f64>,
+    voices: Voices,
+    extremes: Extremes,
+}
+
+/// Least and greatest over a run.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Extremes {
+    /// Least degree of normal robots, if there are any.
+    pub degree_min: Option<u16>,
+    /// Least degree of malicious robots, if there are any.
+    pub malicious_degree_min: Option<u16>,
+    /// Least h_i of normal robots.
+    pub h_min: f64,
+    /// Least distance of two robots, m.
+    pub distance_min_m: f64,
+    /// Least global φ.
+    pub phi_global_min: f64,
+    /// Least φ_i.
+    pub phi_min: f64,
+    /// First tick at which every φ_i ≥ 0.
+    pub inside_from: Option<u32>,
+    /// First tick of the last stretch in which degrees and distances hold to the end.
+    pub safe_from: Option<u32>,
+    /// First round after which the spread of normal values is below 1.
+    pub rounds_to_agree: Option<u32>,
+    /// Spread of normal values at the end.
+    pub spread: f64,
+}
+
+impl<const D: usize> Monitors<D> {
+    /// For the robots of `scenario`.
+    #[must_use]
+    pub fn new(scenario: &Scenario, params: Params<D>) -> Self {
+        Self {
+            params,
+            malicious: scenario.malicious_mask(),
+            ticks_per_round: scenario.ticks_per_round(),
+            plain: scenario.is_plain() && scenario.controller != Controller::Budget,
+            few_lie: scenario.malicious.len() <= usize::from(scenario.faults),
+            truth: Truth::default(),
+            promise: Promise::new(scenario, params),
+            verdicts: Verdicts::default(),
+            voices: Voices::new(scenario),
+            interval: None,
+            spread: None,
+            extremes: Extremes {
+                degree_min: None,
+                malicious_degree_min: None,
+                h_min: f64::INFINITY,
+                distance_min_m: f64::INFINITY,
+                phi_global_min: f64::INFINITY,
+                phi_min: f64::INFINITY,
+                inside_from: None,
+                safe_from: None,
+                rounds_to_agree: None,
+                spread: 0.0,
+            },
+        }
+    }
+
+    /// Which robots are malicious.
+    #[must_use]
+    pub fn malicious(&self) -> &[bool] {
+        &self.malicious
+    }
+
+    /// F′.
+    #[must_use]
+    pub fn required_degree(&self) -> u16 {
+        self.params.required_degree()
+    }
+
+    /// What became of each law.
+    #[must_use]
+    pub fn verdicts(&self) -> &Verdicts {
+        &self.verdicts
+    }
+
+    /// Least and greatest.
+    #[must_use]
+    pub fn extremes(&self) -> &Extremes {
+        &self.extremes
+    }
+
+    /// What the theorem of `budget` came to.
+    #[must_use]
+    pub(crate) fn promise(&self) -> &Promise<D> {
+        &self.promise
+    }
+
+    /// Looks at one tick, after its robots ticked and before they move.
+    pub fn watch(&mut self, tick: u32, frame: &Frame<D>) {
+        let broken = |verdicts: &Verdicts| verdicts.of(Law::Degree).count + verdicts.of(Law::Distance).count;
+        let before = broken(&self.verdicts);
+        self.truth.look(&self.params, &self.malicious, frame, self.plain);
+        self.promise.watch(tick, frame, &self.truth, self.few_lie, &mut self.verdicts);
+        self.watch_degrees();
+        if tick.is_multiple_of(self.ticks_per_round) {
+            self.watch_values(tick, frame);
+        }
+        self.voices.hear(frame);
+        if frame.wants_phi {
+            self.watch_composition(tick);
+        }
+        self.watch_programs(tick, frame);
+        if broken(&self.verdicts) > before {
+            self.extremes.safe_from = None;
+        } else if self.extremes.safe_from.is_none() {
+            self.extremes.safe_from = Some(tick);
+        }
+    }
+
+    fn broke(&mut self, law: Law, violation: Violation) {
+        self.verdicts.broke(law, violation, self.few_lie);
+    }
+
+    fn watch_degrees(&mut self) {
+        let required = self.params.required_degree();
+        for index in 0..self.truth.degrees.len() {
+            let degree = self.truth.degrees[index];
+            if self.malicious[index] {
+                lower(&mut self.extremes.malicious_degree_min, degree);
+                continue;
+            }
+            lower(&mut self.extremes.degree_min, degree);
+            let h = degree_barrier(self.truth.levels[index], required);
+            self.extremes.h_min = self.extremes.h_min.min(h);
+        }
+        self.extremes.distance_min_m = sqrt(self.promise.least_m2());
+    }
+
+    /// φ of the true levels.
+    //= paper eq:composition
+    fn watch_composition(&mut self, tick: u32) {
+        let (composed, radius_m) = (self.params.composed(), self.params.settings().radius_m);
+        let near = self.truth.pairs_m2.iter().filter(|pair| **pair <= radius_m * radius_m);
+        let collisions: f64 =
+            near.map(|pair| composed.collision_term::<f64>(*pair)).fold(0.0, |sum, term| sum + term);
+        let degrees: f64 = self.truth.levels.iter().map(|level| composed.degree_term::<f64>(*level)).sum();
+        let phi = 1.0 - degrees - collisions;
+        self.extremes.phi_global_min = self.extremes.phi_global_min.min(phi);
+        if phi < 0.0 {
+            self.broke(Law::Composition, Violation { tick, robots: [0, 0], seen: phi, demanded: 0.0 });
+        }
+    }
+
+    fn watch_programs(&mut self, tick: u32, frame: &Frame<D>) {
+        let input = self.params.settings().input;
+        let mut inside = true;
+        for (robot, index) in (1_u16..).zip(0..frame.phis.len()) {
+            let (phi, velocity) = (frame.phis[index], frame.velocities_m_s[index]);
+            let at = |seen, demanded| Violation { tick, robots: [robot, 0], seen, demanded };
+            self.extremes.phi_min = self.extremes.phi_min.min(phi);
+            // Of a robot that is down nobody knows φ_i.
+            inside &= phi >= 0.0 || !frame.wants_phi;
+            if phi < 0.0 {
+                self.broke(Law::Shares, at(phi, 0.0));
+            }
+            if frame.outcomes[index] == Outcome::Infeasible {
+                self.broke(Law::Feasible, at(phi, 0.0));
+            }
+            if !input.contains(&velocity) {
+                let (seen, demanded) = worst_component(&velocity, &input);
+                self.broke(Law::Input, at(seen, demanded));
+            }
+        }
+        if inside && self.extremes.inside_from.is_none() {
+            self.extremes.inside_from = Some(tick);
+        }
+    }
+
+    /// Values are updated once a round, so they are looked at once a round.
+    fn watch_values(&mut self, tick: u32, frame: &Frame<D>) {
+        let normal =
+            || frame.values.iter().zip(&self.malicious).filter(|(_, liar)| !**liar).map(|(value, _)| *value);
+        let (low, high) =
+            (normal().fold(f64::INFINITY, f64::min), normal().fold(f64::NEG_INFINITY, f64::max));
+        let [least, most] = *self.interval.get_or_insert([low, high]);
+        for index in 0..frame.values.len() {
+            let value = frame.values[index];
+            if !self.malicious[index] && !(least..=most).contains(&value) {
+                let robots = [u16::try_from(index + 1).unwrap_or(u16::MAX), 0];
+                let demanded = if value < least { least } else { most };
+                self.broke(Law::Interval, Violation { tick, robots, seen: value, demanded });
+            }
+        }
+        let suffice = self.voices.end_round(frame, &self.malicious);
+        self.watch_spread(tick, (high - low).max(0.0), least.abs().max(most.abs()), suffice);
+    }
+
+    //= paper thm:rs_robust
+    fn watch_spread(&mut self, tick: u32, spread: f64, magnitude: f64, suffice: bool) {
+        let beta = 1.0 / f64::from(self.params.settings().robots);
+        if let Some(before) = self.spread.filter(|_| suffice) {
+            // A value is rounded a few times in a round: far less than this.
+            let demanded = before * (1.0 - 0.5 * beta) + 1e-13 * magnitude;
+            if spread > demanded {
+                self.broke(Law::Agreement, Violation { tick, robots: [0, 0], seen: spread, demanded });
+            }
+        }
+        if spread < 1.0 && self.extremes.rounds_to_agree.is_none() {
+            self.extremes.rounds_to_agree = Some(tick / self.ticks_per_round);
+        }
+        self.spread = Some(spread);
+        self.extremes.spread = spread;
+    }
+}
+
+fn lower(least: &mut Option<u16>, degree: u16) {
+    *least = Some(least.map_or(degree, |least| least.min(degree)));
+}
+
+/// The first component outside its bounds, and the bound.
+fn worst_component<const D: usize>(velocity: &[f64; D], input: &InputBox<D>) -> (f64, f64) {
+    let cut = input.clip(velocity);
+    (0..D).map(|d| (velocity[d], cut[d])).find(|(seen, allowed)| seen != allowed).unwrap_or((0.0, 0.0))
+}

@@ -1,0 +1,124 @@
+//! What robots say of their answers, against what is so.
+
+use closeranks_core::robot::report::Mode;
+use closeranks_core::settings::params::Params;
+
+use crate::attack::MotionAttack;
+use crate::faults::Clocks;
+use crate::frame::Frame;
+use crate::law::{Law, Verdicts, Violation};
+use crate::monitors::carry::{ROUNDING, longer_ago, required, share, since};
+use crate::monitors::truth::Truth;
+use crate::scenario::Scenario;
+
+/// Ticks in which all must have noticed that everything holds again.
+const NOTICE_TICKS: u64 = 2;
+
+/// Watches the modes of normal robots under `budget`.
+#[derive(Clone, Debug)]
+pub(crate) struct Honesty<const D: usize> {
+    params: Params<D>,
+    malicious: Vec<bool>,
+    /// Pairs with a malicious robot may collide: it goes where it likes.
+    free: bool,
+    /// Robots know their own state exactly.
+    exact: bool,
+    /// How much more h may seem to be than it is.
+    blur: f64,
+    told_ticks: u64,
+    /// The last tick in which a robot could have noticed anything wrong.
+    unwell: Option<u32>,
+    /// Robot-ticks of normal robots, those of them guaranteed, and those with a negative own h.
+    counted: [u64; 3],
+    /// Longest time from the end of trouble until all were guaranteed again, in ticks.
+    recovery_ticks: u32,
+}
+
+impl<const D: usize> Honesty<D> {
+    /// For the robots of `scenario`, who may use a level for `told_ticks`.
+    pub(crate) fn new(scenario: &Scenario, params: Params<D>, told_ticks: u64) -> Self {
+        let (steady, budget) = (scenario.trouble.clocks == Clocks::default(), params.budget());
+        Self {
+            malicious: scenario.malicious_mask(),
+            free: scenario.motion_attack != MotionAttack::Obedient,
+            exact: budget.margin.offset_m == 0.0 && steady,
+            told_ticks,
+            blur: 4.0 * budget.margin.offset_m * budget.curvature.fall_max() * f64::from(budget.robots),
+            params,
+            unwell: None,
+            counted: [0; 3],
+            recovery_ticks: 0,
+        }
+    }
+
+    /// Nobody promises what is not so, as far as it can know; and all promise again soon after everything holds.
+    pub(crate) fn watch(&mut self, tick: u32, frame: &Frame<D>, truth: &Truth, verdicts: &mut Verdicts) {
+        let stopped = frame.modes.contains(&Mode::Stopped);
+        let safe = (0..truth.own.len()).all(|robot| truth.own[robot] >= ROUNDING)
+            && (0..truth.own.len()).all(|robot| !self.crowded(robot, truth, true));
+        let well = safe && !stopped && !frame.broken;
+        if !well {
+            self.unwell = Some(tick);
+        }
+        let healed =
+            self.exact && longer_ago(self.unwell, tick, self.told_ticks.saturating_add(NOTICE_TICKS));
+        let mut all = true;
+        for (robot, index) in (1_u16..).zip(0..truth.spares.len()).filter(|(_, k)| !self.malicious[*k]) {
+            let guaranteed = frame.modes[index] == Mode::Guaranteed;
+            all &= guaranteed;
+            let negative = truth.own[index] < 0.0;
+            for (counter, counts) in self.counted.iter_mut().zip([true, guaranteed, negative]) {
+                *counter += u64::from(counts);
+            }
+            let at = |seen| Violation { tick, robots: [robot, 0], seen, demanded: 0.0 };
+            if guaranteed && !frame.sensed_wrong[index] && self.untrue(index, truth) {
+                verdicts.broke(Law::Mode, at(truth.spares[index]), true);
+            }
+            if !guaranteed && healed {
+                verdicts.broke(Law::Mode, at(f64::from(since(self.unwell, tick))), true);
+            }
+        }
+        if well && !all {
+            self.recovery_ticks = self.recovery_ticks.max(since(self.unwell, tick).min(tick));
+        }
+    }
+
+    /// True when a robot that senses within the stated errors must know that its h is negative, its degree too low, or another
+    /// robot too close.
+    fn untrue(&self, robot: usize, truth: &Truth) -> bool {
+        let degree_low = self.exact && truth.degrees[robot] < required(&self.params);
+        degree_low || truth.spares[robot] < -ROUNDING - self.blur || self.crowded(robot, truth, false)
+    }
+
+    /// True when another robot is certainly too close to `robot`; `anybody` counts disobedient ones too.
+    fn crowded(&self, robot: usize, truth: &Truth, anybody: bool) -> bool {
+        let budget = self.params.budget();
+        let radius_m = self.params.settings().radius_m;
+        let blur_m2 = ROUNDING * radius_m * radius_m;
+        // A hair more for who must promise than for who may not: at the limit itself either is right.
+        let limit_m2 = if anybody {
+            budget.distance_min_m * budget.distance_min_m + blur_m2
+        } else {
+            let least_m = (budget.distance_min_m - 2.0 * budget.margin.offset_m).max(0.0);
+            least_m * least_m - blur_m2
+        };
+        if truth.least_m2 >= limit_m2 {
+            return false;
+        }
+        let counts =
+            |other: usize| anybody || !(self.free && (self.malicious[robot] || self.malicious[other]));
+        (0..truth.own.len())
+            .any(|other| other != robot && counts(other) && truth.pair_m2(robot, other) < limit_m2)
+    }
+
+    /// Shares of time in which normal robots were guaranteed, and in which their own h was negative.
+    pub(crate) fn shares(&self) -> [f64; 2] {
+        let [all, guaranteed, negative] = self.counted;
+        [share(guaranteed, all), share(negative, all)]
+    }
+
+    /// Longest time from the end of trouble until all were guaranteed again, in ticks.
+    pub(crate) fn recovery_ticks(&self) -> u32 {
+        self.recovery_ticks
+    }
+}

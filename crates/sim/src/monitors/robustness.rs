@@ -1,0 +1,111 @@
+//! Exact robustness of the network in every consensus round.
+
+use core::ops::ControlFlow;
+
+use closeranks_graph::budget::{Budget, Meter};
+use closeranks_graph::decide::Robustness;
+use closeranks_graph::graph::Graph;
+use closeranks_graph::makers::random::geometric;
+use closeranks_graph::verdict::Interval;
+
+use crate::frame::Frame;
+
+/// Nodes of the search that one round may cost, of order a microsecond each. Teams of eleven need some tens.
+const NODES: u64 = 20_000;
+
+/// What a consensus round found.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Round {
+    /// Tick of the round.
+    pub tick: u32,
+    /// Largest r for which the network is r-robust.
+    pub r_max: Interval,
+    /// Largest F for which it is (F+1, F+1)-robust, malicious robots included; −1 if not even (1, 1)-robust.
+    pub f_max: Interval,
+    /// Least degree of normal robots.
+    pub degree_min: u16,
+    /// Greatest minus least value of normal robots.
+    pub spread: f64,
+}
+
+/// Looks at the network once a round; a network that did not change is not searched again.
+#[derive(Clone, Debug, Default)]
+pub struct Watcher {
+    last: Option<(Graph, Interval, Interval)>,
+    rounds: Vec<Round>,
+}
+
+impl Watcher {
+    /// Adds the round of `frame`; teams of more robots than the search takes (128) are left out.
+    //= paper def:robustness
+    pub fn watch<const D: usize>(&mut self, tick: u32, frame: &Frame<D>, radius_m: f64, malicious: &[bool]) {
+        let Ok(graph) = geometric(&frame.positions_m, radius_m) else { return };
+        let (r_max, f_max) = match self.last.take() {
+            Some((last, r_max, f_max)) if last == graph => (r_max, f_max),
+            _ => largest(&graph),
+        };
+        self.last = Some((graph, r_max, f_max));
+        let normal =
+            || malicious.iter().zip(&frame.degrees).filter(|(liar, _)| !**liar).map(|(_, degree)| *degree);
+        let (degree_min, spread) = (normal().min().unwrap_or(0), spread(&frame.values, malicious));
+        self.rounds.push(Round { tick, r_max, f_max, degree_min, spread });
+    }
+
+    /// All rounds, in order.
+    #[must_use]
+    pub fn finish(self) -> Vec<Round> {
+        self.rounds
+    }
+}
+
+/// Largest r and largest F, exactly or as far as the budget goes.
+fn largest(graph: &Graph) -> (Interval, Interval) {
+    let mut go_on = |_: &_| ControlFlow::Continue(());
+    let mut meter = Meter::new(NODES, &mut go_on);
+    let mut robustness = Robustness::new(graph, &Budget { nodes: NODES, table_bytes: 0 });
+    (robustness.r_max(&mut meter), robustness.f_max(&mut meter))
+}
+
+fn spread(values: &[f64], malicious: &[bool]) -> f64 {
+    let normal = || values.iter().zip(malicious).filter(|(_, liar)| !**liar).map(|(value, _)| *value);
+    let (low, high) = (normal().fold(f64::INFINITY, f64::min), normal().fold(f64::NEG_INFINITY, f64::max));
+    (high - low).max(0.0)
+}
+
+/// The round with the least proved F_max, and with the least proved r_max among those.
+#[must_use]
+pub fn weakest(rounds: &[Round]) -> Option<&Round> {
+    rounds.iter().min_by_key(|round| (round.f_max.least, round.r_max.least))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use closeranks_core::num::Vector;
+
+    fn watched(positions: Vec<Vector<2>>) -> Round {
+        let robots = positions.len();
+        let mut watcher = Watcher::default();
+        watcher.watch(0, &Frame::new(positions, vec![0.0; robots]), 1.0, &vec![false; robots]);
+        watcher.finish()[0]
+    }
+
+    //= paper def:robustness type=test
+    #[test]
+    fn a_cluster_is_as_robust_as_a_complete_graph_and_a_line_is_not() {
+        let cluster = watched((0..7).map(|i| [0.1 * f64::from(i), 0.0]).collect());
+        assert_eq!((cluster.r_max.exactly(), cluster.f_max.exactly()), (Some(4), Some(3)));
+        let line = watched((0..7).map(|i| [0.9 * f64::from(i), 0.0]).collect());
+        assert_eq!((line.r_max.exactly(), line.f_max.exactly()), (Some(1), Some(0)));
+        let apart = watched(vec![[0.0, 0.0], [2.0, 0.0]]);
+        assert_eq!((apart.r_max.exactly(), apart.f_max.exactly()), (Some(0), Some(-1)));
+    }
+
+    #[test]
+    fn the_weakest_round_is_found() {
+        let strong = watched(vec![[0.0, 0.0], [0.5, 0.0], [0.2, 0.3]]);
+        let weak = Round { tick: 9, ..watched(vec![[0.0, 0.0], [0.9, 0.0], [1.8, 0.0]]) };
+        assert_eq!(weakest(&[strong, weak, strong]).map(|round| round.tick), Some(9));
+        assert_eq!(weakest(&[]), None);
+    }
+}

@@ -1,0 +1,176 @@
+//! The state of a team as only the world knows it: what the theorems are about.
+
+use closeranks_core::controller::budget::knowledge::{Assume, Sighting};
+use closeranks_core::equations::link::{Link, LinkShape};
+use closeranks_core::num::{Vector, subtract};
+use closeranks_core::settings::params::{Controller, Params};
+
+use crate::frame::Frame;
+use crate::monitors::carry::required;
+use crate::scenario::start::squared_distance;
+
+/// True levels, degrees and distances of one tick.
+#[derive(Debug, Default)]
+pub(crate) struct Truth {
+    /// c_i within R.
+    pub(crate) levels: Vec<f64>,
+    /// Neighbours that count: all, or with free liars the normal ones.
+    pub(crate) degrees: Vec<u16>,
+    /// What is kept at 0 or above: h_i of references; with free liars the sum over normal neighbours, less θ.
+    pub(crate) spares: Vec<f64>,
+    /// h_i as a robot has it that senses exactly: with free liars of the trimmed sum.
+    pub(crate) own: Vec<f64>,
+    /// Squared distances of references, m², pair (first, second) at `second (second − 1)/2 + first`.
+    pub(crate) pairs_m2: Vec<f64>,
+    /// The least of them.
+    pub(crate) least_m2: f64,
+    /// `pairs_m2` of positions; empty where these are the references.
+    actual_m2: Vec<f64>,
+    /// Weights and slopes of pairs.
+    scratch: [Vec<f64>; 2],
+}
+
+impl Clone for Truth {
+    fn clone(&self) -> Self {
+        let mut clone = Self::default();
+        clone.clone_from(self);
+        clone
+    }
+
+    /// In the memory that is there.
+    fn clone_from(&mut self, other: &Self) {
+        self.levels.clone_from(&other.levels);
+        self.degrees.clone_from(&other.degrees);
+        self.spares.clone_from(&other.spares);
+        self.own.clone_from(&other.own);
+        self.pairs_m2.clone_from(&other.pairs_m2);
+        self.least_m2 = other.least_m2;
+        self.actual_m2.clone_from(&other.actual_m2);
+    }
+}
+
+impl Truth {
+    /// The truth of `frame`. A team of `composed` in a perfect world knows it itself: then nothing is computed twice.
+    pub(crate) fn look<const D: usize>(
+        &mut self,
+        params: &Params<D>,
+        malicious: &[bool],
+        frame: &Frame<D>,
+        plain: bool,
+    ) {
+        fill_pairs(&frame.references_m, &mut self.pairs_m2);
+        let lesser = |least: f64, pair_m2: &f64| if *pair_m2 < least { *pair_m2 } else { least };
+        self.least_m2 = self.pairs_m2.iter().fold(f64::INFINITY, lesser);
+        self.actual_m2.clear();
+        if frame.positions_m != frame.references_m {
+            fill_pairs(&frame.positions_m, &mut self.actual_m2);
+        }
+        let required = f64::from(required(params));
+        if plain {
+            self.levels.clone_from(&frame.levels);
+            self.degrees.clone_from(&frame.degrees);
+            self.spares.clear();
+            self.spares.extend(frame.levels.iter().map(|level| level - required));
+            self.own.clone_from(&self.spares);
+            return;
+        }
+        let free =
+            params.settings().controller == Controller::Budget && params.settings().assume == Assume::Free;
+        let margin = params.budget().margin.away_m > 0.0;
+        let counts = |robot: usize| !(free && malicious[robot]);
+        self.resize(frame.positions_m.len());
+        let actual_m2 = first_filled(&self.actual_m2, &self.pairs_m2);
+        let scratch = &mut self.scratch;
+        weigh(params.link(), actual_m2, |_| true, &mut self.levels, &mut self.degrees, scratch);
+        self.spares.clone_from(&self.levels);
+        if free {
+            weigh(params.link(), actual_m2, counts, &mut self.spares, &mut self.degrees, scratch);
+        }
+        if free || margin {
+            let degrees = &mut vec![0; self.degrees.len()];
+            let shape = params.budget().curvature.link();
+            weigh(shape, &self.pairs_m2, counts, &mut self.spares, degrees, scratch);
+        }
+        for spare in &mut self.spares {
+            *spare -= required;
+        }
+        self.own.clone_from(&self.spares);
+        if free {
+            for (robot, own) in self.own.iter_mut().enumerate() {
+                *own = trimmed(params, frame, robot) - required;
+            }
+        }
+    }
+
+    fn resize(&mut self, count: usize) {
+        self.levels.resize(count, 0.0);
+        self.degrees.resize(count, 0);
+    }
+
+    /// Squared distances of positions, m², in the order of [`Truth::pairs_m2`].
+    pub(crate) fn actual_m2(&self) -> &[f64] {
+        first_filled(&self.actual_m2, &self.pairs_m2)
+    }
+
+    /// Squared distance of the references of two different robots, m².
+    #[must_use]
+    pub(crate) fn pair_m2(&self, one: usize, other: usize) -> f64 {
+        let (first, second) = if one < other { (one, other) } else { (other, one) };
+        self.pairs_m2[second * (second - 1) / 2 + first]
+    }
+}
+
+fn first_filled<'a>(numbers: &'a Vec<f64>, others: &'a Vec<f64>) -> &'a Vec<f64> {
+    if numbers.is_empty() { others } else { numbers }
+}
+
+/// Puts squared distances of all pairs, m², into `pairs_m2`, in the order of [`Truth::pairs_m2`].
+pub(crate) fn fill_pairs<const D: usize>(positions_m: &[Vector<D>], pairs_m2: &mut Vec<f64>) {
+    let robots = positions_m.len();
+    pairs_m2.resize(robots * robots.saturating_sub(1) / 2, 0.0);
+    let mut rest = &mut pairs_m2[..];
+    for (second, x) in positions_m.iter().enumerate() {
+        let (line, later) = core::mem::take(&mut rest).split_at_mut(second);
+        for (pair_m2, y) in line.iter_mut().zip(positions_m) {
+            *pair_m2 = squared_distance(x, y);
+        }
+        rest = later;
+    }
+}
+
+/// Sum and number of the links of every robot with the others that count, in order of their numbers; each pair once.
+fn weigh(
+    shape: &LinkShape,
+    pairs_m2: &Vec<f64>,
+    counts: impl Fn(usize) -> bool,
+    sums: &mut [f64],
+    degrees: &mut [u16],
+    scratch: &mut [Vec<f64>; 2],
+) {
+    sums.fill(0.0);
+    degrees.fill(0);
+    let [weights, slopes] = scratch;
+    weights.clone_from(pairs_m2);
+    slopes.resize(weights.len(), 0.0);
+    shape.links_at(weights, slopes);
+    let mut rest = &weights[..];
+    for second in 0..sums.len() {
+        let (line, later) = rest.split_at(second);
+        for (first, weight) in line.iter().enumerate().filter(|(_, weight)| Link::is_link(**weight)) {
+            for (end, other) in [(second, first), (first, second)] {
+                if counts(other) {
+                    sums[end] += weight;
+                    degrees[end] += 1;
+                }
+            }
+        }
+        rest = later;
+    }
+}
+
+fn trimmed<const D: usize>(params: &Params<D>, frame: &Frame<D>, robot: usize) -> f64 {
+    let own = frame.positions_m[robot];
+    let others = frame.positions_m.iter().enumerate().filter(|(other, _)| *other != robot);
+    let sightings: Vec<Sighting<D>> = others.map(|(_, x)| Sighting::new(subtract(&own, x), None)).collect();
+    params.budget().level(&sightings, &mut vec![0.0; sightings.len()])
+}

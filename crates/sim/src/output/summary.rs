@@ -1,0 +1,196 @@
+//! One row of the table: what a run came to.
+
+use closeranks_core::num::{Vector, sqrt};
+
+use crate::attack::liars::mean_distance_to_liars;
+use crate::frame::Frame;
+use crate::law::{Law, Verdict, Verdicts};
+use crate::monitors::{Extremes, Monitors};
+use crate::scenario::start::squared_distance;
+use crate::scenario::{Controller, Scenario};
+
+/// Where the start lies.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct StartSummary {
+    /// Whether the start is in the safe set of its controller: every φ_i ≥ 0 for `composed` (thm:cbf-qp); every h_i of a
+    /// normal robot ≥ 0 and no two robots closer than Δ_d for `budget`.
+    pub inside: bool,
+    /// Least φ_i at the start.
+    pub phi_min: f64,
+    /// Least h_i of a normal robot at the start, as its controller has it.
+    pub h_min: f64,
+    /// Least degree of all robots.
+    pub degree_min: u16,
+    /// Least distance of two robots, m.
+    pub distance_min_m: f64,
+}
+
+/// What a run came to.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Summary {
+    /// The start.
+    pub start: StartSummary,
+    /// Least and greatest over the run.
+    pub extremes: Extremes,
+    /// What became of each law.
+    pub verdicts: Verdicts,
+    /// Radius of gyration at the end, m: `√(Σ‖x_i − x̄‖²/n)` over all robots.
+    pub gyration_m: f64,
+    /// Links at the end.
+    pub links: u32,
+    /// Mean distance from normal to malicious robots at the end, m.
+    pub liar_distance_m: Option<f64>,
+    /// Greatest speed of any robot in the last tick, m/s.
+    pub speed_end_m_s: f64,
+    /// Rate of growth of the radius of gyration at the start and at the end, m/s.
+    pub spreading_m_s: [f64; 2],
+    /// Share of the time of normal robots in which they said that they were guaranteed.
+    pub guaranteed_share: f64,
+    /// Share of it in which their own h was negative: with free liars they stand still then.
+    pub negative_share: f64,
+    /// Share of ticks in which every assumption of `budget` held, and long enough for what was told to be true.
+    pub covered_share: f64,
+    /// Longest time from the end of trouble until all said again that they were guaranteed, s.
+    pub recovery_s: f64,
+    /// How many malicious robots had fewer than F′ neighbours at some time.
+    pub malicious_below: u16,
+    /// Rounds in the run.
+    pub rounds: u32,
+    /// Ticks in the run.
+    pub ticks: u32,
+}
+
+impl Summary {
+    /// How often `law` was broken.
+    #[must_use]
+    pub fn broken(&self, law: Law) -> u64 {
+        self.verdicts.of(law).count
+    }
+
+    /// What counts against the controller, counted and located so: what it promises ([`Controller::promises`]) and what was
+    /// broken although everything held that the promise rests on. With `budget` that is a bug, or a hole in the theorem.
+    pub fn violations(&self, scenario: &Scenario) -> impl Iterator<Item = Verdict> {
+        let laws = scenario.controller.promises();
+        let all = scenario.controller == Controller::None;
+        let counted =
+            self.verdicts.iter().filter(|verdict| laws.contains(&verdict.law)).map(move |verdict| {
+                let (count, first) = if all {
+                    (verdict.count, verdict.first)
+                } else {
+                    (verdict.covered, verdict.first_covered)
+                };
+                Verdict { count, first, ..*verdict }
+            });
+        counted.filter(|verdict| verdict.count > 0)
+    }
+
+    /// Expected laws that were broken.
+    pub fn failures<'a>(&'a self, scenario: &'a Scenario) -> impl Iterator<Item = &'a Verdict> {
+        self.verdicts.iter().filter(|verdict| verdict.count > 0 && scenario.expect.contains(&verdict.law))
+    }
+}
+
+/// Collects what only single frames tell.
+#[derive(Clone, Debug, Default)]
+pub struct Collector {
+    start: Option<StartSummary>,
+    spreading_start_m_s: f64,
+    malicious_below: Vec<bool>,
+}
+
+impl Collector {
+    /// Looks at one tick after the monitors did.
+    pub fn watch<const D: usize>(&mut self, scenario: &Scenario, frame: &Frame<D>, monitors: &Monitors<D>) {
+        let malicious = monitors.malicious();
+        if self.start.is_none() {
+            self.start = Some(start(scenario, frame, monitors));
+            self.spreading_start_m_s = spreading(frame);
+            self.malicious_below = vec![false; malicious.len()];
+        }
+        let required = monitors.required_degree();
+        for index in 0..malicious.len() {
+            self.malicious_below[index] |= malicious[index] && frame.degrees[index] < required;
+        }
+    }
+
+    /// The summary, from the last frame.
+    #[must_use]
+    pub fn finish<const D: usize>(
+        self,
+        scenario: &Scenario,
+        frame: &Frame<D>,
+        monitors: &Monitors<D>,
+    ) -> Summary {
+        let speeds = frame.velocities_m_s.iter().map(|velocity| squared_distance(velocity, &[0.0; D]));
+        let [guaranteed_share, negative_share, covered_share] = monitors.promise().shares();
+        let below = self.malicious_below.iter().filter(|below| **below).count();
+        Summary {
+            start: self.start.unwrap_or(NO_START),
+            extremes: *monitors.extremes(),
+            verdicts: *monitors.verdicts(),
+            gyration_m: gyration(&frame.positions_m),
+            links: frame.links,
+            liar_distance_m: mean_distance_to_liars(&frame.positions_m, &scenario.malicious_mask()),
+            speed_end_m_s: sqrt(speeds.fold(0.0, f64::max)),
+            spreading_m_s: [self.spreading_start_m_s, spreading(frame)],
+            guaranteed_share,
+            negative_share,
+            covered_share,
+            recovery_s: f64::from(monitors.promise().recovery_ticks()) * scenario.tick_s(),
+            malicious_below: u16::try_from(below).unwrap_or(u16::MAX),
+            rounds: scenario.ticks() / scenario.ticks_per_round(),
+            ticks: scenario.ticks(),
+        }
+    }
+}
+
+/// Of a run without a single tick, which there is not.
+const NO_START: StartSummary = StartSummary {
+    inside: false,
+    phi_min: f64::NAN,
+    h_min: f64::NAN,
+    degree_min: 0,
+    distance_min_m: f64::NAN,
+};
+
+fn start<const D: usize>(scenario: &Scenario, frame: &Frame<D>, monitors: &Monitors<D>) -> StartSummary {
+    let Extremes { phi_min, distance_min_m, inside_from, .. } = *monitors.extremes();
+    let normal = frame.spares.iter().zip(monitors.malicious()).filter(|(_, malicious)| !**malicious);
+    let h_min = normal.map(|(spare, _)| *spare).fold(f64::INFINITY, f64::min);
+    let inside = match scenario.controller {
+        Controller::Budget => h_min >= 0.0 && distance_min_m >= scenario.distance_min_m,
+        Controller::Composed | Controller::None => inside_from.is_some(),
+    };
+    let degree_min = frame.degrees.iter().copied().min().unwrap_or(0);
+    StartSummary { inside, phi_min, h_min, degree_min, distance_min_m }
+}
+
+fn mean<const D: usize>(vectors: &[Vector<D>]) -> Vector<D> {
+    core::array::from_fn(|d| vectors.iter().map(|vector| vector[d]).sum::<f64>() / count(vectors.len()))
+}
+
+fn count(length: usize) -> f64 {
+    #[expect(clippy::cast_precision_loss, reason = "teams are far below 2^53")]
+    let count = length.max(1) as f64;
+    count
+}
+
+/// Radius of gyration, m.
+#[must_use]
+pub fn gyration<const D: usize>(positions: &[Vector<D>]) -> f64 {
+    let centre = mean(positions);
+    sqrt(
+        positions.iter().map(|position| squared_distance(position, &centre)).sum::<f64>()
+            / count(positions.len()),
+    )
+}
+
+/// Rate of growth of the radius of gyration under the inputs of a frame, m/s: `Σ (x_i − x̄)·u_i / (n r_g)`.
+fn spreading<const D: usize>(frame: &Frame<D>) -> f64 {
+    let centre = mean(&frame.positions_m);
+    let radius = gyration(&frame.positions_m);
+    let pairs = frame.positions_m.iter().zip(&frame.velocities_m_s);
+    let outward: f64 =
+        pairs.map(|(x, u)| closeranks_core::num::dot(&closeranks_core::num::subtract(x, &centre), u)).sum();
+    if radius > 0.0 { outward / (count(frame.positions_m.len()) * radius) } else { 0.0 }
+}
