@@ -30,6 +30,7 @@
 pub mod controller;
 pub mod equations;
 pub mod message;
+pub mod need;
 pub mod num;
 pub mod program;
 pub mod robot;
