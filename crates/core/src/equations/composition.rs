@@ -10,9 +10,9 @@ use crate::program::box_row::Row;
 
 /// How the composition is shared out among the robots in φ_i; the row H_i is the same for both.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Share {
+pub enum PhiSplit {
     /// `Σ_{k∈B_i} Ê_k/(F′+1)`, as printed in eq:phi_i: exact only if every degree is F′.
-    Neighbours,
+    Neighbors,
     /// `Ê_i`: the sum over all robots is φ exactly, and φ_i does not jump when a link forms.
     Own,
 }
@@ -21,7 +21,7 @@ pub enum Share {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Composed {
     /// Which φ_i.
-    pub share: Share,
+    pub split: PhiSplit,
     /// `w_r` of the degree terms, dimensionless, positive.
     pub w_r: f64,
     /// `w_c` of the collision terms, 1/m², positive.
@@ -151,17 +151,17 @@ impl Composed {
     /// What a neighbour's `Ê_j` adds to the first sum of φ_i.
     #[must_use]
     pub fn shared<N: Number>(&self, told: N) -> N {
-        match self.share {
-            Share::Neighbours => told,
-            Share::Own => N::ZERO,
+        match self.split {
+            PhiSplit::Neighbors => told,
+            PhiSplit::Own => N::ZERO,
         }
     }
 
     /// What the first sum of φ_i is multiplied with.
     fn portion(&self) -> f64 {
-        match self.share {
-            Share::Neighbours => 1.0 / (f64::from(self.required) + 1.0),
-            Share::Own => 1.0,
+        match self.split {
+            PhiSplit::Neighbors => 1.0 / (f64::from(self.required) + 1.0),
+            PhiSplit::Own => 1.0,
         }
     }
 }
