@@ -3,7 +3,7 @@
 //! Exactly as printed: no recovery, no slack. The one choice is the split (docs/theory, `sec:split`). The equations are in
 //! [`crate::equations::composition`].
 
-use crate::controller::{Control, Decision, Motion, Neighbor, Own, Standing, View};
+use crate::controller::{Batch, Control, Decision, Glimpse, Motion, Neighbor, Own, Standing, View};
 use crate::equations::composition::{Composed, Composition, Sum, TERM_LARGE, Term};
 use crate::equations::link::{Link, LinkShape};
 use crate::need::Need;
@@ -72,7 +72,7 @@ impl<const D: usize> ComposedController<D> {
             let collision = self.composed.collision_term(distance_m2);
             Some(Term { offset_m: neighbor.offset_m, link, collision, told })
         });
-        self.composed.compose(self.composed.degree_term(own.level), terms)
+        self.composed.compose(self.composed.degree_term(own.told_level), terms)
     }
 }
 
@@ -81,6 +81,10 @@ impl<const D: usize> Control<D> for ComposedController<D> {
     type Told = f64;
     type Sums = Sums<D>;
     type Known = Option<f64>;
+
+    const ADDS: bool = true;
+    const LOOKS: bool = false;
+    const USES_PHI: bool = true;
 
     fn need(&self) -> &Need {
         &self.need
@@ -91,6 +95,14 @@ impl<const D: usize> Control<D> for ComposedController<D> {
     fn pair(&self, offset_m: &Vector<D>, link: &Link<f64>) -> Option<Pair> {
         let collision = self.composed.collision_term(dot(offset_m, offset_m));
         (link.slope != 0.0 || collision != 0.0).then_some(Pair { slope: link.slope, collision })
+    }
+
+    fn pairs(&self, links: &mut Batch<'_, D>, mut make: impl FnMut(usize, Option<Pair>)) {
+        self.composed.collision_terms(links.distances_m2);
+        for (index, (collision, slope)) in links.distances_m2.iter().zip(links.slopes).enumerate() {
+            let (slope, collision) = (*slope, *collision);
+            make(index, (slope != 0.0 || collision != 0.0).then_some(Pair { slope, collision }));
+        }
     }
 
     /// Ê of a told level, 0 of none.
@@ -118,6 +130,23 @@ impl<const D: usize> Control<D> for ComposedController<D> {
         sums.row.add_link(offset_m, pull, pair.collision);
     }
 
+    #[inline]
+    fn add_both(
+        &self,
+        [first, second]: [&mut Sums<D>; 2],
+        offset_m: &Vector<D>,
+        pair: &Pair,
+        [one, other]: [&f64; 2],
+    ) {
+        let pull = self.composed.coefficient(*one, *other, pair.slope, pair.collision);
+        first.row.add_link(offset_m, pull, pair.collision);
+        second.row.add_link(offset_m, -pull, pair.collision);
+    }
+
+    fn know(&self, glimpse: &Glimpse<'_, f64>) -> Option<f64> {
+        Some(glimpse.told_level)
+    }
+
     //= paper seq:qp
     #[inline]
     fn decide(
@@ -141,7 +170,7 @@ impl<const D: usize> Control<D> for ComposedController<D> {
     }
 
     fn alone(&self, view: &View<'_, D>, desired: &Vector<D>, scratch: &mut Scratch<'_, D>) -> Decision<D> {
-        let own = Own { id: view.id, level: view.told_level, degree: 0 };
+        let own = Own { id: view.id, level: view.told_level, told_level: view.told_level, degree: 0 };
         let told = self.told(Some(view.told_level));
         let mut sums = self.sums(&told);
         for slot in view.linked() {

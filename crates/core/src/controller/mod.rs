@@ -33,6 +33,8 @@ pub struct Own {
     pub id: RobotId,
     /// c_i, or what the controller has in its place.
     pub level: f64,
+    /// The same as it tells it. By Assumption 1 a liar's own row uses its lie.
+    pub told_level: f64,
     /// How many neighbours may count: those in sight.
     pub degree: u16,
 }
@@ -75,6 +77,40 @@ impl<'a, const D: usize> View<'a, D> {
     pub fn linked(&self) -> impl Iterator<Item = &'a Slot<D>> + Clone + use<'a, D> {
         self.sensed().filter(|slot| slot.linked)
     }
+}
+
+/// Links of which pairs are made at a time.
+#[derive(Debug)]
+pub struct Batch<'a, const D: usize> {
+    /// `x_i − x_j` of each, m.
+    pub offsets_m: &'a [Vector<D>],
+    /// Squared distance of each, m². A controller may overwrite it.
+    pub distances_m2: &'a mut [f64],
+    /// `a_ij` of each.
+    pub weights: &'a [f64],
+    /// `2 ∂a/∂Δ²` of each, 1/m².
+    pub slopes: &'a [f64],
+}
+
+/// What can be said of a neighbour j as robot i sees it, in a world in which all sense exactly and hear the same.
+#[derive(Clone, Copy)]
+pub struct Glimpse<'a, Told> {
+    /// The level that j told.
+    pub told_level: f64,
+    /// What others make of it.
+    pub told: &'a Told,
+    /// The true level of j.
+    pub level: f64,
+    /// Neighbours of j.
+    pub degree: u16,
+    /// Robots of the team that i does not see.
+    pub unseen: usize,
+    /// Those of them that are neighbours of j.
+    pub unseen_near: usize,
+    /// Distance of i and j, m.
+    pub distance_m: f64,
+    /// The sum of the weights of j with i and with whomever i sees, in order of numbers. It costs a walk over neighbours.
+    pub low: &'a dyn Fn() -> f64,
 }
 
 /// What a controller decided.
@@ -120,6 +156,13 @@ pub trait Control<const D: usize> {
     /// What a robot knows of a neighbour when it decides.
     type Known: Copy;
 
+    /// True if it adds up anything over neighbours.
+    const ADDS: bool;
+    /// True if it looks at every neighbour one by one; false if it does so only where sums fail.
+    const LOOKS: bool;
+    /// True if φ_i is part of its decision.
+    const USES_PHI: bool;
+
     /// Who counts for whom, and how many of them a robot must keep.
     fn need(&self) -> &Need;
 
@@ -139,8 +182,16 @@ pub trait Control<const D: usize> {
         view.linked().fold(0.0, |level, slot| level + slot.link.weight)
     }
 
-    /// What both ends of a pair at `offset_m` (m) share; `link` is their link, if they have one.
+    /// What both ends of a pair at `offset_m` (m) share, whose link is `link`.
     fn pair(&self, offset_m: &Vector<D>, link: &Link<f64>) -> Option<Self::Pair>;
+
+    /// [`pair`](Self::pair) of many links, with the bits of each. `make` is called for every link in order.
+    fn pairs(&self, links: &mut Batch<'_, D>, mut make: impl FnMut(usize, Option<Self::Pair>)) {
+        for (index, offset_m) in links.offsets_m.iter().enumerate() {
+            let link = Link { weight: links.weights[index], slope: links.slopes[index] };
+            make(index, self.pair(offset_m, &link));
+        }
+    }
 
     /// What others make of a told level, or of none.
     fn told(&self, level: Option<f64>) -> Self::Told;
@@ -151,9 +202,25 @@ pub trait Control<const D: usize> {
     /// Adds what a neighbour told. To be called for every neighbour, in order of their numbers.
     fn hear(&self, sums: &mut Self::Sums, told: &Self::Told);
 
-    /// Adds a pair, with `x_i − x_j` and what both ends told. To be called for every neighbour with a pair, in order of
-    /// their numbers.
+    /// Adds a pair to the sums of one end, from which the other end is at −`offset_m`, with what this end and the other told.
+    /// To be called for every neighbour with a pair, in order of their numbers.
     fn add(&self, sums: &mut Self::Sums, offset_m: &Vector<D>, pair: &Self::Pair, told: [&Self::Told; 2]);
+
+    /// Adds a pair to the sums of both ends; `offset_m` is that of the first.
+    fn add_both(
+        &self,
+        sums: [&mut Self::Sums; 2],
+        offset_m: &Vector<D>,
+        pair: &Self::Pair,
+        told: [&Self::Told; 2],
+    ) {
+        let ([first, second], [one, other]) = (sums, told);
+        self.add(first, offset_m, pair, [one, other]);
+        self.add(second, &offset_m.map(|component| -component), pair, [other, one]);
+    }
+
+    /// What a robot knows of a neighbour, as whoever computes a whole team at once finds it.
+    fn know(&self, glimpse: &Glimpse<'_, Self::Told>) -> Self::Known;
 
     /// The velocity closest to `desired` (m/s) that the controller allows. `neighbors` come in order of their numbers;
     /// `before_m_s` is the velocity of the tick before.

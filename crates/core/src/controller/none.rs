@@ -1,6 +1,6 @@
 //! No controller: the desired velocity, cut to the input box. No program is solved and nothing is promised.
 
-use crate::controller::{Control, Decision, Motion, Neighbor, Own, Standing, View};
+use crate::controller::{Control, Decision, Glimpse, Motion, Neighbor, Own, Standing, View};
 use crate::equations::link::Link;
 use crate::need::Need;
 use crate::num::Vector;
@@ -33,6 +33,10 @@ impl<const D: usize> Control<D> for Unfiltered<D> {
     type Sums = ();
     type Known = ();
 
+    const ADDS: bool = false;
+    const LOOKS: bool = false;
+    const USES_PHI: bool = false;
+
     fn need(&self) -> &Need {
         &self.need
     }
@@ -48,6 +52,8 @@ impl<const D: usize> Control<D> for Unfiltered<D> {
     fn hear(&self, (): &mut (), (): &()) {}
 
     fn add(&self, (): &mut (), _offset_m: &Vector<D>, (): &(), _told: [&(); 2]) {}
+
+    fn know(&self, _glimpse: &Glimpse<'_, ()>) {}
 
     fn decide(
         &self,

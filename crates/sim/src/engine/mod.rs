@@ -1,8 +1,9 @@
 //! What computes the robots of a tick: one by one, or all at once with the same bits.
 
-pub mod allies;
+mod links;
 mod consensus;
 pub mod fleet;
 pub mod memory;
 pub mod team;
-mod ties;
+mod near;
+mod sees;

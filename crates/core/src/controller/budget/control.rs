@@ -7,10 +7,10 @@ use crate::controller::budget::knowledge::{Assume, Claim, Known, Sighting};
 use crate::controller::budget::rows::{Memory, Rows};
 use crate::controller::budget::settings::{Budget, Form};
 use crate::controller::budget::tie::{self, Tie};
-use crate::controller::{Control, Decision, Motion, Neighbor, Own, Standing, View};
+use crate::controller::{Batch, Control, Decision, Glimpse, Motion, Neighbor, Own, Standing, View};
 use crate::equations::link::{Link, LinkShape};
 use crate::need::{Keep, Need};
-use crate::num::Vector;
+use crate::num::{Vector, sqrt};
 use crate::program::balls::reach::Reach;
 use crate::program::{InputBox, Outcome};
 use crate::robot::neighbor::Slot;
@@ -116,6 +116,10 @@ impl<const D: usize> Control<D> for BudgetController<D> {
     type Sums = ();
     type Known = Known;
 
+    const ADDS: bool = false;
+    const LOOKS: bool = true;
+    const USES_PHI: bool = false;
+
     fn need(&self) -> &Need {
         &self.need
     }
@@ -142,6 +146,17 @@ impl<const D: usize> Control<D> for BudgetController<D> {
         Some(self.budget.tie(offset_m, link.slope, &self.reach))
     }
 
+    fn pairs(&self, links: &mut Batch<'_, D>, mut make: impl FnMut(usize, Option<Tie>)) {
+        for distance in links.distances_m2.iter_mut() {
+            *distance = sqrt(*distance);
+        }
+        self.budget.bends_max(links.distances_m2);
+        for (index, offset_m) in links.offsets_m.iter().enumerate() {
+            let (slope, bend) = (links.slopes[index], links.distances_m2[index]);
+            make(index, Some(self.budget.tie_with(offset_m, slope, bend, &self.reach)));
+        }
+    }
+
     /// For a level told in this tick.
     #[inline]
     fn told(&self, level: Option<f64>) -> f64 {
@@ -153,6 +168,10 @@ impl<const D: usize> Control<D> for BudgetController<D> {
     fn hear(&self, (): &mut (), _told: &f64) {}
 
     fn add(&self, (): &mut (), _offset_m: &Vector<D>, _pair: &Tie, _told: [&f64; 2]) {}
+
+    fn know(&self, glimpse: &Glimpse<'_, f64>) -> Known {
+        self.budget.known_of(glimpse)
+    }
 
     #[inline]
     fn decide(
