@@ -39,7 +39,7 @@ fn main() -> Result<(), Failure> {
 }
 
 fn spread() -> Scenario {
-    Scenario { level_attack: LevelAttack::Bias(3.5), ..Scenario::default() }
+    Scenario { attack: LevelAttack::Bias(3.5).into(), ..Scenario::default() }
 }
 
 fn record(scenario: &Scenario) -> Result<Record, Failure> {
@@ -49,8 +49,11 @@ fn record(scenario: &Scenario) -> Result<Record, Failure> {
 
 fn paper(folder: &Path, name: &str, start: &Start) -> Result<(), Failure> {
     let attacks = [LevelAttack::None, LevelAttack::Bias(-2.5), LevelAttack::Bias(3.5)];
-    let scenarios =
-        attacks.map(|level_attack| Scenario { level_attack, start: start.clone(), ..Scenario::default() });
+    let scenarios = attacks.map(|level_attack| Scenario {
+        attack: level_attack.into(),
+        start: start.clone(),
+        ..Scenario::default()
+    });
     let records = scenarios.iter().map(record).collect::<Result<Vec<_>, _>>()?;
     let cases: Vec<Case<'_>> = (0..3)
         .map(|index| Case { title: TITLES[index], scenario: &scenarios[index], record: &records[index] })

@@ -23,7 +23,10 @@ fn short() -> Scenario {
 fn cases(count: usize) -> Vec<(Scenario, Record)> {
     let attacks =
         [LevelAttack::None, LevelAttack::Bias(-2.5), LevelAttack::Bias(3.5), LevelAttack::Bias(1.0)];
-    let scenarios = attacks.into_iter().take(count).map(|level_attack| Scenario { level_attack, ..short() });
+    let scenarios = attacks
+        .into_iter()
+        .take(count)
+        .map(|level_attack| Scenario { attack: level_attack.into(), ..short() });
     scenarios.map(|scenario| (scenario.clone(), record(&scenario))).collect()
 }
 

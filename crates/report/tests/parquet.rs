@@ -25,7 +25,7 @@ fn file(record: &Record) -> Vec<u8> {
 }
 
 fn short() -> Scenario {
-    Scenario { duration_s: 0.05, level_attack: LevelAttack::Bias(-2.5), ..Scenario::default() }
+    Scenario { duration_s: 0.05, attack: LevelAttack::Bias(-2.5).into(), ..Scenario::default() }
 }
 
 fn cube() -> Scenario {

@@ -86,7 +86,7 @@ fn paper_run_recorded(bencher: Bencher<'_, '_>) {
 #[divan::bench]
 fn budget_run(bencher: Bencher<'_, '_>) {
     let (controller, level_attack) = (Controller::Budget, LevelAttack::Bias(3.5));
-    let scenario = Scenario { controller, level_attack, ..Scenario::default() };
+    let scenario = Scenario { controller, attack: level_attack.into(), ..Scenario::default() };
     let options = Options { without_phi: true, ..Options::default() };
     bencher.bench(|| run(&scenario, options, &mut |_| ()).expect("runs"));
 }

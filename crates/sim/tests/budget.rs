@@ -39,7 +39,7 @@ fn kept(scenario: &Scenario) {
 #[test]
 fn any_bias_is_survived() {
     for bias in [-1e6, -40.0, -10.0, -2.5, 0.0, 1.0, 3.5, 40.0, 1e6] {
-        kept(&Scenario { level_attack: LevelAttack::Bias(bias), ..budget() });
+        kept(&Scenario { attack: LevelAttack::Bias(bias).into(), ..budget() });
     }
 }
 
@@ -50,7 +50,7 @@ fn lies_that_change_with_time_are_survived() {
     let random = LevelAttack::Random { min: -20.0, max: 20.0 };
     for level_attack in [step, sine, random] {
         for q2 in [0.1, 0.9] {
-            kept(&Scenario { level_attack, q2, ..budget() });
+            kept(&Scenario { attack: level_attack.into(), q2, ..budget() });
         }
     }
 }
@@ -59,7 +59,7 @@ fn lies_that_change_with_time_are_survived() {
 fn long_ticks_are_survived() {
     for (tick_ms, q2) in [(20, 0.9), (50, 0.1), (50, 0.3), (50, 0.9), (100, 0.3)] {
         let (tau_1, tau_2) = (Duration::from_millis(tick_ms), Duration::from_millis(100));
-        kept(&Scenario { tau_1, tau_2, q2, level_attack: LevelAttack::Bias(3.5), ..budget() });
+        kept(&Scenario { tau_1, tau_2, q2, attack: LevelAttack::Bias(3.5).into(), ..budget() });
     }
 }
 
@@ -67,13 +67,13 @@ fn long_ticks_are_survived() {
 fn every_trust_and_assumption_in_two_and_three_dimensions() {
     for trust in [Trust::Told, Trust::ToldOrSeen, Trust::Seen] {
         for assume in [Assume::Obedient, Assume::Free] {
-            kept(&Scenario { trust, assume, level_attack: LevelAttack::Bias(6.0), ..budget() });
+            kept(&Scenario { trust, assume, attack: LevelAttack::Bias(6.0).into(), ..budget() });
             let start = Start::Random { half_side_m: 0.8, distance_min_m: 0.45 };
             let corner = vec![1.5; 3];
             let low = vec![-1.5; 3];
             let cube =
                 Scenario { dimension: 3, start, input_max_m_s: corner, input_min_m_s: low, ..budget() };
-            kept(&Scenario { trust, assume, robots: 12, level_attack: LevelAttack::Bias(-3.0), ..cube });
+            kept(&Scenario { trust, assume, robots: 12, attack: LevelAttack::Bias(-3.0).into(), ..cube });
         }
     }
 }
@@ -82,7 +82,7 @@ fn every_trust_and_assumption_in_two_and_three_dimensions() {
 fn random_starts_and_other_teams() {
     for seed in 0..12 {
         let start = Start::Random { half_side_m: 1.1, distance_min_m: 0.4 };
-        kept(&Scenario { seed, start, level_attack: LevelAttack::Bias(9.0), ..budget() });
+        kept(&Scenario { seed, start, attack: LevelAttack::Bias(9.0).into(), ..budget() });
         let start = Start::Random { half_side_m: 0.8, distance_min_m: 0.4 };
         kept(&Scenario { seed, start, robots: 6, faults: 1, malicious: vec![4], ..budget() });
     }

@@ -21,7 +21,7 @@ fn mixed() -> Scenario {
         malicious: vec![2, 7, 11],
         share: Share::Own,
         start: Start::Random { half_side_m: 1.4, distance_min_m: 0.42 },
-        level_attack: LevelAttack::Bias(1.5),
+        attack: LevelAttack::Bias(1.5).into(),
         ..Scenario::default()
     }
 }
@@ -48,7 +48,14 @@ fn budgets() -> Vec<Scenario> {
         for assume in [Assume::Obedient, Assume::Free] {
             for (bias, tick_ms, q2) in [(3.5, 5, 0.3), (-2.5, 5, 0.1), (0.0, 50, 0.3), (1e6, 100, 0.9)] {
                 let (level_attack, tau_1) = (LevelAttack::Bias(bias), Duration::from_millis(tick_ms));
-                runs.push(Scenario { trust, assume, level_attack, tau_1, q2, ..plain.clone() });
+                runs.push(Scenario {
+                    trust,
+                    assume,
+                    attack: level_attack.into(),
+                    tau_1,
+                    q2,
+                    ..plain.clone()
+                });
             }
             let cube = Scenario {
                 dimension: 3,
@@ -58,14 +65,14 @@ fn budgets() -> Vec<Scenario> {
                 input_max_m_s: vec![1.5; 3],
                 ..plain.clone()
             };
-            runs.push(Scenario { trust, assume, level_attack: LevelAttack::Bias(-3.0), ..cube });
+            runs.push(Scenario { trust, assume, attack: LevelAttack::Bias(-3.0).into(), ..cube });
         }
     }
     runs.push(Scenario { start: Start::Published, duration_s: 10.0, ..plain.clone() });
     runs.push(Scenario { controller: Controller::Budget, ..mixed() });
     runs.push(Scenario { radius_m: 30.0, q2: 0.9, ..plain.clone() });
     let random = LevelAttack::Random { min: -20.0, max: 20.0 };
-    runs.push(Scenario { level_attack: random, share: Share::Own, duration_s: 10.0, ..plain });
+    runs.push(Scenario { attack: random.into(), share: Share::Own, duration_s: 10.0, ..plain });
     runs
 }
 

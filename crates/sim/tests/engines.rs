@@ -30,7 +30,7 @@ fn short(name: &str) -> Scenario {
 fn the_papers_attacks_from_both_starts() {
     for start in [Start::Inside, Start::Published] {
         for attack in [LevelAttack::None, LevelAttack::Bias(-2.5), LevelAttack::Bias(3.5)] {
-            same_bits(&Scenario { start: start.clone(), level_attack: attack, ..short("paper") });
+            same_bits(&Scenario { start: start.clone(), attack: attack.into(), ..short("paper") });
         }
     }
 }
@@ -44,21 +44,21 @@ fn the_own_share_three_dimensions_and_no_value_attack() {
         start: space,
         input_min_m_s: vec![-1.5; 3],
         input_max_m_s: vec![1.5; 3],
-        value_attack: ValueAttack::None,
+        attack: ValueAttack::None.into(),
         ..short("cube")
     };
     same_bits(&cube);
     same_bits(&Scenario { share: Share::Own, ..cube });
-    same_bits(&Scenario { share: Share::Own, level_attack: LevelAttack::Bias(3.5), ..short("own") });
+    same_bits(&Scenario { share: Share::Own, attack: LevelAttack::Bias(3.5).into(), ..short("own") });
 }
 
 /// Lies so wild that plain exponentials overflow, and clusters in which slopes vanish below what `f64` holds.
 #[test]
 fn levels_and_radii_beyond_the_range_of_f64() {
     for bias in [-60.0, -20.0, -16.0, 60.0, 900_000.0, -900_000.0] {
-        same_bits(&Scenario { level_attack: LevelAttack::Bias(bias), ..short("wild") });
+        same_bits(&Scenario { attack: LevelAttack::Bias(bias).into(), ..short("wild") });
         same_bits(&Scenario {
-            level_attack: LevelAttack::Bias(bias),
+            attack: LevelAttack::Bias(bias).into(),
             radius_m: 9.0,
             ..short("wild and wide")
         });
@@ -72,7 +72,7 @@ fn attacks_that_change_with_time() {
     let sine = LevelAttack::Sine { amplitude: 5.0, period_s: 0.9 };
     let random = LevelAttack::Random { min: -20.0, max: 20.0 };
     for level_attack in [step, sine, random] {
-        same_bits(&Scenario { level_attack, ..short("in time") });
+        same_bits(&Scenario { attack: level_attack.into(), ..short("in time") });
     }
 }
 
@@ -89,7 +89,7 @@ fn teams_of_other_sizes_and_no_liars() {
 fn teams_of_liars_only() {
     for value_attack in [ValueAttack::Sway, ValueAttack::Extreme, ValueAttack::None] {
         let (malicious, duration_s) = ((1..=11).collect(), 0.5);
-        same_bits(&Scenario { malicious, value_attack, duration_s, ..short("liars") });
+        same_bits(&Scenario { malicious, attack: value_attack.into(), duration_s, ..short("liars") });
     }
 }
 
@@ -114,7 +114,7 @@ fn budget_with_every_trust_and_lie() {
     ];
     for level_attack in lies {
         for trust in TRUSTS {
-            same_bits(&Scenario { trust, level_attack, ..budget("lies") });
+            same_bits(&Scenario { trust, attack: level_attack.into(), ..budget("lies") });
         }
     }
 }
@@ -127,11 +127,18 @@ fn budget_from_starts_inside_and_outside() {
         let (start, q2) =
             (Start::Random { half_side_m, distance_min_m }, [0.1, 0.3, 0.9][usize::from(index / 8)]);
         let (level_attack, trust) = (LevelAttack::Bias(2.0), TRUSTS[usize::from(index % 3)]);
-        same_bits(&Scenario { start, seed: u64::from(index), q2, level_attack, trust, ..budget("start") });
+        same_bits(&Scenario {
+            start,
+            seed: u64::from(index),
+            q2,
+            attack: level_attack.into(),
+            trust,
+            ..budget("start")
+        });
     }
     same_bits(&Scenario { start: Start::Published, ..budget("published") });
     for bias in [3.5, -2.5] {
-        same_bits(&Scenario { duration_s: 10.0, level_attack: LevelAttack::Bias(bias), ..budget("long") });
+        same_bits(&Scenario { duration_s: 10.0, attack: LevelAttack::Bias(bias).into(), ..budget("long") });
     }
 }
 
@@ -152,7 +159,7 @@ fn budget_in_teams_and_spaces_of_any_size() {
                 seed: u64::from(robots),
                 input_min_m_s: low,
                 input_max_m_s: high,
-                level_attack: LevelAttack::Bias(0.3),
+                attack: LevelAttack::Bias(0.3).into(),
                 ..budget("size")
             });
         }
@@ -163,16 +170,16 @@ fn budget_in_teams_and_spaces_of_any_size() {
 fn budget_with_other_ticks_holds_clocks_and_ranges() {
     for (tick_ms, q2) in [(1, 0.3), (20, 0.9), (50, 0.3), (100, 0.1)] {
         let (tau_1, tau_2) = (Duration::from_millis(tick_ms), Duration::from_millis(100));
-        same_bits(&Scenario { tau_1, tau_2, q2, level_attack: LevelAttack::Bias(3.5), ..budget("ticks") });
+        same_bits(&Scenario { tau_1, tau_2, q2, attack: LevelAttack::Bias(3.5).into(), ..budget("ticks") });
     }
     let hold_max = Some(Duration::from_millis(30));
     same_bits(&Scenario { hold_max, ..budget("hold") });
     for clock_error in [1, 7, 2_000].map(Duration::from_millis) {
-        same_bits(&Scenario { clock_error, level_attack: LevelAttack::Bias(1.0), ..budget("clocks") });
+        same_bits(&Scenario { clock_error, attack: LevelAttack::Bias(1.0).into(), ..budget("clocks") });
     }
     same_bits(&Scenario { radius_m: 30.0, q2: 0.9, ..budget("cluster") });
     same_bits(&Scenario { radius_m: 1.4, ..budget("near-sighted") });
-    same_bits(&Scenario { level_attack: LevelAttack::Bias(-900_000.0), radius_m: 9.0, ..budget("wild") });
+    same_bits(&Scenario { attack: LevelAttack::Bias(-900_000.0).into(), radius_m: 9.0, ..budget("wild") });
 }
 
 #[test]

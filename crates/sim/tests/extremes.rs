@@ -4,7 +4,7 @@ use core::time::Duration;
 
 use closeranks_core::equations::composition::Share;
 use closeranks_core::settings::params::MAGNITUDE_MAX;
-use closeranks_sim::attack::{LevelAttack, ValueAttack};
+use closeranks_sim::attack::{Attack, LevelAttack, ValueAttack};
 use closeranks_sim::law::Law;
 use closeranks_sim::random::{Random, Stream};
 use closeranks_sim::scenario::start::Start;
@@ -46,9 +46,12 @@ fn extreme(seed: u64) -> Scenario {
         share: if sized(&[0.0, 1.0]) > 0.5 { Share::Own } else { Share::Neighbours },
         input_min_m_s: vec![-sized(huge), -sized(&[0.0, 1.0, 1e6])],
         input_max_m_s: vec![sized(&[0.0, 1.0, 1e6]), sized(huge)],
-        level_attack: LevelAttack::Bias(sized(&[-1e6, -40.0, -1.0, 0.0, 3.0, 1e6])),
+        attack: Attack {
+            level: LevelAttack::Bias(sized(&[-1e6, -40.0, -1.0, 0.0, 3.0, 1e6])),
+            value: ValueAttack::Random { min: -1e6, max: 1e6 },
+            ..Attack::default()
+        },
         values: Values::Random { min: -1e6, max: 1e6 },
-        value_attack: ValueAttack::Random { min: -1e6, max: 1e6 },
         tau_1: Duration::from_millis(5),
         tau_2: Duration::from_millis(10),
         ..Scenario::default()

@@ -28,7 +28,7 @@ fn phi_i_is_not_protected() {
         alpha: 1.0,
         q2: 0.1,
         malicious: Vec::new(),
-        value_attack: ValueAttack::None,
+        attack: ValueAttack::None.into(),
         ..Scenario::default()
     };
     let run = run(&scenario, Options { record: true, ..Options::default() }, &mut |_| ()).unwrap();
@@ -50,7 +50,7 @@ fn programs_become_infeasible_without_any_attack() {
         alpha: 10.0,
         q2: 0.1,
         malicious: Vec::new(),
-        value_attack: ValueAttack::None,
+        attack: ValueAttack::None.into(),
         ..Scenario::default()
     };
     let summary = summary(&scenario);
@@ -63,7 +63,7 @@ fn programs_become_infeasible_without_any_attack() {
 fn the_published_start_is_outside_the_safe_set() {
     for attack in ATTACKS {
         let summary =
-            summary(&Scenario { start: Start::Published, level_attack: attack, ..Scenario::default() });
+            summary(&Scenario { start: Start::Published, attack: attack.into(), ..Scenario::default() });
         assert!(!summary.start.inside);
         assert!(summary.start.distance_min_m < 0.3);
         assert!(summary.extremes.inside_from.is_some_and(|tick| tick > 0));
@@ -77,7 +77,8 @@ fn the_published_start_is_outside_the_safe_set() {
 fn our_start_is_inside_the_safe_set() {
     for q2 in [0.1, 0.3, 0.9] {
         for level_attack in ATTACKS {
-            let scenario = Scenario { q2, level_attack, duration_s: 0.0, ..Scenario::default() };
+            let scenario =
+                Scenario { q2, attack: level_attack.into(), duration_s: 0.0, ..Scenario::default() };
             let summary = summary(&scenario);
             assert!(summary.start.phi_min > 0.0, "q2 = {q2}, {level_attack:?}: {}", summary.start.phi_min);
             assert!(summary.start.degree_min >= 7);
@@ -90,7 +91,7 @@ fn our_start_is_inside_the_safe_set() {
 #[test]
 fn the_papers_three_effects_show_from_our_start() {
     let [nominal, under, over] =
-        ATTACKS.map(|level_attack| summary(&Scenario { level_attack, ..Scenario::default() }));
+        ATTACKS.map(|level_attack| summary(&Scenario { attack: level_attack.into(), ..Scenario::default() }));
     assert!(under.gyration_m < nominal.gyration_m && nominal.gyration_m < over.gyration_m);
     assert!(
         under.liar_distance_m < nominal.liar_distance_m && nominal.liar_distance_m < over.liar_distance_m
@@ -108,14 +109,14 @@ fn the_papers_three_effects_show_from_our_start() {
 #[test]
 fn wider_lies_break_the_papers_controller() {
     let step = LevelAttack::Step { bias: -4.0, from_s: 2.0 };
-    let crowded = summary(&Scenario { level_attack: step, q2: 0.1, alpha: 1.0, ..Scenario::default() });
+    let crowded = summary(&Scenario { attack: step.into(), q2: 0.1, alpha: 1.0, ..Scenario::default() });
     assert!(
         crowded.start.inside && crowded.extremes.distance_min_m < 0.1,
         "{}",
         crowded.extremes.distance_min_m
     );
     let sine = LevelAttack::Sine { amplitude: 5.0, period_s: 0.9 };
-    let torn = summary(&Scenario { level_attack: sine, q2: 0.1, alpha: 1.0, ..Scenario::default() });
+    let torn = summary(&Scenario { attack: sine.into(), q2: 0.1, alpha: 1.0, ..Scenario::default() });
     assert!(torn.extremes.h_min < 0.0 || torn.extremes.distance_min_m < 0.1, "{:?}", torn.extremes);
 }
 

@@ -40,7 +40,7 @@ fn slow_ticks_break_the_papers_controller() {
         tau_1: Duration::from_millis(50),
         q2: 0.9,
         malicious: Vec::new(),
-        value_attack: ValueAttack::None,
+        attack: ValueAttack::None.into(),
         ..Scenario::default()
     };
     let summary = summary(&slow);
@@ -51,7 +51,7 @@ fn slow_ticks_break_the_papers_controller() {
 fn more_liars_than_f_pull_values_out_of_their_interval() {
     let values = Values::Random { min: 0.0, max: 1.0 };
     let attack = ValueAttack::Random { min: 100.0, max: 200.0 };
-    let team = Scenario { values, value_attack: attack, malicious: vec![1, 2, 3], ..Scenario::default() };
+    let team = Scenario { values, attack: attack.into(), malicious: vec![1, 2, 3], ..Scenario::default() };
     let summary = summary(&team);
     let interval = first(&summary, Law::Interval);
     assert!(interval.seen > interval.demanded && interval.demanded <= 1.0);
@@ -60,7 +60,7 @@ fn more_liars_than_f_pull_values_out_of_their_interval() {
 
 #[test]
 fn an_understated_level_beyond_reach_makes_programs_infeasible() {
-    let scenario = Scenario { level_attack: LevelAttack::Bias(-6.0), ..Scenario::default() };
+    let scenario = Scenario { attack: LevelAttack::Bias(-6.0).into(), ..Scenario::default() };
     assert!(summary(&scenario).broken(Law::Feasible) > 0);
     assert!(!summary(&scenario).start.inside);
 }
@@ -68,7 +68,7 @@ fn an_understated_level_beyond_reach_makes_programs_infeasible() {
 /// Robot 4 has no solution when it crashes: what it found last is not found again in every tick.
 #[test]
 fn a_robot_that_is_down_breaks_nothing_again_and_again() {
-    let mut scenario = Scenario { level_attack: LevelAttack::Bias(-6.0), ..Scenario::default() };
+    let mut scenario = Scenario { attack: LevelAttack::Bias(-6.0).into(), ..Scenario::default() };
     scenario.trouble.plant.crash = Some(Spell { robot: 4, from_s: 0.05, to_s: 100.0 });
     let run = run(&scenario, Options { record: true, ..Options::default() }, &mut |_| ()).unwrap();
     let record = run.record.unwrap();

@@ -67,12 +67,12 @@ impl<'memory, const D: usize> Fleet<'memory, D> {
             malicious: scenario.malicious_mask(),
             unfiltered: scenario.controller == Controller::None,
             disobeyed: obedient
-                && scenario.motion_attack != MotionAttack::Obedient
+                && scenario.attack.motion != MotionAttack::Obedient
                 && !scenario.malicious.is_empty(),
             outbox: vec![None; values.len()],
-            wire: Wire::new(scenario),
-            clocks: Shown::new(scenario),
-            senses: Senses::new(scenario),
+            wire: Wire::new(scenario.trouble.network, scenario.seed, scenario.robots, scenario.tick_s()),
+            clocks: Shown::new(scenario.trouble.clocks, scenario.seed, scenario.robots, scenario.tau_1),
+            senses: Senses::new(scenario.trouble.sensing, scenario.seed, scenario.robots),
             bodies: Bodies::new(scenario, positions_m),
             ticks_per_round: scenario.ticks_per_round(),
             tick: 0,

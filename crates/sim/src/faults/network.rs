@@ -3,9 +3,11 @@
 use std::collections::BTreeMap;
 
 use closeranks_core::message::MESSAGE_BYTES;
+use closeranks_core::settings::range::Allowed;
 
+use crate::parse::common::{DELAY, FRACTION, set, small, times};
+use crate::parse::reader::{Reader, Section};
 use crate::random::{Random, Stream};
-use crate::scenario::Scenario;
 
 /// Messages under way at most; more are lost. Some 50 MB.
 const UNDER_WAY_MAX: usize = 1 << 20;
@@ -31,6 +33,26 @@ pub struct Network {
     pub partition: Option<Partition>,
 }
 
+impl Network {
+    /// Reads the table `network` of a scenario text for a team of so many robots.
+    pub(crate) fn read(reader: &mut Reader, section: &mut Section<'_>, robots: u16) -> Self {
+        let mut network = Self::default();
+        set(&mut network.loss, reader.number(section, "loss", FRACTION));
+        set(&mut network.burst_begin, reader.number(section, "burst_begin", FRACTION));
+        let burst_end = if network.burst_begin > 0.0 { 0.1 } else { 0.0 };
+        network.burst_end = reader.number_or(section, "burst_end", FRACTION, burst_end);
+        set(&mut network.delay_min_s, reader.number(section, "delay_min_s", DELAY));
+        let longest = Allowed::Closed(network.delay_min_s, 60.0);
+        network.delay_max_s = reader.number_or(section, "delay_max_s", longest, network.delay_min_s);
+        set(&mut network.duplicate, reader.number(section, "duplicate", FRACTION));
+        set(&mut network.deaf, reader.number(section, "deaf", FRACTION));
+        network.partition = section.has("partition").then(|| {
+            reader.table(section, "partition", |reader, section| Partition::read(reader, section, robots))
+        });
+        network
+    }
+}
+
 /// Two groups that do not hear each other.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Partition {
@@ -40,6 +62,14 @@ pub struct Partition {
     pub from_s: f64,
     /// Until when, s.
     pub to_s: f64,
+}
+
+impl Partition {
+    fn read(reader: &mut Reader, section: &mut Section<'_>, robots: u16) -> Self {
+        let first = reader.whole(section, "first", 1..u64::from(robots)).map_or(robots / 2, small);
+        let [from_s, to_s] = times(reader, section);
+        Self { first, from_s, to_s }
+    }
 }
 
 /// Bytes on their way.
@@ -69,17 +99,16 @@ pub struct Wire {
 }
 
 impl Wire {
-    /// The network of `scenario`.
+    /// The network between so many robots.
     #[must_use]
-    pub fn new(scenario: &Scenario) -> Self {
-        let robots = usize::from(scenario.robots);
-        let network = scenario.trouble.network;
-        let mut random = Random::new(scenario.seed, Stream::Network);
+    pub fn new(network: Network, seed: u64, robots: u16, tick_s: f64) -> Self {
+        let robots = usize::from(robots);
+        let mut random = Random::new(seed, Stream::Network);
         let deaf = (0..robots * robots).map(|_| network.deaf > 0.0 && random.chance(network.deaf)).collect();
         Self {
             network,
             robots,
-            tick_s: scenario.tick_s(),
+            tick_s,
             random,
             deaf,
             burst: vec![false; robots * robots],
@@ -161,9 +190,7 @@ mod tests {
     use super::*;
 
     fn arrivals(network: Network) -> Vec<Vec<u8>> {
-        let mut scenario = Scenario { robots: 2, ..Scenario::default() };
-        scenario.trouble.network = network;
-        let mut wire = Wire::new(&scenario);
+        let mut wire = Wire::new(network, 1, 2, 0.005);
         let at = |tick: u32| u8::try_from(tick).unwrap();
         (0..200)
             .map(|tick| {

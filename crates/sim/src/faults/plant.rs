@@ -2,7 +2,9 @@
 
 use closeranks_core::num::{Vector, add_scaled, length, subtract};
 
-use super::Spell;
+use crate::faults::spell::Spell;
+use crate::parse::common::{DELAY, FRACTION, set};
+use crate::parse::reader::{Reader, Section};
 use crate::random::{Random, Stream};
 use crate::scenario::Scenario;
 
@@ -19,6 +21,21 @@ pub struct Plant {
     pub crash: Option<Spell>,
     /// Whether it has forgotten everything when it returns.
     pub forgets: bool,
+}
+
+impl Plant {
+    /// Reads the table `plant` of a scenario text for a team of so many robots.
+    pub(crate) fn read(reader: &mut Reader, section: &mut Section<'_>, robots: u16) -> Self {
+        let mut plant = Self::default();
+        set(&mut plant.lag_s, reader.number(section, "lag_s", DELAY));
+        set(&mut plant.missed, reader.number(section, "missed", FRACTION));
+        let held = [("stops", false), ("goes-on", true)];
+        set(&mut plant.goes_on, reader.word(section, "when_missed", &held));
+        plant.crash = Spell::read(reader, section, "crash", robots);
+        let memory = [("keeps", false), ("forgets", true)];
+        set(&mut plant.forgets, reader.word(section, "memory", &memory));
+        plant
+    }
 }
 
 /// Robots as bodies.

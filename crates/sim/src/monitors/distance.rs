@@ -32,7 +32,7 @@ impl<const D: usize> Pairs<D> {
         let radius_m = params.settings().radius_m;
         Self {
             malicious: scenario.malicious_mask(),
-            free: scenario.motion_attack != MotionAttack::Obedient,
+            free: scenario.attack.motion != MotionAttack::Obedient,
             blur_m2: ROUNDING * radius_m * radius_m,
             params,
             apart: Vec::new(),
@@ -239,7 +239,7 @@ mod tests {
             ..Scenario::default()
         };
         let margins = Scenario { tracking_error_m: 0.05, position_error_m: 0.02, ..plain.clone() };
-        let free = Scenario { motion_attack: MotionAttack::Flee, ..plain.clone() };
+        let free = Scenario { attack: MotionAttack::Flee.into(), ..plain.clone() };
         let mut broken = [0; 3];
         for scenario in [plain, margins, free] {
             for seed in 0..3_000 {

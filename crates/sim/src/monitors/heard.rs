@@ -1,6 +1,5 @@
 //! Whether a consensus round met the conditions under which values must come closer.
 
-use crate::attack::LevelAttack;
 use crate::faults::Clocks;
 use crate::frame::Frame;
 use crate::scenario::Scenario;
@@ -33,7 +32,7 @@ impl Voices {
     pub(crate) fn new(scenario: &Scenario) -> Self {
         let malicious = u16::try_from(scenario.malicious.len()).unwrap_or(u16::MAX);
         Self {
-            one_voice: scenario.value_attack.one_voice() && scenario.level_attack != LevelAttack::Garbage,
+            one_voice: scenario.attack.has_one_voice(),
             same_time: scenario.trouble.clocks == Clocks::default() && in_time(scenario),
             steady: false,
             heard: Vec::new(),

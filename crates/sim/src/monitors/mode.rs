@@ -40,7 +40,7 @@ impl<const D: usize> Honesty<D> {
         let (steady, budget) = (scenario.trouble.clocks == Clocks::default(), params.budget());
         Self {
             malicious: scenario.malicious_mask(),
-            free: scenario.motion_attack != MotionAttack::Obedient,
+            free: scenario.attack.motion != MotionAttack::Obedient,
             exact: budget.margin.offset_m == 0.0 && steady,
             told_ticks,
             blur: 4.0 * budget.margin.offset_m * budget.curvature.fall_max() * f64::from(budget.robots),

@@ -1,8 +1,7 @@
 //! One row of the table: what a run came to.
 
-use closeranks_core::num::{Vector, sqrt};
+use closeranks_core::num::{Vector, dot, length, sqrt, subtract};
 
-use crate::attack::liars::mean_distance_to_liars;
 use crate::frame::Frame;
 use crate::law::{Law, Verdict, Verdicts};
 use crate::monitors::{Extremes, Monitors};
@@ -185,12 +184,23 @@ pub fn gyration<const D: usize>(positions: &[Vector<D>]) -> f64 {
     )
 }
 
+/// Mean distance from normal to malicious robots, m; `None` without both kinds.
+fn mean_distance_to_liars<const D: usize>(positions: &[Vector<D>], malicious: &[bool]) -> Option<f64> {
+    let (mut sum, mut count) = (0.0, 0_u32);
+    for (x, _) in positions.iter().zip(malicious).filter(|(_, malicious)| !**malicious) {
+        for (y, _) in positions.iter().zip(malicious).filter(|(_, malicious)| **malicious) {
+            sum += length(&subtract(x, y));
+            count += 1;
+        }
+    }
+    (count > 0).then(|| sum / f64::from(count))
+}
+
 /// Rate of growth of the radius of gyration under the inputs of a frame, m/s: `Σ (x_i − x̄)·u_i / (n r_g)`.
 fn spreading<const D: usize>(frame: &Frame<D>) -> f64 {
     let centre = mean(&frame.positions_m);
     let radius = gyration(&frame.positions_m);
     let pairs = frame.positions_m.iter().zip(&frame.velocities_m_s);
-    let outward: f64 =
-        pairs.map(|(x, u)| closeranks_core::num::dot(&closeranks_core::num::subtract(x, &centre), u)).sum();
+    let outward: f64 = pairs.map(|(x, u)| dot(&subtract(x, &centre), u)).sum();
     if radius > 0.0 { outward / (count(frame.positions_m.len()) * radius) } else { 0.0 }
 }

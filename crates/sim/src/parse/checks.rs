@@ -2,10 +2,12 @@
 
 use closeranks_core::settings::range::{Field, ParamsError};
 
-use super::ROWS_MAX;
 use super::reader::Reader;
 use crate::scenario::start::{Start, StartError, squared_distance};
 use crate::scenario::{Controller, Scenario, Values};
+
+/// Most rows (ticks × robots) that a run may have.
+pub const ROWS_MAX: u64 = 20_000_000;
 
 /// Notes in `reader` what cannot be run; `scenario` holds fields that were each read without fault.
 pub(super) fn check(reader: &mut Reader, scenario: &Scenario) {

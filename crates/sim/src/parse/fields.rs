@@ -8,16 +8,14 @@ use closeranks_core::settings::params::{MAGNITUDE_MAX, ROBOTS_MAX};
 use closeranks_core::settings::range::Allowed;
 use toml::de::{DeTable, DeValue};
 
+use super::common::{ANY, NOT_NEGATIVE, POSITIVE, SECONDS, interval, set, small};
 use super::reader::{Reader, Section, number, whole};
+use crate::attack::Attack;
+use crate::faults::Faults;
 use crate::law::Law;
 use crate::scenario::desired::Motion;
 use crate::scenario::start::Start;
 use crate::scenario::{Controller, Scenario, Values};
-
-pub(super) const ANY: Allowed = Allowed::Closed(-MAGNITUDE_MAX, MAGNITUDE_MAX);
-pub(super) const POSITIVE: Allowed = Allowed::LeftOpen(0.0, MAGNITUDE_MAX);
-pub(super) const NOT_NEGATIVE: Allowed = Allowed::Closed(0.0, MAGNITUDE_MAX);
-pub(super) const SECONDS: Allowed = Allowed::Closed(1e-6, 3_600.0);
 
 /// Reads the fields of one table.
 type Fill = fn(&mut Reader, &mut Section<'_>, &mut Scenario);
@@ -27,7 +25,7 @@ pub(super) fn read(reader: &mut Reader, table: &DeTable<'_>) -> Scenario {
     let mut root = Section::root(table);
     let mut scenario = Scenario::default();
     let expect = head(reader, &mut root, &mut scenario);
-    let tables: [(&'static str, Fill); 12] = [
+    let tables: [(&'static str, Fill); 7] = [
         ("team", team),
         ("link", link),
         ("controller", controller),
@@ -35,26 +33,15 @@ pub(super) fn read(reader: &mut Reader, table: &DeTable<'_>) -> Scenario {
         ("start", start),
         ("values", values),
         ("motion", motion),
-        ("attack", super::attacks::attack),
-        ("network", super::trouble::network),
-        ("clocks", super::trouble::clocks),
-        ("sensing", super::trouble::sensing),
-        ("plant", super::trouble::plant),
     ];
     for (key, fill) in tables {
-        let mut section = reader.section(&mut root, key);
-        fill(reader, &mut section, &mut scenario);
-        reader.close(&section);
+        reader.table(&mut root, key, |reader, section| fill(reader, section, &mut scenario));
     }
+    scenario.attack = reader.table(&mut root, "attack", Attack::read);
+    scenario.trouble = Faults::read(reader, &mut root, scenario.robots);
     reader.close(&root);
     scenario.expect = expect.unwrap_or_else(|| scenario.controller.usual().to_vec());
     scenario
-}
-
-pub(super) fn set<T>(field: &mut T, read: Option<T>) {
-    if let Some(value) = read {
-        *field = value;
-    }
 }
 
 /// Gives the laws that are expected, if they are named.
@@ -70,10 +57,6 @@ fn head(reader: &mut Reader, root: &mut Section<'_>, scenario: &mut Scenario) ->
     let law = |value: &DeValue<'_>| Law::ALL.into_iter().find(|law| Some(law.name()) == value.as_str());
     let names = Law::ALL.map(|law| format!("`{}`", law.name())).join(", ");
     reader.list(root, "expect", &names, law)
-}
-
-pub(super) fn small(whole: u64) -> u16 {
-    u16::try_from(whole).unwrap_or(u16::MAX)
 }
 
 fn team(reader: &mut Reader, section: &mut Section<'_>, scenario: &mut Scenario) {
@@ -180,15 +163,8 @@ fn values(reader: &mut Reader, section: &mut Section<'_>, scenario: &mut Scenari
             Values::Listed(reader.list(section, "values", "a number", value).unwrap_or_default());
         return;
     }
-    let [min, max] = interval(reader, section);
+    let [min, max] = interval(reader, section, [-500.0, 500.0]);
     scenario.values = Values::Random { min, max };
-}
-
-/// Fields `min` and `max`, by default the paper's [−500, 500].
-pub(super) fn interval(reader: &mut Reader, section: &mut Section<'_>) -> [f64; 2] {
-    let min = reader.number(section, "min", ANY).unwrap_or(-500.0);
-    let max = reader.number(section, "max", Allowed::Closed(min, MAGNITUDE_MAX)).unwrap_or(min.max(500.0));
-    [min, max]
 }
 
 fn motion(reader: &mut Reader, section: &mut Section<'_>, scenario: &mut Scenario) {

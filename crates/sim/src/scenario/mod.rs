@@ -12,7 +12,7 @@ use closeranks_core::program::InputBox;
 use closeranks_core::settings::params::{self, Params, Settings};
 use closeranks_core::settings::range::ParamsError;
 
-use crate::attack::{LevelAttack, MotionAttack, ValueAttack};
+use crate::attack::Attack;
 use crate::faults::Faults;
 use crate::law::Law;
 use crate::scenario::desired::Motion;
@@ -87,12 +87,8 @@ pub struct Scenario {
     pub values: Values,
     /// Where robots want to go.
     pub motion: Motion,
-    /// What malicious robots tell of their level.
-    pub level_attack: LevelAttack,
-    /// What malicious robots tell of their value.
-    pub value_attack: ValueAttack,
-    /// Where malicious robots go.
-    pub motion_attack: MotionAttack,
+    /// What malicious robots do.
+    pub attack: Attack,
     /// What goes wrong.
     pub trouble: Faults,
     /// Laws that the run must not break.
@@ -202,9 +198,7 @@ impl Default for Scenario {
             start: Start::Inside,
             values: Values::Random { min: -500.0, max: 500.0 },
             motion: Motion::Paper,
-            level_attack: LevelAttack::None,
-            value_attack: ValueAttack::Random { min: -500.0, max: 500.0 },
-            motion_attack: MotionAttack::Obedient,
+            attack: Attack::default(),
             trouble: Faults::default(),
             expect: Law::EXPECTED.to_vec(),
         }
@@ -234,12 +228,7 @@ impl Scenario {
     /// True when nothing goes wrong and every liar tells all the same, so that robots may be computed at once.
     #[must_use]
     pub fn is_plain(&self) -> bool {
-        let levels = !matches!(
-            self.level_attack,
-            LevelAttack::Faces { .. } | LevelAttack::Garbage | LevelAttack::Silent
-        );
-        let values = self.value_attack.one_voice() && self.value_attack != ValueAttack::Silent;
-        self.trouble.none() && levels && values && self.motion_attack == MotionAttack::Obedient
+        self.trouble.none() && self.attack.is_plain()
     }
 
     /// The same under another controller, with what is usually expected of it unless the scenario expects something else.
