@@ -2,11 +2,11 @@
 //!
 //! `cargo bench -p closeranks-sim`
 
+use closeranks_core::controller::AnyController;
 use closeranks_core::settings::params::Params;
 use closeranks_sim::attack::LevelAttack;
 use closeranks_sim::attack::liars::Liars;
 use closeranks_sim::engine::fleet::Fleet;
-use closeranks_sim::engine::memory::Memory;
 use closeranks_sim::engine::team::Team;
 use closeranks_sim::frame::Frame;
 use closeranks_sim::scenario::start::Start;
@@ -40,7 +40,8 @@ fn world(scenario: &Scenario) -> (Params<2>, Frame<2>, Vec<f64>) {
 fn tick_of_a_team(bencher: Bencher<'_, '_>, robots: u16) {
     let scenario = scenario(robots);
     let (params, mut frame, values) = world(&scenario);
-    let mut team = Team::new(&scenario, params, &values);
+    let AnyController::Composed(composed) = *params.controller() else { return };
+    let mut team = Team::new(&scenario, params, composed, &values);
     let mut liars = Liars::new(&scenario);
     bencher.bench_local(|| {
         want(&scenario, 0, &mut frame);
@@ -56,9 +57,8 @@ fn tick_of_a_team(bencher: Bencher<'_, '_>, robots: u16) {
 fn tick_of_single_robots(bencher: Bencher<'_, '_>, robots: u16) {
     let scenario = scenario(robots);
     let (params, mut frame, values) = world(&scenario);
-    let mut memory = Memory::new(usize::from(robots), false);
     let mut fleet =
-        Fleet::new(&scenario, params, &frame.positions_m, &values, &mut memory).expect("memory is enough");
+        Fleet::new(&scenario, params, &frame.positions_m, &values).expect("robots of a valid scenario");
     let mut liars = Liars::new(&scenario);
     bencher.bench_local(|| {
         want(&scenario, 0, &mut frame);

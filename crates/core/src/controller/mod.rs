@@ -148,13 +148,13 @@ pub struct Standing {
 /// A controller of one robot.
 pub trait Control<const D: usize> {
     /// What both ends of a link share. Two robots of which [`pair`](Self::pair) makes nothing do not bound each other.
-    type Pair: Copy;
+    type Pair: Copy + core::fmt::Debug;
     /// What others make of a level that a robot told.
-    type Told: Copy;
+    type Told: Copy + core::fmt::Debug;
     /// What a robot adds up over its neighbours.
-    type Sums: Copy;
+    type Sums: Copy + core::fmt::Debug;
     /// What a robot knows of a neighbour when it decides.
-    type Known: Copy;
+    type Known: Copy + core::fmt::Debug;
 
     /// True if it adds up anything over neighbours.
     const ADDS: bool;

@@ -1,6 +1,7 @@
 //! Checked settings: what a robot is told once, constant from then on.
 
 use crate::controller::AnyController;
+use crate::controller::budget::margin::Margin;
 use crate::controller::budget::settings::Budget;
 use crate::equations::composition::Composed;
 use crate::equations::link::LinkShape;
@@ -26,6 +27,17 @@ pub struct Params<const D: usize> {
     reach: Reach<D>,
     sight_m2: f64,
     hold_s: f64,
+}
+
+/// What a controller keeps among references: where velocities have taken each robot ([`Margin`]).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Kept {
+    /// Shape of their links.
+    pub link: LinkShape,
+    /// How near two of them may come, m.
+    pub distance_min_m: f64,
+    /// How far they are from the robots.
+    pub margin: Margin,
 }
 
 impl<const D: usize> Params<D> {
@@ -87,6 +99,23 @@ impl<const D: usize> Params<D> {
         match &self.controller {
             AnyController::Budget(budget) => Some(&budget.budget),
             _ => None,
+        }
+    }
+
+    /// What the controller keeps: with stated errors, among references and not among positions.
+    #[must_use]
+    pub fn kept(&self) -> Kept {
+        match self.budget() {
+            Some(budget) => Kept {
+                link: *budget.curvature.link(),
+                distance_min_m: budget.distance_min_m,
+                margin: budget.margin,
+            },
+            None => Kept {
+                link: self.link,
+                distance_min_m: self.settings.limits.distance_min_m,
+                margin: Margin::NONE,
+            },
         }
     }
 

@@ -4,36 +4,37 @@
 //! perfect.
 
 use closeranks_core::controller::budget::knowledge::Assume;
+use closeranks_core::equations::composition::Composed;
 use closeranks_core::message::Message;
-use closeranks_core::num::Vector;
+use closeranks_core::num::{Vector, dot};
 use closeranks_core::program::Outcome;
 use closeranks_core::robot::Robot;
 use closeranks_core::robot::error::RobotError;
-use closeranks_core::robot::neighbor::RobotId;
+use closeranks_core::robot::neighbor::{RobotId, Slot};
 use closeranks_core::robot::report::Mode;
 use closeranks_core::settings::params::Params;
 
 use crate::attack::MotionAttack;
 use crate::attack::liars::Liars;
-use crate::engine::memory::{Lent, Memory};
+use crate::engine::memory::Memory;
 use crate::faults::clocks::Shown;
 use crate::faults::network::{Parcel, Wire};
 use crate::faults::plant::Bodies;
 use crate::faults::sensing::Senses;
 use crate::frame::Frame;
+use crate::scenario::Scenario;
 use crate::scenario::start::squared_distance;
-use crate::scenario::{Controller, Scenario};
 
 /// All robots of a run, with whatever goes wrong around them.
 #[derive(Debug)]
-pub struct Fleet<'memory, const D: usize> {
-    robots: Vec<Robot<'memory, D>>,
+pub struct Fleet<const D: usize> {
+    robots: Vec<Robot<D, Vec<Slot<D>>>>,
+    memory: Memory<D>,
+    composed: Composed,
     params: Params<D>,
     /// Their initial values.
     values: Vec<f64>,
     malicious: Vec<bool>,
-    /// Runs without a controller: the desired velocity is only cut to the box.
-    unfiltered: bool,
     disobeyed: bool,
     outbox: Vec<Option<Message>>,
     wire: Wire,
@@ -45,27 +46,26 @@ pub struct Fleet<'memory, const D: usize> {
     tick_s: f64,
 }
 
-impl<'memory, const D: usize> Fleet<'memory, D> {
+impl<const D: usize> Fleet<D> {
     /// The robots of `scenario` at `positions_m` with initial `values`, in memory made for as many.
     pub fn new(
         scenario: &Scenario,
         params: Params<D>,
         positions_m: &[Vector<D>],
         values: &[f64],
-        memory: &'memory mut Memory<D>,
     ) -> Result<Self, RobotError> {
-        let robots = (1..).zip(values).zip(memory.lend());
-        let robots = robots.map(|((id, value), Lent { slots, values, sightings, rows })| {
-            let robot = Robot::new(params, RobotId(id), *value, slots, values)?;
-            Ok(robot.with_budget_memory(sightings, rows))
-        });
-        let obedient = params.settings().assume == Assume::Obedient;
+        let others = values.len().saturating_sub(1);
+        let robots = (0..)
+            .zip(values)
+            .map(|(index, value)| Robot::new(params, id(index), *value, vec![Slot::default(); others]));
+        let obedient = scenario.assume == Assume::Obedient;
         Ok(Self {
             robots: robots.collect::<Result<_, _>>()?,
+            memory: Memory::new(&params, others),
+            composed: scenario.composed(),
             params,
             values: values.to_vec(),
             malicious: scenario.malicious_mask(),
-            unfiltered: scenario.controller == Controller::None,
             disobeyed: obedient
                 && scenario.attack.motion != MotionAttack::Obedient
                 && !scenario.malicious.is_empty(),
@@ -76,7 +76,7 @@ impl<'memory, const D: usize> Fleet<'memory, D> {
             bodies: Bodies::new(scenario, positions_m),
             ticks_per_round: scenario.ticks_per_round(),
             tick: 0,
-            tick_s: params.settings().level_period.as_secs_f64(),
+            tick_s: params.settings().clock.level_period.as_secs_f64(),
         })
     }
 
@@ -122,7 +122,7 @@ impl<'memory, const D: usize> Fleet<'memory, D> {
     }
 
     fn sense(&mut self, frame: &Frame<D>) {
-        let sight_m2 = self.params.settings().radius_m * self.params.settings().radius_m;
+        let sight_m2 = self.params.link().radius_m * self.params.link().radius_m;
         for (observer, robot) in self.robots.iter_mut().enumerate() {
             if self.bodies.down(observer) {
                 continue;
@@ -141,8 +141,9 @@ impl<'memory, const D: usize> Fleet<'memory, D> {
 
     /// Every robot shares; by Assumption 1 liars hold the level that they tell.
     fn share(&mut self, liars: &mut Liars) {
+        let mut scratch = self.memory.lend();
         for (index, (robot, slot)) in self.robots.iter_mut().zip(&mut self.outbox).enumerate() {
-            *slot = if self.bodies.down(index) { None } else { robot.share() };
+            *slot = if self.bodies.down(index) { None } else { robot.share(&mut scratch) };
         }
         if self.outbox.iter().flatten().any(|message| message.value().is_some()) {
             liars.begin_round(self.robots.iter().map(Robot::value));
@@ -184,17 +185,17 @@ impl<'memory, const D: usize> Fleet<'memory, D> {
     }
 
     fn control(&mut self, frame: &mut Frame<D>, liars: &mut Liars) {
-        let input = self.params.settings().input;
+        let input = self.params.settings().limits.input;
+        let mut scratch = self.memory.lend();
         let mut ends: u32 = 0;
         for (index, robot) in self.robots.iter_mut().enumerate() {
             if self.bodies.down(index) {
                 stand(index, frame, &self.bodies);
                 continue;
             }
-            let output = robot.tick(frame.desired_m_s[index]);
+            let output = robot.tick(frame.desired_m_s[index], &mut scratch);
             frame.velocities_m_s[index] = match liars.velocity(index, &frame.positions_m, &input) {
                 Some(velocity) => velocity,
-                None if self.unfiltered => input.clip(&frame.desired_m_s[index]),
                 None => output.velocity_m_s,
             };
             frame.degrees[index] = output.report.degree;
@@ -204,7 +205,7 @@ impl<'memory, const D: usize> Fleet<'memory, D> {
             frame.told[index] = robot.told_level();
             frame.phis[index] = match output.report.phi {
                 Some(phi) => phi,
-                None if frame.wants_phi => robot.phi(),
+                None if frame.wants_phi => phi(robot, &self.composed),
                 None => f64::NAN,
             };
             frame.outcomes[index] = output.report.outcome;
@@ -222,13 +223,13 @@ impl<'memory, const D: usize> Fleet<'memory, D> {
     fn judge(&mut self, frame: &mut Frame<D>) {
         self.refer(frame);
         let settings = self.params.settings();
-        let error_m = settings.position_error_m + STILL_M;
+        let error_m = settings.errors.position_m + STILL_M;
         for (index, wrong) in frame.sensed_wrong.iter_mut().enumerate() {
             *wrong = self.senses.error_m(index) > error_m;
         }
         frame.broken = self.disobeyed
             || self.bodies.blind()
-            || self.clocks.difference_s(self.tick) > settings.clock_error.as_secs_f64() + 1e-9
+            || self.clocks.difference_s(self.tick) > settings.clock.error.as_secs_f64() + 1e-9
             || self.away(frame)
             || frame.sensed_wrong.contains(&true)
             || frame.renewed;
@@ -237,7 +238,7 @@ impl<'memory, const D: usize> Fleet<'memory, D> {
     /// Takes over where robots count themselves, which is what the theorem is about; whoever is down stays where it was.
     fn refer(&mut self, frame: &mut Frame<D>) {
         frame.renewed = false;
-        if self.params.budget().margin.away_m == 0.0 {
+        if self.params.kept().margin.away_m == 0.0 {
             return frame.references_m.clone_from_slice(&frame.positions_m);
         }
         for (index, robot) in self.robots.iter().enumerate() {
@@ -249,7 +250,7 @@ impl<'memory, const D: usize> Fleet<'memory, D> {
 
     /// True if some robot is farther from its reference than is stated.
     fn away(&self, frame: &Frame<D>) -> bool {
-        let most_m = self.params.budget().margin.away_m;
+        let most_m = self.params.kept().margin.away_m;
         if most_m == 0.0 {
             return self.bodies.away_m(&frame.positions_m) > STILL_M;
         }
@@ -275,8 +276,15 @@ fn id(index: usize) -> RobotId {
     RobotId(u16::try_from(index + 1).unwrap_or(u16::MAX))
 }
 
+/// φ_i of a robot whose controller does not use it, from what it senses and was told.
+fn phi<const D: usize>(robot: &Robot<D, Vec<Slot<D>>>, composed: &Composed) -> f64 {
+    let slots = || robot.neighbors().iter();
+    let distances_m2 = slots().map(|slot| dot(&slot.offset_m(), &slot.offset_m()));
+    composed.phi(robot.told_level(), slots().filter_map(Slot::told_level), distances_m2)
+}
+
 /// How many values a robot used in its round, and how many of them were those of normal robots.
-fn heard<const D: usize>(robot: &Robot<'_, D>, malicious: &[bool]) -> [u16; 2] {
+fn heard<const D: usize>(robot: &Robot<D, Vec<Slot<D>>>, malicious: &[bool]) -> [u16; 2] {
     let spoke = || robot.neighbors().iter().filter(|slot| slot.told_value().is_some());
     let normal = spoke().filter(|slot| !malicious[usize::from(slot.id().0) - 1]).count();
     [spoke().count(), normal].map(|count| u16::try_from(count).unwrap_or(u16::MAX))

@@ -1,9 +1,9 @@
 //! What computes the robots of a tick: one by one, or all at once with the same bits.
 
-mod links;
 mod consensus;
 pub mod fleet;
+mod links;
 pub mod memory;
-pub mod team;
 mod near;
 mod sees;
+pub mod team;

@@ -75,7 +75,8 @@ impl Grid {
         let mut helps = false;
         for d in 0..D.min(3) {
             let along = || positions_m.iter().map(|position| position[d]);
-            let (low, high) = (along().fold(f64::INFINITY, f64::min), along().fold(f64::NEG_INFINITY, f64::max));
+            let (low, high) =
+                (along().fold(f64::INFINITY, f64::min), along().fold(f64::NEG_INFINITY, f64::max));
             // A hair more than the radius, so that rounding puts no near robot two cells away.
             let count = ((high - low) / (radius_m * (1.0 + 1e-9))).floor().min(CELLS_MAX);
             helps |= count >= CELLS_MIN;

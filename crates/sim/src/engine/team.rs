@@ -7,7 +7,7 @@
 use closeranks_core::controller::{Control, Decision, Glimpse, Motion, Neighbor, Own, Standing};
 use closeranks_core::equations::barrier::degree_barrier;
 use closeranks_core::equations::composition::{Composed, Sum};
-use closeranks_core::num::{Vector, dot, sqrt, subtract};
+use closeranks_core::num::{dot, sqrt, subtract};
 use closeranks_core::robot::neighbor::RobotId;
 use closeranks_core::robot::scratch::Scratch;
 use closeranks_core::settings::params::Params;
@@ -77,6 +77,11 @@ impl<const D: usize, C: Control<D> + Copy> Team<D, C> {
             memory: Memory::new(&params, count),
             tick: 0,
         }
+    }
+
+    /// τ₁, s.
+    pub(crate) fn tick_s(&self) -> f64 {
+        self.robots.params.settings().clock.level_period.as_secs_f64()
     }
 
     /// One tick: fills everything in `frame` but positions and desired velocities.
@@ -208,15 +213,19 @@ impl<const D: usize, C: Control<D> + Copy> Robots<D, C> {
 
     /// Sum of the weights of `other` with `robot` and with whomever it sees, in order of numbers.
     fn seen_level(&self, robot: usize, other: usize) -> f64 {
-        let seen = |of: &&Half| {
-            usize::from(of.other) == robot || self.sees.linked(robot, usize::from(of.other))
-        };
+        let seen =
+            |of: &&Half| usize::from(of.other) == robot || self.sees.linked(robot, usize::from(of.other));
         let halves = self.around.of(other).iter().filter(seen);
         halves.fold(0.0, |sum, half| sum + self.links.pairs()[half.pair as usize].weight)
     }
 
     /// A neighbour of a controller that needs neighbours one by one only in rare cases.
-    fn distant(&self, robot: usize, other: usize, frame: &Frame<D>) -> Option<Neighbor<D, C::Pair, C::Known>> {
+    fn distant(
+        &self,
+        robot: usize,
+        other: usize,
+        frame: &Frame<D>,
+    ) -> Option<Neighbor<D, C::Pair, C::Known>> {
         let offset_m = subtract(&frame.positions_m[robot], &frame.positions_m[other]);
         let radius_m = self.params.link().radius_m;
         let in_range = radius_m * radius_m - dot(&offset_m, &offset_m) >= 0.0;
@@ -275,12 +284,17 @@ impl Phi {
     /// φ_i of a robot whose plain sums overflowed.
     fn careful<const D: usize>(&self, robot: usize, frame: &Frame<D>) -> f64 {
         let own = &frame.positions_m[robot];
-        let others = frame.positions_m.iter().zip(&frame.told).enumerate().filter(|(other, _)| *other != robot);
+        let others =
+            frame.positions_m.iter().zip(&frame.told).enumerate().filter(|(other, _)| *other != robot);
         let near = others.filter_map(|(_, (position, told))| {
             let distance_m2 = squared_distance(own, position);
             (self.radius_m2 - distance_m2 >= 0.0).then_some((distance_m2, *told))
         });
-        self.composed.phi(frame.told[robot], near.clone().map(|(_, told)| told), near.map(|(distance, _)| distance))
+        self.composed.phi(
+            frame.told[robot],
+            near.clone().map(|(_, told)| told),
+            near.map(|(distance, _)| distance),
+        )
     }
 }
 
