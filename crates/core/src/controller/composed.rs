@@ -4,7 +4,7 @@
 //! [`crate::equations::composition`].
 
 use crate::controller::{Batch, Control, Decision, Glimpse, Motion, Neighbor, Own, Standing, View};
-use crate::equations::composition::{Composed, Composition, Sum, TERM_LARGE, Term};
+use crate::equations::composition::{Composed, Composition, PhiSplit, Sum, TERM_LARGE, Term};
 use crate::equations::link::{Link, LinkShape};
 use crate::need::Need;
 use crate::num::scaled::Scaled;
@@ -39,8 +39,8 @@ pub struct Pair {
 #[derive(Clone, Copy, Debug)]
 pub struct Sums<const D: usize> {
     row: Sum<D, f64>,
-    /// The largest Ê of the robot and its neighbours.
-    largest: f64,
+    /// The sum of Ê of the robot and its neighbours: none of them is larger.
+    terms: f64,
 }
 
 impl<const D: usize> ComposedController<D> {
@@ -113,15 +113,12 @@ impl<const D: usize> Control<D> for ComposedController<D> {
 
     #[inline]
     fn sums(&self, own: &f64) -> Sums<D> {
-        Sums { row: Sum::new(*own), largest: *own }
+        Sums { row: Sum::new(*own), terms: *own }
     }
 
     #[inline]
     fn hear(&self, sums: &mut Sums<D>, told: &f64) {
-        sums.row.add_told(self.composed.shared(*told));
-        if *told > sums.largest {
-            sums.largest = *told;
-        }
+        sums.terms += *told;
     }
 
     #[inline]
@@ -158,7 +155,11 @@ impl<const D: usize> Control<D> for ComposedController<D> {
         _scratch: &mut Scratch<'_, D>,
     ) -> Decision<D> {
         // Beside a huge Ê no slope counts as 0, so pairs that were left out might matter.
-        let plain = sums.row.finish(&self.composed).filter(|_| sums.largest < TERM_LARGE);
+        let row = match self.composed.split {
+            PhiSplit::Neighbors => sums.row.with_terms(sums.terms),
+            PhiSplit::Own => sums.row,
+        };
+        let plain = row.finish(&self.composed).filter(|_| sums.terms < TERM_LARGE);
         let Composition { row, phi } = plain.unwrap_or_else(|| self.careful(own, neighbors));
         let solution = closest(&motion.desired_m_s, &row, &self.input);
         Decision {

@@ -19,7 +19,7 @@ pub use any::AnyController;
 
 use crate::equations::link::Link;
 use crate::need::Need;
-use crate::num::Vector;
+use crate::num::{Vector, subtract};
 use crate::program::Outcome;
 use crate::robot::neighbor::{RobotId, Slot};
 use crate::robot::report::{Mode, Reason};
@@ -82,14 +82,26 @@ impl<'a, const D: usize> View<'a, D> {
 /// Links of which pairs are made at a time.
 #[derive(Debug)]
 pub struct Batch<'a, const D: usize> {
-    /// `x_i − x_j` of each, m.
-    pub offsets_m: &'a [Vector<D>],
+    /// Where all robots are, m.
+    pub positions_m: &'a [Vector<D>],
+    /// Index of the first and of the second end of each.
+    pub ends: &'a [[u16; 2]],
     /// Squared distance of each, m². A controller may overwrite it.
     pub distances_m2: &'a mut [f64],
     /// `a_ij` of each.
     pub weights: &'a [f64],
     /// `2 ∂a/∂Δ²` of each, 1/m².
     pub slopes: &'a [f64],
+}
+
+impl<const D: usize> Batch<'_, D> {
+    /// Position of the first less that of the second end of a link, m.
+    #[inline]
+    #[must_use]
+    pub fn offset_m(&self, index: usize) -> Vector<D> {
+        let [first, second] = self.ends[index].map(usize::from);
+        subtract(&self.positions_m[first], &self.positions_m[second])
+    }
 }
 
 /// What can be said of a neighbour j as robot i sees it, in a world in which all sense exactly and hear the same.
@@ -187,9 +199,9 @@ pub trait Control<const D: usize> {
 
     /// [`pair`](Self::pair) of many links, with the bits of each. `make` is called for every link in order.
     fn pairs(&self, links: &mut Batch<'_, D>, mut make: impl FnMut(usize, Option<Self::Pair>)) {
-        for (index, offset_m) in links.offsets_m.iter().enumerate() {
+        for index in 0..links.ends.len() {
             let link = Link { weight: links.weights[index], slope: links.slopes[index] };
-            make(index, self.pair(offset_m, &link));
+            make(index, self.pair(&links.offset_m(index), &link));
         }
     }
 

@@ -196,6 +196,12 @@ impl<const D: usize, N: Number> Sum<D, N> {
         Self { normal: [N::ZERO; D], degrees: own, collisions: N::ZERO }
     }
 
+    /// With another first sum of φ_i: that of `Ê_i` and of what all neighbours told.
+    #[must_use]
+    pub fn with_terms(self, degrees: N) -> Self {
+        Self { degrees, ..self }
+    }
+
     /// Adds what a neighbour told: the number of [`Composed::shared`].
     pub fn add_told(&mut self, shared: N) {
         self.degrees = self.degrees.plus(shared);

@@ -1,68 +1,64 @@
 //! All links of a team in a tick, in one sorted list, each found and weighed once for both ends.
 
 use closeranks_core::controller::{Batch, Control};
-use closeranks_core::num::{Vector, subtract};
 use closeranks_core::settings::params::Params;
 
-use crate::engine::near::Near;
+use crate::engine::near::{Near, small};
 use crate::frame::Frame;
 
-/// So many links are weighed at a time.
+/// So many links are weighed at a time: what they need stays close to the processor.
 const BATCH: usize = 256;
 
 /// The links of a team. A link is that of `second` with a `first` of a lower number; they come in order of the second, then of
 /// the first end. So whoever adds to both ends along the list adds in order of numbers.
 #[derive(Clone, Debug)]
-pub(crate) struct Links<const D: usize, Pair> {
+pub(crate) struct Links<Pair> {
     /// First ends, second end after second end, and where those of each second end stop.
     firsts: Vec<u16>,
     stops: Vec<usize>,
-    /// Links of which the controller made a pair.
-    pairs: Vec<Linked<D, Pair>>,
     near: Near,
-    batch: Waiting<D>,
+    scales: Scales<Pair>,
 }
 
 /// Two linked robots that bound each other.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Linked<const D: usize, Pair> {
+pub(crate) struct Linked<Pair> {
     /// The lower number first.
     pub(crate) ends: [u16; 2],
-    /// Position of the first less that of the second end, m.
-    pub(crate) offset_m: Vector<D>,
-    /// `a_ij`.
-    pub(crate) weight: f64,
     /// What holds for both.
     pub(crate) pair: Pair,
 }
 
-/// Links that were found and not weighed yet.
+/// Weighs links that were found, a batch at a time.
 #[derive(Clone, Debug)]
-struct Waiting<const D: usize> {
+struct Scales<Pair> {
+    /// Links of which the controller made a pair, and their weights where neighbours are looked at one by one.
+    pairs: Vec<Linked<Pair>>,
+    pair_weights: Vec<f64>,
     ends: Vec<[u16; 2]>,
-    offsets_m: Vec<Vector<D>>,
     distances_m2: Vec<f64>,
-    /// Per link: first the squared distance, m², then overwritten by the weight.
+    /// Per link that waits: first the squared distance, m², then overwritten by the weight.
     weights: Vec<f64>,
     slopes: Vec<f64>,
 }
 
-impl<const D: usize, Pair: Copy> Links<D, Pair> {
+impl<Pair: Copy> Links<Pair> {
     /// Of a team in which nobody has a link.
     pub(crate) fn new() -> Self {
-        let batch = Waiting {
+        let scales = Scales {
+            pairs: Vec::new(),
+            pair_weights: Vec::new(),
             ends: Vec::with_capacity(BATCH),
-            offsets_m: Vec::with_capacity(BATCH),
             distances_m2: Vec::with_capacity(BATCH),
             weights: Vec::with_capacity(BATCH),
             slopes: Vec::with_capacity(BATCH),
         };
-        Self { firsts: Vec::new(), stops: Vec::new(), pairs: Vec::new(), near: Near::default(), batch }
+        Self { firsts: Vec::new(), stops: Vec::new(), near: Near::default(), scales }
     }
 
     /// Finds the links of `frame`, and fills its levels, degrees and number of links.
     //= paper eq:connectivity
-    pub(crate) fn find<C: Control<D, Pair = Pair>>(
+    pub(crate) fn find<const D: usize, C: Control<D, Pair = Pair>>(
         &mut self,
         params: &Params<D>,
         controller: &C,
@@ -70,52 +66,25 @@ impl<const D: usize, Pair: Copy> Links<D, Pair> {
     ) {
         self.firsts.clear();
         self.stops.clear();
-        self.pairs.clear();
+        self.scales.pairs.clear();
+        self.scales.pair_weights.clear();
         frame.levels.fill(0.0);
         frame.degrees.fill(0);
         let radius_m = params.link().radius_m;
         self.near.look(&frame.positions_m, radius_m);
         for second in 0..frame.positions_m.len() {
-            let own = frame.positions_m[second];
-            self.near.before(second, &frame.positions_m, radius_m, |first, distance_m2| {
-                let ends = [small(first), small(second)];
-                self.firsts.push(ends[0]);
-                self.batch.push(ends, subtract(&frame.positions_m[first], &own), distance_m2);
-            });
+            let (firsts, distances_m2) = self.near.before(second, &frame.positions_m, radius_m);
+            self.firsts.extend_from_slice(firsts);
             self.stops.push(self.firsts.len());
-            if self.batch.ends.len() >= BATCH {
-                self.weigh(params, controller, frame);
+            for (firsts, distances_m2) in firsts.chunks(BATCH / 2).zip(distances_m2.chunks(BATCH / 2)) {
+                self.scales.take(second, firsts, distances_m2);
+                if self.scales.ends.len() >= BATCH / 2 {
+                    self.scales.weigh(params, controller, frame);
+                }
             }
         }
-        self.weigh(params, controller, frame);
+        self.scales.weigh(params, controller, frame);
         frame.links = u32::try_from(self.firsts.len()).unwrap_or(u32::MAX);
-    }
-
-    /// Weighs the links that wait, adds them to levels and degrees of both ends, and makes pairs of them.
-    fn weigh<C: Control<D, Pair = Pair>>(
-        &mut self,
-        params: &Params<D>,
-        controller: &C,
-        frame: &mut Frame<D>,
-    ) {
-        let Self { pairs, batch, .. } = self;
-        batch.slopes.resize(batch.ends.len(), 0.0);
-        params.link().links_at(&mut batch.weights, &mut batch.slopes);
-        for (ends, weight) in batch.ends.iter().zip(&batch.weights) {
-            for end in ends.map(usize::from) {
-                frame.levels[end] += weight;
-                frame.degrees[end] += 1;
-            }
-        }
-        let Waiting { ends, offsets_m, distances_m2, weights, slopes } = batch;
-        let mut links = Batch { offsets_m, distances_m2, weights, slopes };
-        controller.pairs(&mut links, |index, pair| {
-            if let Some(pair) = pair {
-                let (ends, offset_m, weight) = (ends[index], offsets_m[index], weights[index]);
-                pairs.push(Linked { ends, offset_m, weight, pair });
-            }
-        });
-        batch.clear();
     }
 
     /// Every robot with the numbers of its neighbours before it.
@@ -125,28 +94,64 @@ impl<const D: usize, Pair: Copy> Links<D, Pair> {
     }
 
     /// The pairs in order.
-    pub(crate) fn pairs(&self) -> &[Linked<D, Pair>] {
-        &self.pairs
+    pub(crate) fn pairs(&self) -> &[Linked<Pair>] {
+        &self.scales.pairs
+    }
+
+    /// `a_ij` of each pair, under a controller that looks at neighbours one by one.
+    pub(crate) fn weights(&self) -> &[f64] {
+        &self.scales.pair_weights
     }
 }
 
-impl<const D: usize> Waiting<D> {
-    #[inline]
-    fn push(&mut self, ends: [u16; 2], offset_m: Vector<D>, distance_m2: f64) {
-        self.ends.push(ends);
-        self.offsets_m.push(offset_m);
-        self.distances_m2.push(distance_m2);
-        self.weights.push(distance_m2);
+impl<Pair: Copy> Scales<Pair> {
+    fn take(&mut self, second: usize, firsts: &[u16], distances_m2: &[f64]) {
+        self.ends.extend(firsts.iter().map(|first| [*first, small(second)]));
+        self.distances_m2.extend_from_slice(distances_m2);
     }
 
-    fn clear(&mut self) {
-        self.ends.clear();
-        self.offsets_m.clear();
-        self.distances_m2.clear();
-        self.weights.clear();
+    /// Weighs the links that wait, adds them to levels and degrees of both ends, and makes pairs of them.
+    fn weigh<const D: usize, C: Control<D, Pair = Pair>>(
+        &mut self,
+        params: &Params<D>,
+        controller: &C,
+        frame: &mut Frame<D>,
+    ) {
+        let Self { pairs, pair_weights, ends, distances_m2, weights, slopes } = self;
+        weights.clone_from(distances_m2);
+        slopes.resize(ends.len(), 0.0);
+        params.link().links_at(weights, slopes);
+        let mut rest = &weights[..];
+        for row in ends.chunk_by(|one, next| one[1] == next[1]) {
+            let (own, later) = rest.split_at(row.len());
+            add_row(row, own, &mut frame.levels, &mut frame.degrees);
+            rest = later;
+        }
+        let mut links = Batch { positions_m: &frame.positions_m, ends, distances_m2, weights, slopes };
+        controller.pairs(&mut links, |index, pair| {
+            if let Some(pair) = pair {
+                pairs.push(Linked { ends: ends[index], pair });
+                if C::LOOKS {
+                    pair_weights.push(weights[index]);
+                }
+            }
+        });
+        ends.clear();
+        distances_m2.clear();
     }
 }
 
-pub(crate) fn small(index: usize) -> u16 {
-    u16::try_from(index).unwrap_or(u16::MAX)
+/// Adds links of one second end to levels and degrees of all ends.
+#[inline]
+fn add_row(row: &[[u16; 2]], weights: &[f64], levels: &mut [f64], degrees: &mut [u16]) {
+    let Some([_, second]) = row.first() else { return };
+    let second = usize::from(*second);
+    let (mut level, degree) = (levels[second], degrees[second]);
+    let (levels_before, degrees_before) = (&mut levels[..second], &mut degrees[..second]);
+    for ([first, _], weight) in row.iter().zip(weights) {
+        level += weight;
+        levels_before[usize::from(*first)] += weight;
+        degrees_before[usize::from(*first)] += 1;
+    }
+    (levels[second], degrees[second]) = (level, degree + small(row.len()));
 }

@@ -17,8 +17,11 @@ pub(crate) struct Near {
     grid: Grid,
     /// Whether the grid is in use in this tick.
     sparse: bool,
-    /// Robots of lower numbers that may be near, and their squared distances, m².
+    /// Robots of lower numbers that may be near; without a grid all robots.
     candidates: Vec<u16>,
+    /// Those that are near, and their squared distances, m².
+    firsts: Vec<u16>,
+    distances_m2: Vec<f64>,
 }
 
 /// Robots by the cell in which they stand.
@@ -36,35 +39,42 @@ struct Grid {
 impl Near {
     /// Gets ready for robots at `positions_m`.
     pub(crate) fn look<const D: usize>(&mut self, positions_m: &[Vector<D>], radius_m: f64) {
-        self.sparse = positions_m.len() > FEW && self.grid.fill(positions_m, radius_m);
+        let sparse = positions_m.len() > FEW && self.grid.fill(positions_m, radius_m);
+        if sparse != self.sparse {
+            self.candidates.clear();
+        }
+        self.sparse = sparse;
     }
 
-    /// Calls `found` with the number of every robot before `second` within the radius and their squared distance, m², in order.
+    /// Robots before `second` within the radius, in order, and their squared distances, m².
     #[inline]
     pub(crate) fn before<const D: usize>(
         &mut self,
         second: usize,
         positions_m: &[Vector<D>],
         radius_m: f64,
-        mut found: impl FnMut(usize, f64),
-    ) {
+    ) -> (&[u16], &[f64]) {
+        if self.sparse {
+            self.grid.around(second, &mut self.candidates);
+        } else {
+            while self.candidates.len() < second {
+                self.candidates.push(small(self.candidates.len()));
+            }
+        }
+        let candidates = if self.sparse { &self.candidates[..] } else { &self.candidates[..second] };
+        self.firsts.resize(candidates.len(), 0);
+        self.distances_m2.resize(candidates.len(), 0.0);
+        let (firsts, distances_m2) =
+            (&mut self.firsts[..candidates.len()], &mut self.distances_m2[..candidates.len()]);
         let (own, radius_m2) = (&positions_m[second], radius_m * radius_m);
-        let mut look = |first: usize, other: &Vector<D>| {
-            let distance_m2 = squared_distance(other, own);
-            if radius_m2 - distance_m2 >= 0.0 {
-                found(first, distance_m2);
-            }
-        };
-        if !self.sparse {
-            for (first, other) in positions_m[..second].iter().enumerate() {
-                look(first, other);
-            }
-            return;
+        let mut count = 0;
+        for first in candidates {
+            let distance_m2 = squared_distance(&positions_m[usize::from(*first)], own);
+            (firsts[count], distances_m2[count]) = (*first, distance_m2);
+            // Where it is out of range, the next one takes its place.
+            count += usize::from(radius_m2 - distance_m2 >= 0.0);
         }
-        self.grid.around(second, &mut self.candidates);
-        for first in self.candidates.iter().map(|first| usize::from(*first)) {
-            look(first, &positions_m[first]);
-        }
+        (&firsts[..count], &distances_m2[..count])
     }
 }
 
@@ -144,6 +154,10 @@ impl Grid {
     }
 }
 
+pub(crate) fn small(index: usize) -> u16 {
+    u16::try_from(index).unwrap_or(u16::MAX)
+}
+
 fn whole(number: f64) -> usize {
     #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "saturates, and is cut")]
     let whole = number as usize;
@@ -162,8 +176,9 @@ mod tests {
         let mut near = Near::default();
         near.look(&positions_m, 1.0);
         for second in 0..robots {
-            let mut found = Vec::new();
-            near.before(second, &positions_m, 1.0, |first, distance_m2| found.push((first, distance_m2)));
+            let (firsts, distances_m2) = near.before(second, &positions_m, 1.0);
+            let firsts = firsts.iter().map(|first| usize::from(*first));
+            let found: Vec<_> = firsts.zip(distances_m2.iter().copied()).collect();
             let all = positions_m[..second].iter().map(|other| squared_distance(other, &positions_m[second]));
             let within: Vec<_> = all.enumerate().filter(|(_, distance_m2)| *distance_m2 <= 1.0).collect();
             assert_eq!(found, within, "robot {second} of {robots}, seed {seed}");

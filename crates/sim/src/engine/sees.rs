@@ -62,7 +62,7 @@ pub(crate) struct Half {
 
 impl Around {
     /// Takes the pairs of a team of so many robots.
-    pub(crate) fn fill<const D: usize, Pair>(&mut self, robots: usize, pairs: &[Linked<D, Pair>]) {
+    pub(crate) fn fill<Pair>(&mut self, robots: usize, pairs: &[Linked<Pair>]) {
         self.starts.clear();
         self.starts.resize(robots + 1, 0);
         for end in pairs.iter().flat_map(|linked| linked.ends) {

@@ -14,8 +14,9 @@ use closeranks_core::settings::params::Params;
 
 use crate::attack::liars::Liars;
 use crate::engine::consensus::Consensus;
-use crate::engine::links::{Linked, Links, small};
+use crate::engine::links::{Linked, Links};
 use crate::engine::memory::Memory;
+use crate::engine::near::small;
 use crate::engine::sees::{Around, Half, Sees};
 use crate::frame::Frame;
 use crate::scenario::Scenario;
@@ -36,7 +37,7 @@ pub struct Team<const D: usize, C: Control<D>> {
 struct Robots<const D: usize, C: Control<D>> {
     params: Params<D>,
     controller: C,
-    links: Links<D, C::Pair>,
+    links: Links<C::Pair>,
     sees: Sees,
     around: Around,
     /// What others make of what each told, and what each adds up.
@@ -96,7 +97,7 @@ impl<const D: usize, C: Control<D> + Copy> Team<D, C> {
         if round {
             self.consensus.hold(frame, liars, |robot, other| robots.sees.linked(robot, other));
         }
-        robots.add();
+        robots.add(frame);
         robots.control(frame, &mut self.memory.lend());
         if frame.wants_phi && !C::USES_PHI {
             self.phi.fill(robots.links.by_second(), frame);
@@ -122,7 +123,7 @@ impl<const D: usize, C: Control<D> + Copy> Robots<D, C> {
     }
 
     /// What each adds up over its neighbours.
-    fn add(&mut self) {
+    fn add(&mut self, frame: &Frame<D>) {
         let (controller, told) = (&self.controller, &self.told);
         self.sums.clear();
         self.sums.extend(told.iter().map(|own| controller.sums(own)));
@@ -137,11 +138,12 @@ impl<const D: usize, C: Control<D> + Copy> Robots<D, C> {
             }
             self.sums[second] = own;
         }
-        for Linked { ends, offset_m, pair, .. } in self.links.pairs() {
+        for Linked { ends, pair } in self.links.pairs() {
             let [first, second] = ends.map(usize::from);
+            let offset_m = subtract(&frame.positions_m[first], &frame.positions_m[second]);
             let (before, from_second) = self.sums.split_at_mut(second);
             let sums = [&mut before[first], &mut from_second[0]];
-            controller.add_both(sums, offset_m, pair, [&told[first], &told[second]]);
+            controller.add_both(sums, &offset_m, pair, [&told[first], &told[second]]);
         }
     }
 
@@ -216,7 +218,7 @@ impl<const D: usize, C: Control<D> + Copy> Robots<D, C> {
         let seen =
             |of: &&Half| usize::from(of.other) == robot || self.sees.linked(robot, usize::from(of.other));
         let halves = self.around.of(other).iter().filter(seen);
-        halves.fold(0.0, |sum, half| sum + self.links.pairs()[half.pair as usize].weight)
+        halves.fold(0.0, |sum, half| sum + self.links.weights()[half.pair as usize])
     }
 
     /// A neighbour of a controller that needs neighbours one by one only in rare cases.

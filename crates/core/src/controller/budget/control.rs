@@ -151,9 +151,9 @@ impl<const D: usize> Control<D> for BudgetController<D> {
             *distance = sqrt(*distance);
         }
         self.budget.bends_max(links.distances_m2);
-        for (index, offset_m) in links.offsets_m.iter().enumerate() {
+        for index in 0..links.ends.len() {
             let (slope, bend) = (links.slopes[index], links.distances_m2[index]);
-            make(index, Some(self.budget.tie_with(offset_m, slope, bend, &self.reach)));
+            make(index, Some(self.budget.tie_with(&links.offset_m(index), slope, bend, &self.reach)));
         }
     }
 
