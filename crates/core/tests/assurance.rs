@@ -28,7 +28,7 @@ fn settings() -> Settings<2> {
 fn with_robot<R>(settings: Settings<2>, play: impl FnOnce(&mut Robot<'_, 2>) -> R) -> R {
     let mut slots = [Slot::default(); 4];
     let mut values = [0.0; 16];
-    let mut sightings = [Sighting::new([0.0; 2], None); 4];
+    let mut sightings = [Sighting::NOBODY; 4];
     let mut rows = [Row::default(); 40];
     let params = Params::new(settings).expect("settings in range");
     let robot = Robot::new(params, RobotId(1), 1.0, &mut slots, &mut values).expect("memory");

@@ -83,10 +83,9 @@ fn check_calls<const D: usize>(calls: &[Call<D>]) {
     let free = Settings { assume: Assume::Free, trust: Trust::Told, ..budget(Settings::default()) };
     let choices = [ordinary, extreme, Settings::default(), budget(ordinary), budget(extreme), free];
     lend_with(choices[calls.len() % choices.len()], |params, slots, values| {
-        let nobody = Sighting::new([0.0; D], None);
         // Every seventh time too little is lent.
         let (sightings, rows) = if calls.len().is_multiple_of(7) { (2, 4) } else { (3, 13) };
-        let (mut sightings, mut rows) = (vec![nobody; sightings], vec![Row::default(); rows]);
+        let (mut sightings, mut rows) = (vec![Sighting::NOBODY; sightings], vec![Row::default(); rows]);
         let robot = Robot::new(params, ME, 1.0, &mut slots[..3], values).expect("memory and a value");
         let mut robot = robot.with_budget_memory(&mut sightings, &mut rows);
         for call in calls {

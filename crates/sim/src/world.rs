@@ -105,7 +105,7 @@ fn run_in<const D: usize>(
     if together && let Some(mut allies) = Allies::new(scenario, params, &world.frame.positions_m, &values) {
         return Ok(world.run(&mut allies, progress));
     }
-    let margin = params.budget().margin.offset_m > 0.0;
+    let margin = params.budget().errors.offset_m > 0.0;
     let mut memory = Memory::new(usize::from(scenario.robots), margin);
     let mut fleet = Fleet::new(scenario, params, &world.frame.positions_m, &values, &mut memory)?;
     Ok(world.run(&mut fleet, progress))

@@ -39,11 +39,10 @@ fn play<const D: usize>(params: Params<D>, source: &mut Source<'_>) {
         16..=31 => source.below(enough + 1),
         _ => enough,
     };
-    let wide = if source.byte() & 1 == 0 { slots } else { slots * slots };
+    let wide = if source.byte() & 1 == 0 { 3 * slots } else { slots * (slots + 1) };
     let numbers = short(source, wide);
     let mut memory = (vec![Slot::default(); slots], vec![0.0; numbers]);
-    let nobody = Sighting::new([0.0; D], None);
-    let mut sightings = vec![nobody; short(source, slots)];
+    let mut sightings = vec![Sighting::NOBODY; short(source, slots)];
     let mut rows = vec![Row::default(); short(source, 2 * D + (1 << D) * (2 * slots + 1))];
     let value = if source.byte() < 240 { source.near() } else { source.number() };
     match Robot::new(params, ME, value, &mut memory.0, &mut memory.1) {

@@ -42,7 +42,7 @@ impl<const D: usize> Assurance<D> {
             self.broken = Some((now, Reason::Late));
             return sensed;
         }
-        let margin = params.budget().margin;
+        let margin = params.budget().errors;
         let blur_m = ROUNDING * (1.0 + length(&sensed)) + CLOCK * length(&subtract(&expected, &position));
         let away_m = length(&subtract(&sensed, &expected));
         // The error of one sensed position against a reference that is known; else those of two.
@@ -63,7 +63,7 @@ impl<const D: usize> Assurance<D> {
             return;
         }
         let went_m = length(&subtract(offset_m, &slot.offset_m));
-        let most_m = 2.0 * params.reach().longest_m() + 2.0 * params.budget().margin.offset_m;
+        let most_m = 2.0 * params.reach().longest_m() + 2.0 * params.budget().errors.offset_m;
         if went_m > most_m * (1.0 + CLOCK) + ROUNDING {
             self.broken = Some((now, Reason::Moved));
         }

@@ -124,7 +124,7 @@ impl<const D: usize> Robot<'_, D> {
     fn required(&self) -> u16 {
         match self.params.settings().controller {
             Controller::Composed => self.params.required_degree(),
-            Controller::Budget => self.params.budget().required(),
+            Controller::Budget => self.params.budget().need.need(self.id),
         }
     }
 

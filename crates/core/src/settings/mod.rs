@@ -6,8 +6,8 @@ pub mod range;
 use core::time::Duration;
 
 use crate::controller::budget::knowledge::{Assume, Trust};
-use crate::controller::budget::margin::Margin;
-use crate::controller::budget::settings::share_of_rate;
+use crate::controller::budget::margin::ErrorBounds;
+use crate::controller::budget::settings::fraction_of_rate;
 use crate::equations::composition::Share;
 use crate::program::InputBox;
 
@@ -47,7 +47,7 @@ pub struct Settings<const D: usize> {
     /// Which controller.
     pub controller: Controller,
     /// γ of `budget`: the share of h_k that may be lost in a tick, in (0, 1]; `None` for a rate of 2/s, which lets robots
-    /// get farther than METHOD.md's 0.2 a tick ([`share_of_rate`]).
+    /// get farther than METHOD.md's 0.2 a tick ([`fraction_of_rate`]).
     pub gamma: Option<f64>,
     /// κ of `budget`, at least 0: by how much that share rises with h_k.
     pub rise: f64,
@@ -119,7 +119,7 @@ impl<const D: usize> Settings<D> {
     /// γ: the one given, or the share of a rate of 2/s for this tick.
     #[must_use]
     pub fn gamma(&self) -> f64 {
-        self.gamma.unwrap_or_else(|| share_of_rate(2.0, self.level_period.as_secs_f64()))
+        self.gamma.unwrap_or_else(|| fraction_of_rate(2.0, self.level_period.as_secs_f64()))
     }
 
     /// How long a velocity may be held: the time given, or τ₁.
@@ -130,10 +130,10 @@ impl<const D: usize> Settings<D> {
 
     /// What errors of sensing and tracking cost; nothing under [`Controller::Composed`], whose theorem has no room for them.
     #[must_use]
-    pub fn margin(&self) -> Margin {
+    pub fn margin(&self) -> ErrorBounds {
         match self.controller {
-            Controller::Composed => Margin::NONE,
-            Controller::Budget => Margin::new(self.position_error_m, self.tracking_error_m),
+            Controller::Composed => ErrorBounds::NONE,
+            Controller::Budget => ErrorBounds::new(self.position_error_m, self.tracking_error_m),
         }
     }
 }

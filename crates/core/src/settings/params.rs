@@ -5,6 +5,7 @@ use crate::controller::budget::settings::{Budget, Form};
 use crate::equations::barrier::required_degree;
 use crate::equations::composition::Composed;
 use crate::equations::link::LinkShape;
+use crate::need::Need;
 use crate::num::is_finite;
 use crate::program::balls::reach::Reach;
 use crate::settings::range::{Allowed, Field, ParamsError};
@@ -73,21 +74,21 @@ impl<const D: usize> Settings<D> {
     }
 
     fn budget(&self, link: LinkShape) -> Budget {
-        let margin = self.margin();
-        let link = LinkShape { radius_m: link.radius_m - 2.0 * margin.away_m, ..link };
+        let errors = self.margin();
+        let link = LinkShape { radius_m: link.radius_m - 2.0 * errors.away_m, ..link };
         Budget {
             curvature: Curvature::new(link),
-            robots: self.robots,
+            need: Need::new(self.robots, self.faults, self.assume.keep()),
             faults: self.faults,
-            distance_min_m: self.distance_min_m + 2.0 * margin.away_m,
+            distance_min_m: self.distance_min_m + 2.0 * errors.away_m,
             move_max_m: self.reach().longest_m(),
             gamma: self.gamma(),
-            rise: self.rise,
+            gain_slope: self.rise,
             gamma_c: self.gamma_c,
             trust: self.trust,
             assume: self.assume,
             form: Form::Level,
-            margin,
+            errors,
         }
     }
 
@@ -122,7 +123,7 @@ impl<const D: usize> Params<D> {
             distance_min_m: settings.distance_min_m,
         };
         let (budget, reach) = (settings.budget(link), settings.reach());
-        let sight_m = budget.curvature.link().radius_m + budget.margin.offset_m;
+        let sight_m = budget.curvature.link().radius_m + budget.errors.offset_m;
         let hold_s = settings.hold_max().as_secs_f64();
         Ok(Self { settings, link, composed, budget, reach, sight_m2: sight_m * sight_m, hold_s })
     }

@@ -4,9 +4,8 @@
 //! pair and are computed once for both ends, and whoever sees everybody knows the same of each. Whoever does not sums up
 //! the weights between those it sees. Rows and answers are made by the functions of [`closeranks_core`] that a robot uses.
 
-use closeranks_core::controller::budget::knowledge::Known;
-use closeranks_core::controller::budget::survey::Seen;
-use closeranks_core::controller::budget::tie::Neighbor;
+use closeranks_core::controller::budget::inequality::Neighbor;
+use closeranks_core::controller::budget::knowledge::{KnownMargin, Seen};
 use closeranks_core::equations::barrier::degree_barrier;
 use closeranks_core::equations::composition::Sum;
 use closeranks_core::num::{Vector, subtract};
@@ -15,6 +14,7 @@ use closeranks_core::settings::params::Params;
 
 use crate::attack::liars::Liars;
 use crate::engine::consensus::Consensus;
+use crate::engine::fleet::id;
 use crate::engine::ties::Ties;
 use crate::frame::Frame;
 use crate::scenario::Scenario;
@@ -32,10 +32,10 @@ pub struct Allies<const D: usize> {
     /// Behind φ_i.
     terms: Vec<f64>,
     sums: Vec<Sum<0, f64>>,
-    /// What the claims of all are worth.
-    worths: Vec<f64>,
+    /// What the claims of all still say.
+    claims: Vec<f64>,
     /// What those know of each robot who see everybody.
-    knowns: Vec<Known>,
+    knowns: Vec<KnownMargin>,
     rows: Vec<Row<D>>,
 }
 
@@ -55,7 +55,7 @@ impl<const D: usize> Allies<D> {
         if !params.budget().is_plain() || !positions_m.iter().flatten().all(near) {
             return None;
         }
-        let nothing = Known { budget: 0.0, deficit: 0.0, degree_max: 1.0 };
+        let nothing = KnownMargin { budget: 0.0, deficit: 0.0, degree_max: 1.0 };
         Some(Self {
             params,
             tick: 0,
@@ -63,7 +63,7 @@ impl<const D: usize> Allies<D> {
             ties: Ties::new(robots),
             terms: vec![0.0; robots],
             sums: vec![Sum::new(0.0); robots],
-            worths: vec![0.0; robots],
+            claims: vec![0.0; robots],
             knowns: vec![nothing; robots],
             rows: vec![Row::default(); 2 * D + 2 * robots + 1],
         })
@@ -94,12 +94,16 @@ impl<const D: usize> Allies<D> {
     fn tell(&mut self, frame: &mut Frame<D>, liars: &mut Liars) {
         let (settings, budget) = (self.params.settings(), self.params.budget());
         for (robot, level) in frame.levels.iter().enumerate() {
-            frame.spares[robot] = degree_barrier(*level, budget.required());
+            let robot_id = id(robot);
+            frame.spares[robot] = degree_barrier(*level, budget.need.need(robot_id));
             frame.told[robot] = liars.level(robot, *level);
-            self.worths[robot] = budget.worth(settings.claim(frame.told[robot], settings.clock_error));
+            let claim = settings.claim(frame.told[robot], settings.clock_error);
+            self.claims[robot] = budget.discounted_claim(robot_id, claim);
             let degree = f64::from(frame.degrees[robot]);
-            let seen = Seen { low: *level, degree, unseen: 0, worth: self.worths[robot] };
-            self.knowns[robot] = budget.known_from(&seen, 0.0);
+            let discounted_claim = self.claims[robot];
+            let seen =
+                Seen { robot: robot_id, low: *level, degree, unseen: 0, discounted_claim, weights: &[] };
+            self.knowns[robot] = budget.known(&seen, 0.0);
         }
     }
 
@@ -113,11 +117,11 @@ impl<const D: usize> Allies<D> {
         for first in 0..robots {
             let mut own = self.sums[first];
             for second in first + 1..robots {
-                let tie = self.ties.of(first, second);
+                let pair = self.ties.of(first, second);
                 if !self.ties.linked(first, second) {
                     continue;
                 }
-                let collision = composed.collision_term(tie.distance_m2);
+                let collision = composed.collision_term(pair.distance_m2);
                 own.add_told(composed.shared(self.terms[second]));
                 own.add_link(&[], 0.0, collision);
                 let other = &mut self.sums[second];
@@ -141,26 +145,26 @@ impl<const D: usize> Allies<D> {
         self.params.composed().phi(frame.told[robot], levels.clone(), distances_m2.clone())
     }
 
-    /// Rows and answer of one robot.
+    /// The rows and the decision of one robot.
     fn control(&mut self, robot: usize, frame: &mut Frame<D>) {
         self.ties.look_around(robot);
         let mut rows = core::mem::take(&mut self.rows);
         let (params, position) = (&self.params, frame.positions_m[robot]);
-        let neighbors = self.ties.neighbors(robot).map(|(other, tie)| {
+        let neighbors = self.ties.neighbors(robot).map(|(other, pair)| {
             let offset_m = subtract(&position, &frame.positions_m[other]);
-            let seen = self.ties.seen(other, frame.degrees[other], self.worths[other]);
-            let known = seen.map(|seen| params.budget().known_from(&seen, tie.distance_m));
-            Neighbor { offset_m, tie, known: known.unwrap_or(self.knowns[other]) }
+            let seen = self.ties.seen(other, frame.degrees[other], self.claims[other]);
+            let known = seen.map(|seen| params.budget().known(&seen, pair.distance_m));
+            Neighbor { id: id(other), offset_m, pair, known: known.unwrap_or(self.knowns[other]) }
         });
         let desired_m = params.desired_m(&frame.desired_m_s[robot]);
         let degree = frame.degrees[robot];
-        let own = (frame.levels[robot], degree);
+        let own = (id(robot), frame.levels[robot], degree);
         let mut program =
             params.budget().rows_between(own, neighbors, &desired_m, *params.reach(), &mut rows);
-        let answer = params.answer(&mut program, &frame.velocities_m_s[robot]);
-        frame.velocities_m_s[robot] = answer.velocity_m_s;
-        frame.outcomes[robot] = answer.outcome;
-        frame.modes[robot] = params.mode(answer.doubt, degree, frame.spares[robot]);
+        let decision = params.decision(&mut program, &frame.velocities_m_s[robot]);
+        frame.velocities_m_s[robot] = decision.velocity_m_s;
+        frame.outcomes[robot] = decision.outcome;
+        frame.modes[robot] = params.mode(id(robot), decision.doubt, degree, frame.spares[robot]);
         self.rows = rows;
     }
 }

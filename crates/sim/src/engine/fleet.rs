@@ -237,7 +237,7 @@ impl<'memory, const D: usize> Fleet<'memory, D> {
     /// Takes over where robots count themselves, which is what the theorem is about; whoever is down stays where it was.
     fn refer(&mut self, frame: &mut Frame<D>) {
         frame.renewed = false;
-        if self.params.budget().margin.away_m == 0.0 {
+        if self.params.budget().errors.away_m == 0.0 {
             return frame.references_m.clone_from_slice(&frame.positions_m);
         }
         for (index, robot) in self.robots.iter().enumerate() {
@@ -249,7 +249,7 @@ impl<'memory, const D: usize> Fleet<'memory, D> {
 
     /// True if some robot is farther from its reference than is stated.
     fn away(&self, frame: &Frame<D>) -> bool {
-        let most_m = self.params.budget().margin.away_m;
+        let most_m = self.params.budget().errors.away_m;
         if most_m == 0.0 {
             return self.bodies.away_m(&frame.positions_m) > STILL_M;
         }
@@ -271,7 +271,7 @@ fn stand<const D: usize>(index: usize, frame: &mut Frame<D>, bodies: &Bodies<D>)
     frame.phis[index] = f64::NAN;
 }
 
-fn id(index: usize) -> RobotId {
+pub(crate) fn id(index: usize) -> RobotId {
     RobotId(u16::try_from(index + 1).unwrap_or(u16::MAX))
 }
 

@@ -29,11 +29,10 @@ impl<const D: usize> Memory<D> {
     pub fn new(robots: usize, margin: bool) -> Self {
         let corners = if margin { 1 << D } else { 1 };
         let rows_each = 2 * D + corners * (2 * robots + 1);
-        let nobody = Sighting::new([0.0; D], None);
         Self {
             slots: vec![Slot::default(); robots * robots],
             values: vec![0.0; robots * values_each(robots)],
-            sightings: vec![nobody; robots * robots],
+            sightings: vec![Sighting::NOBODY; robots * robots],
             rows: vec![Row::default(); robots * rows_each],
             robots,
             rows_each,

@@ -1,11 +1,12 @@
 //! Weights and ties of all pairs of a tick, each computed once for both ends, and what a robot sees of them.
 
-use closeranks_core::controller::budget::survey::Seen;
-use closeranks_core::controller::budget::tie::Tie;
+use closeranks_core::controller::budget::inequality::Pair;
+use closeranks_core::controller::budget::knowledge::Seen;
 use closeranks_core::equations::link::Link;
 use closeranks_core::num::{add_scaled, sqrt, subtract};
 use closeranks_core::settings::params::Params;
 
+use crate::engine::fleet::id;
 use crate::frame::Frame;
 use crate::monitors::truth::fill_pairs;
 
@@ -20,7 +21,7 @@ pub(crate) struct Ties {
     weights: Vec<f64>,
     line: usize,
     /// Tie of every robot with every other.
-    all: Vec<Tie>,
+    all: Vec<Pair>,
     /// Of pairs in the order of [`crate::monitors::truth::Truth::pairs_m2`] weights, before that squared distances, m², slopes and κ.
     pair_weights: Vec<f64>,
     slopes: Vec<f64>,
@@ -39,7 +40,7 @@ impl Ties {
             robots,
             weights: vec![Link::NONE.weight; robots * line],
             line,
-            all: vec![Tie::NONE; robots * robots],
+            all: vec![Pair::NONE; robots * robots],
             pair_weights: Vec::new(),
             slopes: Vec::new(),
             bends: Vec::new(),
@@ -92,7 +93,7 @@ impl Ties {
                 continue;
             }
             let offset_m = subtract(&positions_m[first], &position);
-            let tie = params.budget().tie_with(&offset_m, slopes[first], bends[first], params.reach());
+            let tie = params.budget().pair_with(&offset_m, slopes[first], bends[first], params.reach());
             ties[first * robots + second] = tie;
             ties[second * robots + first] = tie;
             level += weight;
@@ -110,13 +111,13 @@ impl Ties {
     }
 
     #[inline]
-    pub(crate) fn of(&self, robot: usize, other: usize) -> &Tie {
+    pub(crate) fn of(&self, robot: usize, other: usize) -> &Pair {
         &self.all[robot * self.robots + other]
     }
 
     /// The others that `robot` has a link with, in order of their numbers.
     #[inline]
-    pub(crate) fn neighbors(&self, robot: usize) -> impl Iterator<Item = (usize, &Tie)> {
+    pub(crate) fn neighbors(&self, robot: usize) -> impl Iterator<Item = (usize, &Pair)> {
         let weights = &self.weights[robot * self.line..][..self.robots];
         let others = weights.iter().zip(&self.all[robot * self.robots..]).enumerate();
         others.filter(|(_, (weight, _))| is_link(**weight)).map(|(other, (_, tie))| (other, tie))
@@ -142,17 +143,18 @@ impl Ties {
         }
     }
 
-    /// What the robot that looked around sees of `other`, which has so many neighbours and whose claim is worth so much; `None`
+    /// What the robot that looked around sees of `other`, which has so many neighbours and whose claim still says so much; `None`
     /// if it sees everybody.
     #[inline]
-    pub(crate) fn seen(&self, other: usize, degree: u16, worth: f64) -> Option<Seen> {
+    pub(crate) fn seen(&self, other: usize, degree: u16, discounted_claim: f64) -> Option<Seen<'_>> {
         if self.unseen.is_empty() {
             return None;
         }
         let weights = &self.weights[other * self.line..];
         let beyond: u16 = self.unseen.iter().map(|unseen| u16::from(!is_link(weights[*unseen]))).sum();
         let degree = f64::from(degree) + f64::from(beyond);
-        Some(Seen { low: self.lows[other], degree, unseen: self.unseen.len(), worth })
+        let (robot, low, unseen) = (id(other), self.lows[other], self.unseen.len());
+        Some(Seen { robot, low, degree, unseen, discounted_claim, weights: &[] })
     }
 }
 

@@ -41,9 +41,12 @@ impl<const D: usize> Honesty<D> {
         Self {
             malicious: scenario.malicious_mask(),
             free: scenario.motion_attack != MotionAttack::Obedient,
-            exact: budget.margin.offset_m == 0.0 && steady,
+            exact: budget.errors.offset_m == 0.0 && steady,
             told_ticks,
-            blur: 4.0 * budget.margin.offset_m * budget.curvature.fall_max() * f64::from(budget.robots),
+            blur: 4.0
+                * budget.errors.offset_m
+                * budget.curvature.fall_max()
+                * f64::from(budget.need.robots()),
             params,
             unwell: None,
             counted: [0; 3],
@@ -99,7 +102,7 @@ impl<const D: usize> Honesty<D> {
         let limit_m2 = if anybody {
             budget.distance_min_m * budget.distance_min_m + blur_m2
         } else {
-            let least_m = (budget.distance_min_m - 2.0 * budget.margin.offset_m).max(0.0);
+            let least_m = (budget.distance_min_m - 2.0 * budget.errors.offset_m).max(0.0);
             least_m * least_m - blur_m2
         };
         if truth.least_m2 >= limit_m2 {

@@ -5,6 +5,7 @@ use closeranks_core::equations::link::{Link, LinkShape};
 use closeranks_core::num::{Vector, subtract};
 use closeranks_core::settings::params::{Controller, Params};
 
+use crate::engine::fleet::id;
 use crate::frame::Frame;
 use crate::monitors::carry::required;
 use crate::scenario::start::squared_distance;
@@ -76,7 +77,7 @@ impl Truth {
         }
         let free =
             params.settings().controller == Controller::Budget && params.settings().assume == Assume::Free;
-        let margin = params.budget().margin.away_m > 0.0;
+        let margin = params.budget().errors.away_m > 0.0;
         let counts = |robot: usize| !(free && malicious[robot]);
         self.resize(frame.positions_m.len());
         let actual_m2 = first_filled(&self.actual_m2, &self.pairs_m2);
@@ -171,6 +172,7 @@ fn weigh(
 fn trimmed<const D: usize>(params: &Params<D>, frame: &Frame<D>, robot: usize) -> f64 {
     let own = frame.positions_m[robot];
     let others = frame.positions_m.iter().enumerate().filter(|(other, _)| *other != robot);
-    let sightings: Vec<Sighting<D>> = others.map(|(_, x)| Sighting::new(subtract(&own, x), None)).collect();
-    params.budget().level(&sightings, &mut vec![0.0; sightings.len()])
+    let sightings: Vec<Sighting<D>> =
+        others.map(|(other, x)| Sighting::new(id(other), subtract(&own, x), None)).collect();
+    params.budget().level(id(robot), &sightings, &mut vec![0.0; sightings.len()])
 }

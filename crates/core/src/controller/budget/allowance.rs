@@ -1,7 +1,7 @@
 //! The robot under [`Controller::Budget`]: what it senses and hears as rows.
 
+use crate::controller::budget::Memory;
 use crate::controller::budget::knowledge::{Claim, Sighting};
-use crate::controller::budget::rows::Memory;
 use crate::num::Vector;
 use crate::program::Outcome;
 use crate::robot::Robot;
@@ -17,7 +17,7 @@ impl<const D: usize> Robot<'_, D> {
             return self.linked().fold(0.0, |level, slot| level + slot.link.weight);
         }
         let count = self.see();
-        self.params.budget().level(&self.sightings[..count], self.values)
+        self.params.budget().level(self.id, &self.sightings[..count], self.values)
     }
 
     /// The velocity closest to `desired` (m/s) that keeps every row for as long as it may be held.
@@ -29,28 +29,33 @@ impl<const D: usize> Robot<'_, D> {
         }
         let memory = Memory { rows: self.rows, weights: self.values };
         let desired_m = self.params.desired_m(desired);
-        let mut rows =
-            self.params.budget().rows(&self.sightings[..count], &desired_m, *self.params.reach(), memory);
-        let answer = self.params.answer(&mut rows, &self.before);
-        self.before = answer.velocity_m_s;
-        self.assurance.doubt(self.now, answer.doubt);
-        (answer.velocity_m_s, answer.outcome)
+        let mut rows = self.params.budget().rows(
+            self.id,
+            &self.sightings[..count],
+            &desired_m,
+            *self.params.reach(),
+            memory,
+        );
+        let decision = self.params.decision(&mut rows, &self.before);
+        self.before = decision.velocity_m_s;
+        self.assurance.doubt(self.now, decision.doubt);
+        (decision.velocity_m_s, decision.outcome)
     }
 
     /// Guaranteed as long as nothing that the robot can check speaks against it.
     pub(crate) fn budget_mode(&self, degree: u16, h: f64) -> Mode {
         let reason = self.assurance.reason(self.now, self.params.settings().told_max);
-        self.params.mode(reason, degree, h)
+        self.params.mode(self.id, reason, degree, h)
     }
 
     /// Fills the sightings from the slots; gives how many fit.
     fn see(&mut self) -> usize {
-        let (settings, own, mut count) = (self.params.settings(), self.id, 0);
+        let (settings, mut count) = (self.params.settings(), 0);
         let latest = self.now.after(settings.clock_error);
         let sensed = self.slots[..self.count].iter().filter(|slot| slot.sensed);
         for (sighting, slot) in self.sightings.iter_mut().zip(sensed) {
-            let (lower, claim) = (slot.id < own, claim(slot, latest, settings));
-            *sighting = Sighting { offset_m: slot.offset_m, position_m: slot.position_m, lower, claim };
+            let claim = claim(slot, latest, settings);
+            *sighting = Sighting { id: slot.id, offset_m: slot.offset_m, position_m: slot.position_m, claim };
             count += 1;
         }
         count

@@ -5,7 +5,7 @@ use crate::program::balls::row::Row;
 
 /// Planes count as parallel below this square of the sine of their angle.
 const PARALLEL: f64 = 1e-24;
-/// Boundaries count as touching while the square of the radius they leave is negative by no more than this share.
+/// Boundaries count as touching while the square of the radius they leave is negative by no more than this fraction.
 const TOUCHING: f64 = 1e-12;
 /// Boundaries cross well from this square of the sine of their angle on.
 const CROSSING: f64 = 1e-4;
@@ -43,9 +43,9 @@ fn closest_on_several<const D: usize>(rows: &[&Row<D>], point: &Vector<D>) -> Op
     }
     let mut flat = Flat::whole();
     for row in rows.iter().filter(|row| !core::ptr::eq(**row, sphere)) {
-        let share = if sphere.curvature() > 0.0 { row.curvature() / sphere.curvature() } else { 0.0 };
-        let normal = add_scaled(row.normal(), -share, sphere.normal());
-        flat.cut(&normal, row.bound() - share * sphere.bound())?;
+        let fraction = if sphere.curvature() > 0.0 { row.curvature() / sphere.curvature() } else { 0.0 };
+        let normal = add_scaled(row.normal(), -fraction, sphere.normal());
+        flat.cut(&normal, row.bound() - fraction * sphere.bound())?;
     }
     if sphere.curvature() > 0.0 {
         return flat.closest_on_sphere(sphere, point);
@@ -60,12 +60,12 @@ fn closest_on_several<const D: usize>(rows: &[&Row<D>], point: &Vector<D>) -> Op
 /// `A s² + B s + C = 0`. Of both, the point closer to `point` lies on its side of their middle.
 fn crossing<const D: usize>(one: &Row<D>, other: &Row<D>, point: &Vector<D>) -> Option<Vector<D>> {
     let (ball, row) = if one.curvature() >= other.curvature() { (one, other) } else { (other, one) };
-    let share = if ball.curvature() > 0.0 { row.curvature() / ball.curvature() } else { 0.0 };
-    let normal = add_scaled(row.normal(), -share, ball.normal());
+    let fraction = if ball.curvature() > 0.0 { row.curvature() / ball.curvature() } else { 0.0 };
+    let normal = add_scaled(row.normal(), -fraction, ball.normal());
     let square = dot(&normal, &normal);
     let along: Vector<D> = core::array::from_fn(|d| if d == 0 { -normal[1] } else { normal[0] });
     let inverse = 1.0 / square;
-    let base = normal.map(|component| component * ((row.bound() - share * ball.bound()) * inverse));
+    let base = normal.map(|component| component * ((row.bound() - fraction * ball.bound()) * inverse));
     let (a, b, c) = (ball.curvature() * square, dot(ball.normal(), &along), ball.value(&base) - ball.bound());
     let (own, lift) = (b * b, -4.0 * a * c);
     let parallel = a == 0.0 && own <= PARALLEL * square * dot(ball.normal(), ball.normal());

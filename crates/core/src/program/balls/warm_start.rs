@@ -5,14 +5,14 @@ use crate::program::balls::Program;
 use crate::program::balls::intersection::closest_on;
 use crate::program::balls::row::Row;
 
-/// A boundary is near within this share of the longest move, in the scale of rows.
+/// A boundary is near within this fraction of the longest move, in the scale of rows.
 const NEAR: f64 = 1e-3;
 /// Gradients are far from parallel from this square of the sine of their angle on.
 const APART: f64 = 1e-4;
 
 impl<const D: usize> Program<'_, D> {
     /// Where the two boundaries near `before` meet, if that is the closest point: every row holds there, and [`decide`].
-    pub(crate) fn guess(&self, desired: &Vector<D>, before: &Vector<D>) -> Option<Vector<D>> {
+    pub(super) fn warm_start(&self, desired: &Vector<D>, before: &Vector<D>) -> Option<Vector<D>> {
         let [one, other] = self.nearest(before)?;
         let v = closest_on(&[one, other], desired)?;
         (decide(one, other, &v, desired) && self.rows().iter().all(|row| row.holds(&v))).then_some(v)
@@ -57,17 +57,17 @@ mod tests {
         let mut memory = [Row::default(); 5];
         let mut program = Program::new(&mut memory, Reach::new(&input, 1.0));
         let corner = [1.0, 0.5];
-        assert_eq!(program.guess(&[3.0, 2.0], &corner), Some(corner));
-        assert_eq!(program.guess(&[3.0, 2.0], &[0.9999, 0.5001]), Some(corner));
-        assert_eq!(program.guess(&[3.0, 0.4], &corner), None);
-        assert_eq!(program.guess(&[0.5, 2.0], &corner), None);
-        assert_eq!(program.guess(&[3.0, 2.0], &[0.0, 0.0]), None);
+        assert_eq!(program.warm_start(&[3.0, 2.0], &corner), Some(corner));
+        assert_eq!(program.warm_start(&[3.0, 2.0], &[0.9999, 0.5001]), Some(corner));
+        assert_eq!(program.warm_start(&[3.0, 0.4], &corner), None);
+        assert_eq!(program.warm_start(&[0.5, 2.0], &corner), None);
+        assert_eq!(program.warm_start(&[3.0, 2.0], &[0.0, 0.0]), None);
         program.push(Row::new([1.0, 1.0], 0.0, 1.4));
-        assert_eq!(program.guess(&[3.0, 2.0], &corner), None, "a third row is broken there");
+        assert_eq!(program.warm_start(&[3.0, 2.0], &corner), None, "a third row is broken there");
     }
 
     #[test]
-    fn where_gradients_are_nearly_parallel_nothing_is_guessed() {
+    fn where_gradients_are_nearly_parallel_there_is_no_warm_start() {
         let ball = Row::new([0.0, 0.0], 1.0, 1.0);
         let grazing = |sine: f64| Row::new([1.0, sine], 0.0, 1.0);
         for (sine, taken) in [(0.5, true), (0.1, true), (1e-3, false), (0.0, false)] {

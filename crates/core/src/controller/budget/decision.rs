@@ -1,17 +1,18 @@
-//! What the rows of `budget` come to: velocity, outcome and what the answer is worth.
+//! The decision of a tick under `budget`: velocity, outcome, and the mode that the robot reports.
 
 use core::time::Duration;
 
 use crate::controller::budget::knowledge::Claim;
-use crate::controller::budget::rows::Rows;
+use crate::controller::budget::{Move, Rows};
 use crate::num::Vector;
 use crate::program::Outcome;
+use crate::robot::neighbor::RobotId;
 use crate::robot::report::{Mode, Reason};
 use crate::settings::params::{Params, Settings};
 
-/// The answer to a tick under [`Controller::Budget`](crate::settings::params::Controller::Budget).
+/// The decision of a tick under [`Controller::Budget`](crate::settings::params::Controller::Budget).
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Answer<const D: usize> {
+pub struct Decision<const D: usize> {
     /// u_i, m/s, inside U_i.
     pub velocity_m_s: Vector<D>,
     /// How it came about.
@@ -27,27 +28,21 @@ impl<const D: usize> Params<D> {
         desired.map(|component| component * self.hold_s())
     }
 
-    /// The velocity that keeps every row for as long as it may be held. That of the tick before, `before` (m/s), makes it faster
-    /// to find and changes it by no more than rounding.
+    /// The velocity that keeps every row for as long as it may be held. The velocity of the tick before, `before` (m/s), makes
+    /// it faster to find, and changes it by no more than rounding.
     #[must_use]
-    pub fn answer(&self, rows: &mut Rows<'_, D>, before: &Vector<D>) -> Answer<D> {
-        let closest = rows.closest_from(&self.desired_m(before));
-        let doubt = match (rows.broken, rows.doubtful) {
-            (0, 0) => None,
-            (0, _) => Some(Reason::Uncertain),
-            _ => Some(Reason::OutsideSafeSet),
-        };
-        let outcome = if rows.broken > 0 { Outcome::Recovering } else { closest.outcome };
-        let velocity = closest.displacement_m.map(|component| component / self.hold_s());
-        Answer { velocity_m_s: self.settings().input.clip(&velocity), outcome, doubt }
+    pub fn decision(&self, rows: &mut Rows<'_, D>, before: &Vector<D>) -> Decision<D> {
+        let Move { displacement_m, outcome, doubt } = rows.decide(&self.desired_m(before));
+        let velocity = displacement_m.map(|component| component / self.hold_s());
+        Decision { velocity_m_s: self.settings().input.clip(&velocity), outcome, doubt }
     }
 
-    /// What an answer is worth with so many robots in sight, `h` and what else speaks against it: guaranteed unless something
-    /// does.
+    /// The mode that robot `id` reports with this `degree` and `h` when `reason`, if any, speaks against the state. It is
+    /// `Guaranteed` unless something does.
     #[must_use]
-    pub fn mode(&self, reason: Option<Reason>, degree: u16, h: f64) -> Mode {
-        let degree_low = degree < self.budget().required();
-        let exact = self.budget().margin.offset_m == 0.0;
+    pub fn mode(&self, id: RobotId, reason: Option<Reason>, degree: u16, h: f64) -> Mode {
+        let degree_low = degree < self.budget().need.need(id);
+        let exact = self.budget().errors.offset_m == 0.0;
         match reason {
             _ if degree_low => Mode::Degraded(Reason::Degree),
             Some(reason) => Mode::Degraded(reason),
@@ -58,8 +53,8 @@ impl<const D: usize> Params<D> {
 }
 
 impl<const D: usize> Settings<D> {
-    /// A level told `age` ago, in whole ticks, rounded up; nothing if it is too old, or older than can be counted: younger
-    /// than it is it would be worth too much.
+    /// A level told `age` ago as a claim, its age in whole ticks, rounded up. `None` if it is too old, or older than can be
+    /// counted: a claim that seemed younger than it is would be discounted too little.
     #[must_use]
     pub fn claim(&self, level: f64, age: Duration) -> Option<Claim> {
         let age_ticks = if age.is_zero() { 0 } else { ticks(age, self.level_period)? };
