@@ -108,7 +108,7 @@ impl Budget {
         if self.assume == Assume::Obedient && self.need.counts(survey.own, sighting.id) {
             survey.level += weight.max(0.0);
         }
-        survey.add(index, index, self.counted(sighting.id, survey.own, weight));
+        survey.add_own(index, self.counted(sighting.id, survey.own, weight));
     }
 
     /// Adds the links of one sighting to later ones.
@@ -119,15 +119,35 @@ impl Budget {
         sightings: &[Sighting<D>],
         survey: &mut Survey<'_>,
     ) {
-        if matches!(survey.links, Links::Line(_)) {
-            return;
-        }
-        let one = &sightings[first];
-        for index in later {
-            let other = &sightings[index];
-            let weight = self.weight_between(one, other);
-            survey.add(first, index, self.counted(one.id, other.id, weight));
-            survey.add(index, first, self.counted(other.id, one.id, weight));
+        let (robots, one) = (sightings.len(), &sightings[first]);
+        match &mut survey.links {
+            Links::Sums { lows, degrees } => {
+                let (mut low, mut degree) = (lows[first], degrees[first]);
+                let sums = lows[later.clone()].iter_mut().zip(&mut degrees[later.clone()]);
+                for (other, (other_low, other_degree)) in sightings[later].iter().zip(sums) {
+                    let weight = self.weight_between(one, other);
+                    if weight >= 0.0 {
+                        if self.need.counts(one.id, other.id) {
+                            low += weight;
+                            degree += 1.0;
+                        }
+                        if self.need.counts(other.id, one.id) {
+                            *other_low += weight;
+                            *other_degree += 1.0;
+                        }
+                    }
+                }
+                (lows[first], degrees[first]) = (low, degree);
+            }
+            Links::Table(table) => {
+                for index in later {
+                    let other = &sightings[index];
+                    let weight = self.weight_between(one, other);
+                    table[first * robots + index] = self.counted(one.id, other.id, weight);
+                    table[index * robots + first] = self.counted(other.id, one.id, weight);
+                }
+            }
+            Links::Line(_) => {}
         }
     }
 
@@ -220,15 +240,14 @@ impl Survey<'_> {
         self.level
     }
 
-    /// Adds to the links of one sighting that with another one, or with the robot itself if `of` and `with` are the same.
-    #[inline]
-    fn add(&mut self, of: usize, with: usize, weight: f64) {
+    /// Adds the link of a sighting with the robot itself.
+    fn add_own(&mut self, index: usize, weight: f64) {
         match &mut self.links {
             Links::Sums { lows, degrees } if weight >= 0.0 => {
-                lows[of] += weight;
-                degrees[of] += 1.0;
+                lows[index] += weight;
+                degrees[index] += 1.0;
             }
-            Links::Table(table) => table[of * self.slopes.len() + with] = weight,
+            Links::Table(table) => table[index * self.slopes.len() + index] = weight,
             Links::Sums { .. } | Links::Line(_) => {}
         }
     }
