@@ -5,10 +5,10 @@
 //! Eleven robots from the hexagonal patch `inside`, the paper's desired motion, no attack, 10 s; mean radius of gyration
 //! over twelve assignments of robots to places. Least h and least distance are asserted along the way.
 
-use closeranks_core::controller::budget::Memory;
 use closeranks_core::controller::budget::curvature::Curvature;
 use closeranks_core::controller::budget::knowledge::{Assume, Claim, Sighting, Trust};
 use closeranks_core::controller::budget::margin::ErrorBounds;
+use closeranks_core::controller::budget::rows::Memory;
 use closeranks_core::controller::budget::settings::{Budget, Form, fraction_of_rate};
 use closeranks_core::equations::link::LinkShape;
 use closeranks_core::need::Need;

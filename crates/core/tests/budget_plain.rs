@@ -2,10 +2,10 @@
 //! order, bit for bit, and so the same answer.
 
 use budget_plain_rows::{Plain, plain};
-use closeranks_core::controller::budget::Memory;
 use closeranks_core::controller::budget::curvature::Curvature;
 use closeranks_core::controller::budget::knowledge::{Assume, Claim, Sighting, Trust};
 use closeranks_core::controller::budget::margin::ErrorBounds;
+use closeranks_core::controller::budget::rows::Memory;
 use closeranks_core::controller::budget::settings::{Budget, Form};
 use closeranks_core::equations::link::LinkShape;
 use closeranks_core::need::Need;

@@ -28,7 +28,7 @@ pub struct Report {
     pub level: f64,
     /// h_i = c_i − F′ (eq:h_i); under `budget` with free liars T_i − θ, with a margin the least that it can be.
     pub h: f64,
-    /// φ_i (eq:phi_i) if the answer depends on it: under `composed`. May be negative while all is well (METHOD.md 2.2).
+    /// φ_i (eq:phi_i) if the answer depends on it: under `composed`. May be negative while all is well (docs/theory).
     /// [`Robot::phi`](crate::robot::Robot::phi) has it whatever the controller.
     pub phi: Option<f64>,
     /// What the program found.
@@ -57,7 +57,7 @@ pub struct RoundReport {
 /// What a robot can promise for its answer.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Mode {
-    /// All assumptions of THEORY.md B that a robot can check hold. It cannot check that positions are exact, that all
+    /// All assumptions of thm:discrete that a robot can check hold. It cannot check that positions are exact, that all
     /// robots have the same settings, and that messages were not delayed on their way (docs/budget.md). `composed`
     /// never says so: its theorem needs continuous time.
     Guaranteed,

@@ -1,7 +1,7 @@
-//! The robot under [`Controller::Budget`]: what it senses and hears as rows.
+//! The robot under [`Controller::Budget`]: it turns what it senses and hears into sightings, and asks for rows.
 
-use crate::controller::budget::Memory;
 use crate::controller::budget::knowledge::{Claim, Sighting};
+use crate::controller::budget::rows::Memory;
 use crate::num::Vector;
 use crate::program::Outcome;
 use crate::robot::Robot;
@@ -11,7 +11,7 @@ use crate::settings::params::{Controller, Settings};
 use crate::time::Instant;
 
 impl<const D: usize> Robot<'_, D> {
-    /// What the robot has to tell: Σ a_ij, or the trimmed sum under `budget` with free liars.
+    /// The level that the robot has to tell: Σ a_ij, or the trimmed sum under `budget` with free liars.
     pub(crate) fn own_level(&mut self) -> f64 {
         if self.params.settings().controller == Controller::Composed || self.params.budget().is_plain() {
             return self.linked().fold(0.0, |level, slot| level + slot.link.weight);
@@ -42,13 +42,13 @@ impl<const D: usize> Robot<'_, D> {
         (decision.velocity_m_s, decision.outcome)
     }
 
-    /// Guaranteed as long as nothing that the robot can check speaks against it.
+    /// The mode is `Guaranteed` as long as nothing that the robot can check speaks against it.
     pub(crate) fn budget_mode(&self, degree: u16, h: f64) -> Mode {
         let reason = self.assurance.reason(self.now, self.params.settings().told_max);
         self.params.mode(self.id, reason, degree, h)
     }
 
-    /// Fills the sightings from the slots; gives how many fit.
+    /// Fills the sightings from the slots, and returns how many fit.
     fn see(&mut self) -> usize {
         let (settings, mut count) = (self.params.settings(), 0);
         let latest = self.now.after(settings.clock_error);
@@ -62,7 +62,7 @@ impl<const D: usize> Robot<'_, D> {
     }
 }
 
-/// What a neighbour told; nothing if that is from later.
+/// What a neighbour told; `None` if it seems to come from the future.
 fn claim<const D: usize>(slot: &Slot<D>, latest: Instant, settings: &Settings<D>) -> Option<Claim> {
     let told = slot.told?;
     settings.claim(told.level, latest.checked_since(told.stamp)?)

@@ -8,7 +8,7 @@ use crate::num::exponential::exps;
 const STEEPEST: f64 = 0.521_813_447_795_768_5;
 /// Both bounds are raised by this factor, so that rounding never makes them too small.
 const RAISE: f64 = 1.0 + 1e-12;
-/// Halvings that exhaust the digits of an `f64`.
+/// So many halvings exhaust the digits of an `f64`.
 const HALVINGS: usize = 64;
 
 /// Largest first and second derivatives of the link weight over the distances that a pair can reach in one tick.
@@ -132,7 +132,7 @@ impl Curvature {
         RAISE * sharpest.max(swell(&self.link, low)) * error_m
     }
 
-    /// The weight of a link is at least this within R/2, rounding included.
+    /// The weight of a link that is no longer than R/2 is at least this, rounding included.
     pub(crate) fn least_within_half(&self) -> f64 {
         self.half_way - 1e-9 * self.link.q1
     }
@@ -146,7 +146,8 @@ impl Curvature {
         RAISE * 2.0 * radius_m * slope(&self.link, steepest_m2)
     }
 
-    /// s at the farther distance, at least 0, and at the nearer one, which is at least 0 itself.
+    /// The interval of s between two distances. Its low end, at the farther distance, is at least 0. A nearer distance below 0
+    /// counts as 0.
     fn slacks(&self, nearer_m: f64, farther_m: f64) -> (f64, f64) {
         let nearer_m = if nearer_m < 0.0 { 0.0 } else { nearer_m };
         let radius_m2 = self.link.radius_m * self.link.radius_m;

@@ -2,8 +2,9 @@
 
 use core::time::Duration;
 
+use crate::controller::budget::Move;
 use crate::controller::budget::knowledge::Claim;
-use crate::controller::budget::{Move, Rows};
+use crate::controller::budget::rows::Rows;
 use crate::num::Vector;
 use crate::program::Outcome;
 use crate::robot::neighbor::RobotId;
@@ -15,14 +16,14 @@ use crate::settings::params::{Params, Settings};
 pub struct Decision<const D: usize> {
     /// u_i, m/s, inside U_i.
     pub velocity_m_s: Vector<D>,
-    /// How it came about.
+    /// How the program found it.
     pub outcome: Outcome,
     /// What in this tick speaks against the state.
     pub doubt: Option<Reason>,
 }
 
 impl<const D: usize> Params<D> {
-    /// How far `desired` (m/s) goes while a velocity is held, m.
+    /// How far a velocity of `desired` (m/s) takes the robot while it is held, m.
     #[must_use]
     pub fn desired_m(&self, desired: &Vector<D>) -> Vector<D> {
         desired.map(|component| component * self.hold_s())
@@ -62,7 +63,8 @@ impl<const D: usize> Settings<D> {
     }
 }
 
-/// `age` in periods, rounded up; a longer period than 64 bits hold counts as shorter, which makes the age greater.
+/// `age` in periods, rounded up. A period that does not fit into 64 bits of nanoseconds counts as shorter than it is, so that
+/// the age is greater.
 fn ticks(age: Duration, period: Duration) -> Option<u32> {
     let nanos = |span: Duration| u64::try_from(span.as_nanos());
     let period_ns = nanos(period).unwrap_or(u64::MAX).max(1);

@@ -163,14 +163,13 @@ impl Budget {
     //= theory eq:far
     pub(super) fn beta_of<const D: usize>(&self, own: &Own<D>, neighbor: &Neighbor<'_, D>) -> f64 {
         let Neighbor { id, pair, known, .. } = neighbor;
-        let own_fraction = match self.need.counts(own.id, *id) {
-            true => self.loss_max(own.h.max(0.0)) / own.degree.max(1.0),
-            false => f64::INFINITY,
-        };
-        let known_fraction = match self.need.counts(*id, own.id) {
-            true => self.loss_max(known.budget) / known.degree_max,
-            false => f64::INFINITY,
-        };
+        let (mut own_fraction, mut known_fraction) = (f64::INFINITY, f64::INFINITY);
+        if self.need.counts(own.id, *id) {
+            own_fraction = self.loss_max(own.h.max(0.0)) / own.degree.max(1.0);
+        }
+        if self.need.counts(*id, own.id) {
+            known_fraction = self.loss_max(known.budget) / known.degree_max;
+        }
         self.beta_m2(pair.bend, own_fraction, known_fraction)
     }
 

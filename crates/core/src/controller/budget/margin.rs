@@ -1,11 +1,9 @@
 //! Room for wrong positions: what a robot still knows of a link, and of a row, when positions are known only to some error.
 
-use crate::controller::budget::Rows;
 use crate::controller::budget::knowledge::Assume;
 use crate::controller::budget::settings::Budget;
 use crate::equations::link::Link;
 use crate::num::{Vector, dot, length};
-use crate::program::balls::row::Row;
 
 /// Bounds of the errors of sensing and tracking, as the theorem needs them.
 ///
@@ -93,21 +91,6 @@ impl Budget {
     pub(crate) fn in_range<const D: usize>(&self, offset: &Vector<D>) -> bool {
         let sight_m = self.curvature.link().radius_m + self.errors.offset_m;
         sight_m * sight_m - dot(offset, offset) >= 0.0
-    }
-}
-
-impl<const D: usize> Rows<'_, D> {
-    /// Adds the `row` of a `vector` that is known up to `error` along each axis. If the error is 0 that is one row; else it
-    /// is one row for every corner of the cube around the vector.
-    //= theory sec:margins
-    pub(super) fn push(&mut self, vector: &Vector<D>, error: f64, row: impl Fn(&Vector<D>) -> Row<D>) {
-        if error == 0.0 {
-            return self.program.keep(row(vector));
-        }
-        for corner in 0..1_usize << D.min(8) {
-            let tilt = |d: usize| if corner >> d & 1 == 1 { error } else { -error };
-            self.program.push(row(&core::array::from_fn(|d| vector[d] + tilt(d))));
-        }
     }
 }
 

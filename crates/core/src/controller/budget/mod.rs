@@ -23,6 +23,7 @@
 //! | eq:far, eq:far-prime, eq:near: both sides, and when a row is slack | [`inequality`] |
 //! | eq:known, eq:interval, thm:any-claim, thm:free | [`knowledge`] |
 //! | the sums behind them | [`survey`] |
+//! | the program of a tick and its memory | [`rows`] |
 //! | eq:loss, eq:decayed and the settings | [`settings`] |
 //! | eq:slope-bound, eq:curvature-bound | [`curvature`] |
 //! | sec:margins | [`margin`] |
@@ -37,43 +38,20 @@ pub mod inequality;
 pub mod knowledge;
 pub mod margin;
 mod recovery;
+pub mod rows;
 pub mod settings;
 pub mod survey;
 
 use crate::controller::budget::inequality::{Neighbor, may_bind};
 use crate::controller::budget::knowledge::{Sighting, count};
+use crate::controller::budget::rows::{Memory, Rows};
 use crate::controller::budget::settings::{Budget, Form};
 use crate::num::{Vector, add_scaled};
 use crate::program::Outcome;
 use crate::program::balls::reach::Reach;
 use crate::program::balls::row::Row;
-use crate::program::balls::{Closest, Program};
 use crate::robot::neighbor::RobotId;
 use crate::robot::report::Reason;
-
-/// Memory that the caller lends for one tick.
-#[derive(Debug)]
-pub struct Memory<'memory, const D: usize> {
-    /// `2·D + 2·N + 1` rows are always enough for N neighbours. If positions have errors, `2·D + 2ᴰ (2·N + 1)` are.
-    pub rows: &'memory mut [Row<D>],
-    /// Numbers for [`Budget::survey`].
-    pub weights: &'memory mut [f64],
-}
-
-/// The rows of a tick.
-#[derive(Debug)]
-pub struct Rows<'memory, const D: usize> {
-    /// The program; its rows are all that bounds the move.
-    pub program: Program<'memory, D>,
-    /// The desired displacement, m, as recovery has raised it.
-    pub desired_m: Vector<D>,
-    /// The robot's own h_i, of its level or of its trimmed level.
-    pub h: f64,
-    /// How many limits are certainly violated: h_i < 0, h_j < 0, or a pair closer than Δ_d.
-    pub broken: usize,
-    /// How many limits may be violated. Without errors of positions this is the same as `broken`.
-    pub doubtful: usize,
-}
 
 /// What the rows of a tick come to.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -116,8 +94,9 @@ impl Budget {
         reach: Reach<D>,
         memory: Memory<'memory, D>,
     ) -> Rows<'memory, D> {
-        let mut rows = Rows::new(desired_m, reach, memory.rows);
-        let Some(mut survey) = self.survey(own, sightings, memory.weights) else {
+        let Memory { rows, weights } = memory;
+        let mut rows = Rows::new(desired_m, reach, rows);
+        let Some(mut survey) = self.survey(own, sightings, weights) else {
             rows.forbid_any_move();
             return rows;
         };
@@ -254,19 +233,7 @@ impl Budget {
     }
 }
 
-impl<'memory, const D: usize> Rows<'memory, D> {
-    /// The box alone.
-    fn new(desired_m: &Vector<D>, reach: Reach<D>, memory: &'memory mut [Row<D>]) -> Self {
-        let desired_m = desired_m.map(|component| if component.is_finite() { component } else { 0.0 });
-        Self { program: Program::new(memory, reach), desired_m, h: 0.0, broken: 0, doubtful: 0 }
-    }
-
-    /// Adds a row that holds at v = 0 alone, because nothing is known of the state.
-    fn forbid_any_move(&mut self) {
-        self.program.push(Row::new([0.0; D], 1.0, 0.0));
-        self.doubtful += 1;
-    }
-
+impl<const D: usize> Rows<'_, D> {
     /// The closest point and what it means. `before_m` is the displacement of the tick before: where the closest point is near
     /// to it, it is found faster, and changes by no more than rounding.
     #[must_use]
@@ -279,17 +246,5 @@ impl<'memory, const D: usize> Rows<'memory, D> {
         };
         let outcome = if self.broken > 0 { Outcome::Recovering } else { closest.outcome };
         Move { displacement_m: closest.displacement_m, outcome, doubt }
-    }
-
-    /// The displacement, m, that is closest to the desired one among those where every row holds.
-    #[must_use]
-    pub fn closest(&mut self) -> Closest<D> {
-        self.program.closest(&self.desired_m)
-    }
-
-    /// The same displacement up to rounding, found faster where `before_m` is close to it ([`Program::closest_from`]).
-    #[must_use]
-    pub fn closest_from(&mut self, before_m: &Vector<D>) -> Closest<D> {
-        self.program.closest_from(&self.desired_m, before_m)
     }
 }

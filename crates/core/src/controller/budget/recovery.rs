@@ -4,9 +4,10 @@
 //! the desired displacement is raised along the gradient of what is violated, by what would mend it to first order, but by no
 //! more than the longest move ρ.
 
+use crate::controller::budget::Own;
 use crate::controller::budget::inequality::Pair;
+use crate::controller::budget::rows::Rows;
 use crate::controller::budget::settings::Budget;
-use crate::controller::budget::{Own, Rows};
 use crate::num::{Vector, add_scaled, dot, length};
 
 impl Budget {

@@ -30,7 +30,7 @@ pub(crate) fn closest_on<const D: usize>(rows: &[&Row<D>], point: &Vector<D>) ->
     Some(closest)
 }
 
-/// The same for any number of boundaries in any dimension, before that step.
+/// [`closest_on`] for any number of boundaries in any dimension, without the Newton step.
 ///
 /// Of the balls, the most curved stays; the difference of another and its multiple is a plane. The planes leave a flat of
 /// `D − (count − 1)` dimensions, the ball a sphere in it.
@@ -54,7 +54,7 @@ fn closest_on_several<const D: usize>(rows: &[&Row<D>], point: &Vector<D>) -> Op
     Some(flat.closest(point))
 }
 
-/// The same for two boundaries in the plane, with one root and no unit vectors.
+/// [`closest_on`] for two boundaries in the plane, without the Newton step; it takes one root and no unit vectors.
 ///
 /// The most curved boundary and the difference of the other and its multiple, a line `base + s t`, meet where
 /// `A s² + B s + C = 0`. Of both, the point closer to `point` lies on its side of their middle.
@@ -82,7 +82,7 @@ fn crossing<const D: usize>(one: &Row<D>, other: &Row<D>, point: &Vector<D>) -> 
     Some(add_scaled(&base, step, &along))
 }
 
-/// The same for one boundary.
+/// [`closest_on`] for one boundary.
 fn closest_on_one<const D: usize>(row: &Row<D>, point: &Vector<D>) -> Option<Vector<D>> {
     let mut closest = if row.curvature() > 0.0 {
         onto_ball(row.normal(), row.curvature(), row.bound(), point)?
@@ -104,14 +104,14 @@ fn step_onto<const D: usize>(row: &Row<D>, gradient: &Vector<D>, v: &Vector<D>) 
     (square > 0.0).then(|| add_scaled(v, step, gradient))
 }
 
-/// On a side of the box the coordinate is known to the last digit.
+/// Sets the coordinate along the axis of a side of the box, where it is known to the last digit.
 fn straighten<const D: usize>(row: &Row<D>, v: &mut Vector<D>) {
     if let Some(axis) = row.axis() {
         v[axis] = row.bound() / row.normal()[axis];
     }
 }
 
-/// One Newton step onto all boundaries at once, the shortest there is; none if they touch.
+/// Makes one Newton step onto all boundaries at once, the shortest there is; it makes none if they touch.
 fn polish<const D: usize>(rows: &[&Row<D>], v: &mut Vector<D>) {
     if let &[one, other] = rows
         && let Some(step) = step_onto_both(one, other, v)
@@ -129,7 +129,7 @@ fn polish<const D: usize>(rows: &[&Row<D>], v: &mut Vector<D>) {
     *v = add_scaled(v, 1.0, &step.base);
 }
 
-/// The same for two boundaries that are far from parallel, without roots.
+/// The step of [`polish`] for two boundaries that are far from parallel, without roots.
 fn step_onto_both<const D: usize>(one: &Row<D>, other: &Row<D>, v: &Vector<D>) -> Option<Vector<D>> {
     let [a, b] = [one, other].map(|row| row.gradient(v));
     let [missing_a, missing_b] = [one, other].map(|row| row.bound() - row.value(v));

@@ -23,7 +23,7 @@ pub struct Program<'memory, const D: usize> {
     pub(crate) reach: Reach<D>,
 }
 
-/// Answer of [`Program::closest`].
+/// What [`Program::closest`] returns.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Closest<const D: usize> {
     /// v, m: in the box, and every row holds.
@@ -36,7 +36,7 @@ pub struct Closest<const D: usize> {
 }
 
 impl<'memory, const D: usize> Program<'memory, D> {
-    /// The box alone.
+    /// A program that has the rows of the box alone.
     #[must_use]
     pub fn new(memory: &'memory mut [Row<D>], reach: Reach<D>) -> Self {
         let mut program = Self { rows: memory, count: 0, full: false, reach };
@@ -78,7 +78,8 @@ impl<'memory, const D: usize> Program<'memory, D> {
         self.closest_from(desired_m, &[0.0; D])
     }
 
-    /// The same up to rounding, and faster where `before_m` is close to the answer, as the displacement of the tick before is.
+    /// The result of [`closest`](Self::closest) up to rounding. It is found faster where `before_m` is close to it, as the
+    /// displacement of the tick before is.
     ///
     /// The two boundaries nearest to `before_m` give one candidate. If the optimality conditions hold there, it is the closest
     /// point; else the search begins as if nothing were known.

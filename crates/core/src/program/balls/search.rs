@@ -9,15 +9,15 @@ use crate::program::balls::row::Row;
 const NEARLY: f64 = 1e-6;
 
 impl<const D: usize> Program<'_, D> {
-    /// The answer and the size of the working set.
+    /// The closest point and the size of the working set.
     ///
     /// The closest point is that of a *working set* of rows. While a row outside it is broken, the most broken one joins
     /// and the closest point for the working set is found anew; it lies on the boundary of the newcomer. By the
     /// optimality conditions it is the point closest to the desired one among those where some subset of at most D rows
-    /// holds with equality (were another such point as close, the Lagrangian, strictly convex, had two minima): so each
-    /// subset with the newcomer gives one candidate in closed form, and the closest one that breaks no row is taken. Both
-    /// arcs, where a boundary circle meets the rest in two, are so looked at. Every row joins once at most. Where no
-    /// multipliers exist, the set is {0}: two points of it would have a midpoint inside all balls.
+    /// holds with equality. (If another such point were as close, the Lagrangian, which is strictly convex, would have two
+    /// minima.) So each subset with the newcomer gives one candidate in closed form, and the closest one that breaks no row is
+    /// taken. If a boundary circle meets the rest in two arcs, both are looked at in this way. Every row joins once at most.
+    /// Where no multipliers exist, the set is {0}, because two points of it would have a midpoint inside all balls.
     //= theory sec:program
     pub(super) fn search(&mut self, desired: &Vector<D>) -> (Vector<D>, usize) {
         let (mut v, mut working) = (*desired, 0);

@@ -1,4 +1,4 @@
-//! The closest point where it is likely to be: on the two boundaries that decided a tick ago.
+//! A warm start: the closest point is looked for first on the two boundaries that decided a tick ago.
 
 use crate::num::{Vector, dot, subtract};
 use crate::program::balls::Program;
@@ -34,8 +34,8 @@ impl<const D: usize> Program<'_, D> {
     }
 }
 
-/// True if at v, of both boundaries the point closest to `desired`, the way there is a sum of their gradients with factors that are
-/// not negative: then no other point of the two balls is as close.
+/// True if no other point of the two balls is as close to `desired` as v, which is on both boundaries. That is so if the way
+/// from v to `desired` is a sum of the two gradients with factors that are not negative.
 fn decide<const D: usize>(one: &Row<D>, other: &Row<D>, v: &Vector<D>, desired: &Vector<D>) -> bool {
     let ([a, b], way) = ([one, other].map(|row| row.gradient(v)), subtract(desired, v));
     let (aa, ab, bb) = (dot(&a, &a), dot(&a, &b), dot(&b, &b));
