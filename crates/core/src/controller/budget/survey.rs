@@ -55,26 +55,15 @@ impl Budget {
         let robots = sightings.len();
         let (slopes, rest) = memory.split_at_mut_checked(robots)?;
         let whole = sightings.iter().all(|sighting| is_finite(&sighting.offset_m));
-        if !whole || rest.len() < robots {
+        if !whole {
             return None;
         }
-        let mut level = 0.0;
-        let links = match self.assume {
-            Assume::Obedient => {
-                let (lows, rest) = rest.split_at_mut(robots);
-                let degrees = rest.get_mut(..robots)?;
-                lows.fill(0.0);
-                degrees.fill(0.0);
-                Links::Sums { lows, degrees }
-            }
-            Assume::Free => {
-                level = self.level(own, sightings, rest);
-                match robots.checked_mul(robots).filter(|square| *square <= rest.len()) {
-                    Some(square) => Links::Table(&mut rest[..square]),
-                    None => Links::Line(&mut rest[..robots]),
-                }
-            }
+        // a trimmed level needs all weights at once; a plain one is added up with the links
+        let level = match self.assume {
+            Assume::Obedient => 0.0,
+            Assume::Free => self.level(own, sightings, rest),
         };
+        let links = Links::new(self.assume, robots, rest)?;
         let mut survey = Survey { own, level, slopes, links };
         self.add_all(sightings, &mut survey);
         Some(survey)
@@ -230,6 +219,25 @@ impl Budget {
         let others = sightings[..index].iter().chain(&sightings[index + 1..]);
         let seen = self.need.counting_among(robot, others.map(|other| other.id).chain([own]));
         usize::from(self.need.counting(robot)).saturating_sub(seen)
+    }
+}
+
+impl<'memory> Links<'memory> {
+    /// No links yet of so many `robots`; `None` if `memory` is too short.
+    fn new(assume: Assume, robots: usize, memory: &'memory mut [f64]) -> Option<Self> {
+        match (assume, robots.checked_mul(robots)) {
+            (Assume::Obedient, _) => {
+                let (lows, rest) = memory.split_at_mut_checked(robots)?;
+                let degrees = rest.get_mut(..robots)?;
+                lows.fill(0.0);
+                degrees.fill(0.0);
+                Some(Self::Sums { lows, degrees })
+            }
+            (Assume::Free, Some(square)) if square <= memory.len() => {
+                Some(Self::Table(&mut memory[..square]))
+            }
+            (Assume::Free, _) => Some(Self::Line(memory.get_mut(..robots)?)),
+        }
     }
 }
 
