@@ -89,7 +89,7 @@ fn check_phi<const D: usize>(cluster: &mut Cluster<D>) {
     }
 }
 
-/// eq:phi_i, or the own share of METHOD.md 2.3.
+/// eq:phi_i, or the own share of docs/theory.
 fn printed<const D: usize>(cluster: &Cluster<D>, i: usize) -> f64 {
     let own = cluster.told_term(i);
     let degrees = match cluster.composed.split {

@@ -1,4 +1,4 @@
-//! What does not hold of the printed split (METHOD.md 2.1 and 2.3), and what holds instead.
+//! What does not hold of the printed split (docs/theory), and what holds instead.
 //!
 //! φ_i (eq:phi_i) jumps when a robot comes into range, by up to the whole budget 1/n; and the sum of all φ_i is φ
 //! (eq:composition) only if every degree is F′, and may exceed it if a robot overstates: the proof of lem:equivalence assumes it
@@ -44,7 +44,7 @@ fn phi_i_jumps_by_the_share_of_a_robot_that_comes_into_range() {
     }
 }
 
-/// THEORY.md 2.3: a load of 0.08 leaves φ_i = 0.011; a newcomer with ĥ = 0.107 makes it −0.014.
+/// As in docs/theory: a load of 0.08 leaves φ_i = 0.011; a newcomer with ĥ = 0.107 makes it −0.014.
 //= paper eq:phi_i type=test
 #[test]
 fn the_jump_can_take_a_robot_out_of_its_safe_set() {
@@ -79,7 +79,7 @@ fn the_split_is_exact_only_at_degree_f_prime_and_the_own_share_always() {
     }
 }
 
-/// δ_k = 4 and ĥ_k = 0.1: the gap is 0.084, almost the budget 1/n = 0.091 (THEORY.md 2.4).
+/// δ_k = 4 and ĥ_k = 0.1: the gap is 0.084, almost the budget 1/n = 0.091 (docs/theory).
 //= paper lem:equivalence type=test
 #[test]
 fn a_robot_that_overstates_makes_the_sum_of_the_phi_i_exceed_phi() {

@@ -40,7 +40,7 @@ impl<const D: usize> Play<'_, D> {
             assert!(report.outcome != Outcome::Free || *velocity_m_s == [0.0; D], "{velocity_m_s:?}");
         }
         // With a margin, what is sensed may be less than what is promised to be there.
-        let exact = self.params.kept().margin.offset_m == 0.0;
+        let exact = self.params.kept().errors.offset_m == 0.0;
         if report.mode == Mode::Guaranteed && exact {
             assert!(report.degree_margin >= 0 && report.h >= 0.0, "{report:?}");
         }

@@ -43,7 +43,7 @@ fn play<const D: usize>(params: Params<D>, source: &mut Source<'_>) {
     };
     let needs = Needs::new(&params, slots);
     let mut values = vec![0.0; short(source, needs.values)];
-    let mut sightings = vec![Sighting::new([0.0; D], None); short(source, needs.sightings)];
+    let mut sightings = vec![Sighting::NOBODY; short(source, needs.sightings)];
     let mut rows = vec![Row::default(); short(source, needs.rows)];
     let given = Needs { values: values.len(), sightings: sightings.len(), rows: rows.len() };
     let value = if source.byte() < 240 { source.near() } else { source.number() };

@@ -107,7 +107,7 @@ impl<const D: usize> Control<D> for ComposedController<D> {
 
     /// Ê of a told level, 0 of none.
     #[inline]
-    fn told(&self, level: Option<f64>) -> f64 {
+    fn told(&self, _robot: RobotId, level: Option<f64>) -> f64 {
         level.map_or(0.0, |level| self.composed.degree_term(level))
     }
 
@@ -172,10 +172,10 @@ impl<const D: usize> Control<D> for ComposedController<D> {
 
     fn alone(&self, view: &View<'_, D>, desired: &Vector<D>, scratch: &mut Scratch<'_, D>) -> Decision<D> {
         let own = Own { id: view.id, level: view.told_level, told_level: view.told_level, degree: 0 };
-        let told = self.told(Some(view.told_level));
+        let told = self.told(view.id, Some(view.told_level));
         let mut sums = self.sums(&told);
         for slot in view.linked() {
-            let other = self.told(slot.told_level());
+            let other = self.told(slot.id, slot.told_level());
             self.hear(&mut sums, &other);
             if let Some(pair) = self.pair(&slot.offset_m, &slot.link) {
                 self.add(&mut sums, &slot.offset_m, &pair, [&told, &other]);

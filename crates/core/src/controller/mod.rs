@@ -107,6 +107,8 @@ impl<const D: usize> Batch<'_, D> {
 /// What can be said of a neighbour j as robot i sees it, in a world in which all sense exactly and hear the same.
 #[derive(Clone, Copy)]
 pub struct Glimpse<'a, Told> {
+    /// The number of j.
+    pub id: RobotId,
     /// The level that j told.
     pub told_level: f64,
     /// What others make of it.
@@ -205,8 +207,8 @@ pub trait Control<const D: usize> {
         }
     }
 
-    /// What others make of a told level, or of none.
-    fn told(&self, level: Option<f64>) -> Self::Told;
+    /// What others make of a level that `robot` told, or of none.
+    fn told(&self, robot: RobotId, level: Option<f64>) -> Self::Told;
 
     /// Sums of a robot without neighbours.
     fn sums(&self, own: &Self::Told) -> Self::Sums;

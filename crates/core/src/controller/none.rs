@@ -5,6 +5,7 @@ use crate::equations::link::Link;
 use crate::need::Need;
 use crate::num::Vector;
 use crate::program::{InputBox, Outcome};
+use crate::robot::neighbor::RobotId;
 use crate::robot::report::{Mode, Reason};
 use crate::robot::scratch::Scratch;
 use crate::settings::Settings;
@@ -45,7 +46,7 @@ impl<const D: usize> Control<D> for Unfiltered<D> {
         None
     }
 
-    fn told(&self, _level: Option<f64>) {}
+    fn told(&self, _robot: RobotId, _level: Option<f64>) {}
 
     fn sums(&self, (): &()) {}
 

@@ -36,7 +36,7 @@ impl<const D: usize> Assurance<D> {
     /// Notes when it is not where it should be, or was not called in time. It then begins anew from where it is.
     pub(crate) fn place(&mut self, params: &Params<D>, now: Instant, sensed: Vector<D>) -> Vector<D> {
         self.anew = true;
-        let Some(Budget { margin, .. }) = params.budget() else { return sensed };
+        let Some(Budget { errors, .. }) = params.budget() else { return sensed };
         let Some((then, position, velocity)) = self.last else { return sensed };
         let (elapsed, hold_max) = (now.since(then), params.settings().clock.hold_max());
         let expected = add_scaled(&position, elapsed.min(hold_max).as_secs_f64(), &velocity);
@@ -47,13 +47,13 @@ impl<const D: usize> Assurance<D> {
         let blur_m = ROUNDING * (1.0 + length(&sensed)) + CLOCK * length(&subtract(&expected, &position));
         let away_m = length(&subtract(&sensed, &expected));
         // The error of one sensed position against a reference that is known; else those of two.
-        let most_m = if margin.away_m > 0.0 { margin.sensed_m() } else { margin.offset_m };
+        let most_m = if errors.away_m > 0.0 { errors.sensed_m() } else { errors.offset_m };
         if away_m.is_nan() || away_m > most_m + blur_m {
             self.broken = Some((now, Reason::Moved));
             return sensed;
         }
         self.anew = false;
-        if margin.away_m > 0.0 { expected } else { sensed }
+        if errors.away_m > 0.0 { expected } else { sensed }
     }
 
     /// Notes a neighbour that went farther since the last tick than it can.
@@ -64,7 +64,7 @@ impl<const D: usize> Assurance<D> {
             return;
         }
         let went_m = length(&subtract(offset_m, &slot.offset_m));
-        let most_m = 2.0 * params.reach().longest_m() + 2.0 * budget.margin.offset_m;
+        let most_m = 2.0 * params.reach().longest_m() + 2.0 * budget.errors.offset_m;
         if went_m > most_m * (1.0 + CLOCK) + ROUNDING {
             self.broken = Some((now, Reason::Moved));
         }

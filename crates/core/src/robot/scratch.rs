@@ -1,10 +1,11 @@
 //! Memory that a robot needs during a call and not between calls: one piece for any number of robots that take turns.
 
-use crate::controller::budget::knowledge::{Assume, Sighting};
+use crate::controller::budget::knowledge::Sighting;
+use crate::controller::budget::settings::Budget;
 use crate::program::balls::row::Row;
 use crate::robot::error::RobotError;
+use crate::settings::Controller;
 use crate::settings::params::Params;
-use crate::settings::{BudgetSettings, Controller};
 
 /// Scratch for the calls of a robot. One that exists is enough for robots with those parameters and that many slots.
 #[derive(Debug)]
@@ -37,19 +38,11 @@ impl Needs {
         match &params.settings().controller {
             Controller::Composed(_) | Controller::None => Self { values: neighbors, sightings: 0, rows: 0 },
             Controller::Budget(budget) => Self {
-                values: values(budget, neighbors),
+                values: Budget::survey_len_min(budget.assume, neighbors),
                 sightings: neighbors,
-                rows: rows(D, params.settings().margin().offset_m > 0.0, neighbors),
+                rows: rows(D, params.settings().error_bounds().offset_m > 0.0, neighbors),
             },
         }
-    }
-}
-
-/// Every pair of neighbours is weighed once: with sums for three numbers each, with free liars in a table.
-fn values(budget: &BudgetSettings, neighbors: usize) -> usize {
-    match budget.assume {
-        Assume::Obedient => neighbors.saturating_mul(3),
-        Assume::Free => neighbors.saturating_mul(neighbors),
     }
 }
 
@@ -99,7 +92,7 @@ impl<const D: usize, const N: usize, const K: usize> RobotMemory<D, N, K> {
         let mut memory = Self {
             sums: [[0.0; 3]; N],
             table: [[0.0; N]; N],
-            sightings: [Sighting::new([0.0; D], None); N],
+            sightings: [Sighting::NOBODY; N],
             rows: [[Row::default(); K]; N],
         };
         let (values, sightings, rows) = memory.slices();

@@ -3,7 +3,7 @@
 use core::time::Duration;
 
 use crate::controller::budget::knowledge::{Assume, Trust};
-use crate::controller::budget::settings::share_of_rate;
+use crate::controller::budget::settings::fraction_of_rate;
 use crate::equations::composition::PhiSplit;
 
 /// Which controller a robot runs.
@@ -34,7 +34,7 @@ pub struct ComposedSettings {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct BudgetSettings {
     /// γ: the fraction of h_k that may be lost in a tick, in (0, 1]; `None` for a rate of 2/s, with which robots get far
-    /// ([`share_of_rate`]).
+    /// ([`fraction_of_rate`]).
     pub gamma: Option<f64>,
     /// κ, at least 0: by how much that fraction rises with h_k.
     pub gain_slope: f64,
@@ -74,6 +74,6 @@ impl BudgetSettings {
     /// γ: the one given, or that of a rate of 2/s in a tick of `period`.
     #[must_use]
     pub fn gamma(&self, period: Duration) -> f64 {
-        self.gamma.unwrap_or_else(|| share_of_rate(2.0, period.as_secs_f64()))
+        self.gamma.unwrap_or_else(|| fraction_of_rate(2.0, period.as_secs_f64()))
     }
 }

@@ -11,7 +11,7 @@ pub mod range;
 pub use clock::Clock;
 pub use controller::{BudgetSettings, ComposedSettings, Controller};
 
-use crate::controller::budget::margin::Margin;
+use crate::controller::budget::margin::ErrorBounds;
 use crate::program::InputBox;
 
 /// Who is in the team.
@@ -104,10 +104,10 @@ impl<const D: usize> Settings<D> {
 
     /// What errors of sensing and tracking cost; nothing where the controller has no room for them.
     #[must_use]
-    pub fn margin(&self) -> Margin {
+    pub fn error_bounds(&self) -> ErrorBounds {
         match self.controller {
-            Controller::Budget(_) => Margin::new(self.errors.position_m, self.errors.tracking_m),
-            Controller::Composed(_) | Controller::None => Margin::NONE,
+            Controller::Budget(_) => ErrorBounds::new(self.errors.position_m, self.errors.tracking_m),
+            Controller::Composed(_) | Controller::None => ErrorBounds::NONE,
         }
     }
 }

@@ -1,7 +1,7 @@
 //! Checked settings: what a robot is told once, constant from then on.
 
 use crate::controller::AnyController;
-use crate::controller::budget::margin::Margin;
+use crate::controller::budget::margin::ErrorBounds;
 use crate::controller::budget::settings::Budget;
 use crate::equations::composition::Composed;
 use crate::equations::link::LinkShape;
@@ -29,7 +29,7 @@ pub struct Params<const D: usize> {
     hold_s: f64,
 }
 
-/// What a controller keeps among references: where velocities have taken each robot ([`Margin`]).
+/// What a controller keeps among references: where velocities have taken each robot ([`ErrorBounds`]).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Kept {
     /// Shape of their links.
@@ -37,7 +37,7 @@ pub struct Kept {
     /// How near two of them may come, m.
     pub distance_min_m: f64,
     /// How far they are from the robots.
-    pub margin: Margin,
+    pub errors: ErrorBounds,
 }
 
 impl<const D: usize> Params<D> {
@@ -109,12 +109,12 @@ impl<const D: usize> Params<D> {
             Some(budget) => Kept {
                 link: *budget.curvature.link(),
                 distance_min_m: budget.distance_min_m,
-                margin: budget.margin,
+                errors: budget.errors,
             },
             None => Kept {
                 link: self.link,
                 distance_min_m: self.settings.limits.distance_min_m,
-                margin: Margin::NONE,
+                errors: ErrorBounds::NONE,
             },
         }
     }
@@ -163,7 +163,7 @@ impl<const D: usize> Settings<D> {
         match self.controller {
             Controller::Composed(_) | Controller::None => self.link.radius_m,
             Controller::Budget(_) => {
-                self.link.radius_m - 2.0 * self.reach().longest_m() - 4.0 * self.margin().away_m
+                self.link.radius_m - 2.0 * self.reach().longest_m() - 4.0 * self.error_bounds().away_m
             }
         }
     }

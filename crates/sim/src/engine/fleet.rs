@@ -238,7 +238,7 @@ impl<const D: usize> Fleet<D> {
     /// Takes over where robots count themselves, which is what the theorem is about; whoever is down stays where it was.
     fn refer(&mut self, frame: &mut Frame<D>) {
         frame.renewed = false;
-        if self.params.kept().margin.away_m == 0.0 {
+        if self.params.kept().errors.away_m == 0.0 {
             return frame.references_m.clone_from_slice(&frame.positions_m);
         }
         for (index, robot) in self.robots.iter().enumerate() {
@@ -250,7 +250,7 @@ impl<const D: usize> Fleet<D> {
 
     /// True if some robot is farther from its reference than is stated.
     fn away(&self, frame: &Frame<D>) -> bool {
-        let most_m = self.params.kept().margin.away_m;
+        let most_m = self.params.kept().errors.away_m;
         if most_m == 0.0 {
             return self.bodies.away_m(&frame.positions_m) > STILL_M;
         }

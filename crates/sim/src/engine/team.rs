@@ -113,7 +113,7 @@ impl<const D: usize, C: Control<D> + Copy> Robots<D, C> {
         for (index, level) in frame.levels.iter().enumerate() {
             frame.spares[index] = degree_barrier(*level, self.params.need().need(id(index)));
             frame.told[index] = liars.level(index, *level);
-            self.told.push(self.controller.told(Some(frame.told[index])));
+            self.told.push(self.controller.told(id(index), Some(frame.told[index])));
         }
         self.known.clear();
         if C::LOOKS {
@@ -239,6 +239,7 @@ impl<const D: usize, C: Control<D> + Copy> Robots<D, C> {
 /// What whoever sees everybody sees of `other`.
 fn glimpse<'a, const D: usize, Told>(frame: &Frame<D>, told: &'a [Told], other: usize) -> Glimpse<'a, Told> {
     Glimpse {
+        id: id(other),
         told_level: frame.told[other],
         told: &told[other],
         level: frame.levels[other],

@@ -56,7 +56,7 @@ impl<const D: usize> Promise<D> {
         Self {
             malicious: scenario.malicious_mask(),
             told_ticks,
-            shares: params.budget().map_or([1.0, 0.0], |budget| [budget.gamma, budget.rise]),
+            shares: params.budget().map_or([1.0, 0.0], |budget| [budget.gamma, budget.gain_slope]),
             honesty: Honesty::new(scenario, params, told_ticks),
             pairs: Pairs::new(scenario, params),
             params,

@@ -37,14 +37,14 @@ pub(crate) struct Honesty<const D: usize> {
 impl<const D: usize> Honesty<D> {
     /// For the robots of `scenario`, who may use a level for `told_ticks`.
     pub(crate) fn new(scenario: &Scenario, params: Params<D>, told_ticks: u64) -> Self {
-        let (steady, margin) = (scenario.trouble.clocks == Clocks::default(), params.kept().margin);
+        let (steady, errors) = (scenario.trouble.clocks == Clocks::default(), params.kept().errors);
         let fall_max = params.budget().map_or(0.0, |budget| budget.curvature.fall_max());
         Self {
             malicious: scenario.malicious_mask(),
             free: scenario.attack.motion != MotionAttack::Obedient,
-            exact: margin.offset_m == 0.0 && steady,
+            exact: errors.offset_m == 0.0 && steady,
             told_ticks,
-            blur: 4.0 * margin.offset_m * fall_max * f64::from(scenario.robots),
+            blur: 4.0 * errors.offset_m * fall_max * f64::from(scenario.robots),
             params,
             unwell: None,
             counted: [0; 3],
@@ -100,7 +100,7 @@ impl<const D: usize> Honesty<D> {
         let limit_m2 = if anybody {
             kept.distance_min_m * kept.distance_min_m + blur_m2
         } else {
-            let least_m = (kept.distance_min_m - 2.0 * kept.margin.offset_m).max(0.0);
+            let least_m = (kept.distance_min_m - 2.0 * kept.errors.offset_m).max(0.0);
             least_m * least_m - blur_m2
         };
         if truth.least_m2 >= limit_m2 {

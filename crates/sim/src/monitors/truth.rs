@@ -3,6 +3,7 @@
 use closeranks_core::controller::budget::knowledge::Sighting;
 use closeranks_core::equations::link::{Link, LinkShape};
 use closeranks_core::num::{Vector, subtract};
+use closeranks_core::robot::neighbor::RobotId;
 use closeranks_core::settings::params::Params;
 
 use crate::frame::Frame;
@@ -75,7 +76,7 @@ impl Truth {
             return;
         }
         let free = is_free(params);
-        let margin = params.kept().margin.away_m > 0.0;
+        let margin = params.kept().errors.away_m > 0.0;
         let counts = |robot: usize| !(free && malicious[robot]);
         self.resize(frame.positions_m.len());
         let actual_m2 = first_filled(&self.actual_m2, &self.pairs_m2);
@@ -167,9 +168,13 @@ fn weigh(
     }
 }
 
+/// The level of a robot without its F largest terms, as the robot itself computes it.
 fn trimmed<const D: usize>(params: &Params<D>, frame: &Frame<D>, robot: usize) -> f64 {
     let own = frame.positions_m[robot];
+    let id = |index: usize| RobotId(u16::try_from(index + 1).unwrap_or(u16::MAX));
     let others = frame.positions_m.iter().enumerate().filter(|(other, _)| *other != robot);
-    let sightings: Vec<Sighting<D>> = others.map(|(_, x)| Sighting::new(subtract(&own, x), None)).collect();
-    params.budget().map_or(0.0, |budget| budget.level(&sightings, &mut vec![0.0; sightings.len()]))
+    let sightings: Vec<Sighting<D>> =
+        others.map(|(other, x)| Sighting::new(id(other), subtract(&own, x), None)).collect();
+    let scratch = &mut vec![0.0; sightings.len()];
+    params.budget().map_or(0.0, |budget| budget.level(id(robot), &sightings, scratch))
 }

@@ -2,18 +2,19 @@
 
 use core::time::Duration;
 
+use crate::controller::budget::Move;
 use crate::controller::budget::curvature::Curvature;
-use crate::controller::budget::knowledge::{Assume, Claim, Known, Sighting};
+use crate::controller::budget::inequality::{self, Pair};
+use crate::controller::budget::knowledge::{Assume, Claim, KnownMargin, Sighting};
 use crate::controller::budget::rows::{Memory, Rows};
 use crate::controller::budget::settings::{Budget, Form};
-use crate::controller::budget::tie::{self, Tie};
 use crate::controller::{Batch, Control, Decision, Glimpse, Motion, Neighbor, Own, Standing, View};
 use crate::equations::link::{Link, LinkShape};
 use crate::need::{Keep, Need};
 use crate::num::{Vector, sqrt};
+use crate::program::InputBox;
 use crate::program::balls::reach::Reach;
-use crate::program::{InputBox, Outcome};
-use crate::robot::neighbor::Slot;
+use crate::robot::neighbor::{RobotId, Slot};
 use crate::robot::report::{Mode, Reason};
 use crate::robot::scratch::Scratch;
 use crate::settings::{BudgetSettings, Clock, Settings};
@@ -24,7 +25,6 @@ use crate::time::Instant;
 pub struct BudgetController<const D: usize> {
     /// The rows.
     pub budget: Budget,
-    need: Need,
     reach: Reach<D>,
     input: InputBox<D>,
     hold_s: f64,
@@ -37,25 +37,24 @@ impl<const D: usize> BudgetController<D> {
             Assume::Obedient => Keep::Neighbors,
             Assume::Free => Keep::NormalNeighbors,
         };
-        let (margin, reach) = (settings.margin(), settings.reach());
-        let link = LinkShape { radius_m: link.radius_m - 2.0 * margin.away_m, ..link };
+        let (errors, reach) = (settings.error_bounds(), settings.reach());
+        let link = LinkShape { radius_m: link.radius_m - 2.0 * errors.away_m, ..link };
         let budget = Budget {
             curvature: Curvature::new(link),
-            robots: settings.team.robots,
+            need: Need::new(settings.team.robots, settings.team.faults, keep),
             faults: settings.team.faults,
-            distance_min_m: settings.limits.distance_min_m + 2.0 * margin.away_m,
+            distance_min_m: settings.limits.distance_min_m + 2.0 * errors.away_m,
             move_max_m: reach.longest_m(),
             gamma: parameters.gamma(settings.clock.level_period),
-            rise: parameters.gain_slope,
+            gain_slope: parameters.gain_slope,
             gamma_c: parameters.gamma_c,
             trust: parameters.trust,
             assume: parameters.assume,
             form: Form::Level,
-            margin,
+            errors,
         };
         Self {
             budget,
-            need: Need::new(settings.team.robots, settings.team.faults, keep),
             reach,
             input: settings.limits.input,
             hold_s: settings.clock.hold_max().as_secs_f64(),
@@ -68,8 +67,8 @@ impl<const D: usize> BudgetController<D> {
         let latest = view.now.after(self.clock.error);
         let mut count = 0;
         for (sighting, slot) in sightings.iter_mut().zip(view.sensed()) {
-            let (lower, claim) = (slot.id < view.id, self.claim_of(slot, latest));
-            *sighting = Sighting { offset_m: slot.offset_m, position_m: slot.position_m, lower, claim };
+            let claim = self.claim_of(slot, latest);
+            *sighting = Sighting { id: slot.id, offset_m: slot.offset_m, position_m: slot.position_m, claim };
             count += 1;
         }
         count
@@ -96,36 +95,30 @@ impl<const D: usize> BudgetController<D> {
     /// The velocity that keeps every row for as long as it may be held. That of the tick before makes it faster to find and
     /// changes it by no more than rounding.
     #[inline]
-    fn answer(&self, rows: &mut Rows<'_, D>, before_m_s: &Vector<D>) -> Decision<D> {
-        let closest = rows.closest_from(&self.desired_m(before_m_s));
-        let doubt = match (rows.broken, rows.doubtful) {
-            (0, 0) => None,
-            (0, _) => Some(Reason::Uncertain),
-            _ => Some(Reason::OutsideSafeSet),
-        };
-        let outcome = if rows.broken > 0 { Outcome::Recovering } else { closest.outcome };
-        let velocity = closest.displacement_m.map(|component| component / self.hold_s);
+    fn decision(&self, rows: &mut Rows<'_, D>, before_m_s: &Vector<D>) -> Decision<D> {
+        let Move { displacement_m, outcome, doubt } = rows.decide(&self.desired_m(before_m_s));
+        let velocity = displacement_m.map(|component| component / self.hold_s);
         Decision { velocity_m_s: self.input.clip(&velocity), outcome, phi: None, doubt }
     }
 }
 
 impl<const D: usize> Control<D> for BudgetController<D> {
-    type Pair = Tie;
+    type Pair = Pair;
     /// What is left of the claim above what is required.
     type Told = f64;
     type Sums = ();
-    type Known = Known;
+    type Known = KnownMargin;
 
     const ADDS: bool = false;
     const LOOKS: bool = true;
     const USES_PHI: bool = false;
 
     fn need(&self) -> &Need {
-        &self.need
+        &self.budget.need
     }
 
     fn sight_m(&self, _radius_m: f64) -> f64 {
-        self.budget.curvature.link().radius_m + self.budget.margin.offset_m
+        self.budget.curvature.link().radius_m + self.budget.errors.offset_m
     }
 
     fn promises(&self) -> bool {
@@ -138,38 +131,39 @@ impl<const D: usize> Control<D> for BudgetController<D> {
             return view.linked().fold(0.0, |level, slot| level + slot.link.weight);
         }
         let count = self.see(view, scratch.sightings);
-        self.budget.level(&scratch.sightings[..count], scratch.values)
+        self.budget.level(view.id, &scratch.sightings[..count], scratch.values)
     }
 
     #[inline]
-    fn pair(&self, offset_m: &Vector<D>, link: &Link<f64>) -> Option<Tie> {
-        Some(self.budget.tie(offset_m, link.slope, &self.reach))
+    fn pair(&self, offset_m: &Vector<D>, link: &Link<f64>) -> Option<Pair> {
+        Some(self.budget.pair(offset_m, link.slope, &self.reach))
     }
 
-    fn pairs(&self, links: &mut Batch<'_, D>, mut make: impl FnMut(usize, Option<Tie>)) {
+    fn pairs(&self, links: &mut Batch<'_, D>, mut make: impl FnMut(usize, Option<Pair>)) {
         for distance in links.distances_m2.iter_mut() {
             *distance = sqrt(*distance);
         }
         self.budget.bends_max(links.distances_m2);
         for index in 0..links.ends.len() {
             let (slope, bend) = (links.slopes[index], links.distances_m2[index]);
-            make(index, Some(self.budget.tie_with(&links.offset_m(index), slope, bend, &self.reach)));
+            make(index, Some(self.budget.pair_with(&links.offset_m(index), slope, bend, &self.reach)));
         }
     }
 
     /// For a level told in this tick.
     #[inline]
-    fn told(&self, level: Option<f64>) -> f64 {
-        self.budget.worth(level.and_then(|level| self.claim(level, self.clock.error)))
+    fn told(&self, robot: RobotId, level: Option<f64>) -> f64 {
+        let claim = level.and_then(|level| self.claim(level, self.clock.error));
+        self.budget.discounted_claim(robot, claim)
     }
 
     fn sums(&self, _own: &f64) {}
 
     fn hear(&self, (): &mut (), _told: &f64) {}
 
-    fn add(&self, (): &mut (), _offset_m: &Vector<D>, _pair: &Tie, _told: [&f64; 2]) {}
+    fn add(&self, (): &mut (), _offset_m: &Vector<D>, _pair: &Pair, _told: [&f64; 2]) {}
 
-    fn know(&self, glimpse: &Glimpse<'_, f64>) -> Known {
+    fn know(&self, glimpse: &Glimpse<'_, f64>) -> KnownMargin {
         self.budget.known_of(glimpse)
     }
 
@@ -178,32 +172,32 @@ impl<const D: usize> Control<D> for BudgetController<D> {
         &self,
         own: &Own,
         (): &(),
-        neighbors: impl Iterator<Item = Neighbor<D, Tie, Known>> + Clone,
+        neighbors: impl Iterator<Item = Neighbor<D, Pair, KnownMargin>> + Clone,
         motion: &Motion<D>,
         scratch: &mut Scratch<'_, D>,
     ) -> Decision<D> {
         let neighbors = neighbors.filter_map(|neighbor| {
-            let tie = neighbor.pair?;
-            Some(tie::Neighbor { offset_m: neighbor.offset_m, tie, known: neighbor.known })
+            let Neighbor { id, offset_m, pair, known } = neighbor;
+            Some(inequality::Neighbor { id, offset_m, pair: pair?, known })
         });
         let desired_m = self.desired_m(&motion.desired_m_s);
-        let own = (own.level, own.degree);
+        let own = (own.id, own.level, own.degree);
         let mut rows = self.budget.rows_between(own, neighbors, &desired_m, self.reach, scratch.rows);
-        self.answer(&mut rows, &motion.before_m_s)
+        self.decision(&mut rows, &motion.before_m_s)
     }
 
     fn alone(&self, view: &View<'_, D>, desired: &Vector<D>, scratch: &mut Scratch<'_, D>) -> Decision<D> {
         let count = self.see(view, scratch.sightings);
         let memory = Memory { rows: scratch.rows, weights: scratch.values };
         let desired_m = self.desired_m(desired);
-        let mut rows = self.budget.rows(&scratch.sightings[..count], &desired_m, self.reach, memory);
-        self.answer(&mut rows, &view.before_m_s)
+        let mut rows = self.budget.rows(view.id, &scratch.sightings[..count], &desired_m, self.reach, memory);
+        self.decision(&mut rows, &view.before_m_s)
     }
 
     /// Guaranteed as long as nothing that the robot can check speaks against it.
     fn mode(&self, standing: &Standing) -> Mode {
         let degree_low = standing.degree < standing.need;
-        let exact = self.budget.margin.offset_m == 0.0;
+        let exact = self.budget.errors.offset_m == 0.0;
         match standing.reason {
             _ if degree_low => Mode::Degraded(Reason::Degree),
             Some(reason) => Mode::Degraded(reason),
