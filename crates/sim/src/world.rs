@@ -7,13 +7,16 @@ use closeranks_core::settings::range::ParamsError;
 use crate::attack::liars::Liars;
 use crate::engine::allies::Allies;
 use crate::engine::fleet::Fleet;
+use crate::engine::judge::Judge;
 use crate::engine::memory::Memory;
+use crate::engine::robots::Robots;
 use crate::engine::team::Team;
 use crate::frame::Frame;
 use crate::monitors::Monitors;
 use crate::monitors::robustness::{Round, Watcher};
 use crate::output::record::Record;
 use crate::output::summary::{Collector, Summary};
+use crate::plant::Bodies;
 use crate::random::{Random, Stream};
 use crate::scenario::desired::Motion;
 use crate::scenario::start::StartError;
@@ -107,7 +110,7 @@ fn run_in<const D: usize>(
     }
     let margin = params.budget().margin.offset_m > 0.0;
     let mut memory = Memory::new(usize::from(scenario.robots), margin);
-    let mut fleet = Fleet::new(scenario, params, &world.frame.positions_m, &values, &mut memory)?;
+    let mut fleet = Fleet::new(scenario, params, &values, &mut memory)?;
     Ok(world.run(&mut fleet, progress))
 }
 
@@ -123,49 +126,13 @@ pub fn initial_values(scenario: &Scenario) -> Result<Vec<f64>, RunError> {
     }
 }
 
-/// What computes the robots of a run.
-trait Robots<const D: usize> {
-    /// One tick: fills everything in `frame` but positions and desired velocities.
-    fn step(&mut self, frame: &mut Frame<D>, liars: &mut Liars);
-    /// Moves everybody to the next tick.
-    fn integrate(&mut self, frame: &mut Frame<D>);
-}
-
-impl<const D: usize> Robots<D> for Fleet<'_, D> {
-    fn step(&mut self, frame: &mut Frame<D>, liars: &mut Liars) {
-        self.step(frame, liars);
-    }
-
-    fn integrate(&mut self, frame: &mut Frame<D>) {
-        self.integrate(frame);
-    }
-}
-
-impl<const D: usize> Robots<D> for Team<D> {
-    fn step(&mut self, frame: &mut Frame<D>, liars: &mut Liars) {
-        self.step(frame, liars);
-    }
-
-    fn integrate(&mut self, frame: &mut Frame<D>) {
-        frame.integrate(self.tick_s());
-    }
-}
-
-impl<const D: usize> Robots<D> for Allies<D> {
-    fn step(&mut self, frame: &mut Frame<D>, liars: &mut Liars) {
-        self.step(frame, liars);
-    }
-
-    fn integrate(&mut self, frame: &mut Frame<D>) {
-        frame.integrate(self.tick_s());
-    }
-}
-
 struct World<'a, const D: usize> {
     scenario: &'a Scenario,
     malicious: Vec<bool>,
     frame: Frame<D>,
     liars: Liars,
+    bodies: Bodies<D>,
+    judge: Judge,
     monitors: Monitors<D>,
     collector: Collector,
     record: Option<Record>,
@@ -179,8 +146,10 @@ impl<'a, const D: usize> World<'a, D> {
         Self {
             scenario,
             malicious: scenario.malicious_mask(),
+            bodies: Bodies::new(scenario.plant, scenario.tick_s(), &frame.positions_m),
             frame: Frame { wants_phi, ..frame },
             liars: Liars::new(scenario),
+            judge: Judge::new(scenario, &params),
             monitors: Monitors::new(scenario, params),
             collector: Collector::default(),
             record: options.record.then(|| Record::new(scenario, required)),
@@ -194,6 +163,7 @@ impl<'a, const D: usize> World<'a, D> {
             progress(tick);
             want(self.scenario, tick, &mut self.frame);
             robots.step(&mut self.frame, &mut self.liars);
+            self.judge.judge(tick, &mut self.frame, robots, &self.bodies);
             self.monitors.watch(tick, &self.frame);
             self.collector.watch(self.scenario, &self.frame, &self.monitors);
             if let Some(record) = &mut self.record {
@@ -201,7 +171,7 @@ impl<'a, const D: usize> World<'a, D> {
             }
             self.watch_round(tick);
             if tick < last {
-                robots.integrate(&mut self.frame);
+                self.bodies.integrate(&mut self.frame.positions_m, &self.frame.velocities_m_s);
             }
         }
         let summary = self.collector.finish(self.scenario, &self.frame, &self.monitors);

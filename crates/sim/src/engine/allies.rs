@@ -86,10 +86,6 @@ impl<const D: usize> Allies<D> {
         self.tick = self.tick.saturating_add(1);
     }
 
-    pub(crate) fn tick_s(&self) -> f64 {
-        self.params.settings().level_period.as_secs_f64()
-    }
-
     /// Levels, as they are and as they are told, and what comes of them for who sees everybody.
     fn tell(&mut self, frame: &mut Frame<D>, liars: &mut Liars) {
         let (settings, budget) = (self.params.settings(), self.params.budget());

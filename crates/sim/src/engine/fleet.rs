@@ -3,9 +3,7 @@
 //! This is the whole path that a robot in the world takes; [`crate::engine::team`] gives the same bits faster where the world is
 //! perfect.
 
-use closeranks_core::controller::budget::knowledge::Assume;
 use closeranks_core::message::Message;
-use closeranks_core::num::Vector;
 use closeranks_core::program::Outcome;
 use closeranks_core::robot::Robot;
 use closeranks_core::robot::error::RobotError;
@@ -13,15 +11,13 @@ use closeranks_core::robot::neighbor::RobotId;
 use closeranks_core::robot::report::Mode;
 use closeranks_core::settings::params::Params;
 
-use crate::attack::MotionAttack;
 use crate::attack::liars::Liars;
 use crate::engine::memory::{Lent, Memory};
-use crate::faults::clocks::Shown;
+use crate::faults::edges::Edges;
 use crate::faults::network::{Parcel, Wire};
-use crate::faults::plant::Bodies;
-use crate::faults::sensing::Senses;
+use crate::faults::outages::Downtime;
 use crate::frame::Frame;
-use crate::scenario::start::squared_distance;
+use crate::geometry::squared_distance;
 use crate::scenario::{Controller, Scenario};
 
 /// All robots of a run, with whatever goes wrong around them.
@@ -34,23 +30,19 @@ pub struct Fleet<'memory, const D: usize> {
     malicious: Vec<bool>,
     /// Runs without a controller: the desired velocity is only cut to the box.
     unfiltered: bool,
-    disobeyed: bool,
     outbox: Vec<Option<Message>>,
     wire: Wire,
-    clocks: Shown,
-    senses: Senses<D>,
-    bodies: Bodies<D>,
+    edges: Edges<D>,
     ticks_per_round: u32,
     tick: u32,
     tick_s: f64,
 }
 
 impl<'memory, const D: usize> Fleet<'memory, D> {
-    /// The robots of `scenario` at `positions_m` with initial `values`, in memory made for as many.
+    /// The robots of `scenario` with initial `values`, in memory made for as many.
     pub fn new(
         scenario: &Scenario,
         params: Params<D>,
-        positions_m: &[Vector<D>],
         values: &[f64],
         memory: &'memory mut Memory<D>,
     ) -> Result<Self, RobotError> {
@@ -59,28 +51,22 @@ impl<'memory, const D: usize> Fleet<'memory, D> {
             let robot = Robot::new(params, RobotId(id), *value, slots, values)?;
             Ok(robot.with_budget_memory(sightings, rows))
         });
-        let obedient = params.settings().assume == Assume::Obedient;
         Ok(Self {
             robots: robots.collect::<Result<_, _>>()?,
             params,
             values: values.to_vec(),
             malicious: scenario.malicious_mask(),
             unfiltered: scenario.controller == Controller::None,
-            disobeyed: obedient
-                && scenario.attack.motion != MotionAttack::Obedient
-                && !scenario.malicious.is_empty(),
             outbox: vec![None; values.len()],
             wire: Wire::new(scenario.trouble.network, scenario.seed, scenario.robots, scenario.tick_s()),
-            clocks: Shown::new(scenario.trouble.clocks, scenario.seed, scenario.robots, scenario.tau_1),
-            senses: Senses::new(scenario.trouble.sensing, scenario.seed, scenario.robots),
-            bodies: Bodies::new(scenario, positions_m),
+            edges: Edges::new(scenario),
             ticks_per_round: scenario.ticks_per_round(),
             tick: 0,
             tick_s: params.settings().level_period.as_secs_f64(),
         })
     }
 
-    /// One tick: fills everything in `frame` but positions and desired velocities.
+    /// One tick: fills everything in `frame` but positions, desired velocities, references and assumptions.
     pub fn step(&mut self, frame: &mut Frame<D>, liars: &mut Liars) {
         self.begin_tick(frame, liars);
         self.sense(frame);
@@ -88,13 +74,19 @@ impl<'memory, const D: usize> Fleet<'memory, D> {
         self.send(liars);
         self.deliver();
         self.control(frame, liars);
-        self.judge(frame);
         self.tick = self.tick.saturating_add(1);
     }
 
-    /// Moves everybody to the next tick.
-    pub fn integrate(&mut self, frame: &mut Frame<D>) {
-        self.bodies.integrate(&mut frame.positions_m, &frame.velocities_m_s);
+    /// What stands between the robots and the world in this tick.
+    #[must_use]
+    pub fn edges(&self) -> &Edges<D> {
+        &self.edges
+    }
+
+    /// The robot `index`, unless it is down in this tick.
+    #[must_use]
+    pub fn running(&self, index: usize) -> Option<&Robot<'memory, D>> {
+        self.robots.get(index).filter(|_| !self.edges.downtime.down(index))
     }
 
     fn time_s(&self) -> f64 {
@@ -103,18 +95,14 @@ impl<'memory, const D: usize> Fleet<'memory, D> {
 
     fn begin_tick(&mut self, frame: &mut Frame<D>, liars: &mut Liars) {
         let time_s = self.time_s();
-        frame.unsteady = false;
         if self.tick.is_multiple_of(self.ticks_per_round) {
             frame.heard.fill([0; 2]);
         }
-        self.bodies.begin_tick(time_s);
-        self.senses.begin_tick(time_s, &frame.positions_m);
+        self.edges.begin_tick(time_s, &frame.positions_m);
         self.wire.begin_tick();
         liars.begin_tick(self.tick);
         for (index, robot) in self.robots.iter_mut().enumerate() {
-            let reborn = self.bodies.reborn(index);
-            frame.unsteady |= !self.malicious[index] && (reborn || self.bodies.down(index));
-            if reborn {
+            if self.edges.downtime.reborn(index) {
                 // The value was good once.
                 let _ = robot.restart(self.values[index]);
             }
@@ -123,17 +111,17 @@ impl<'memory, const D: usize> Fleet<'memory, D> {
 
     fn sense(&mut self, frame: &Frame<D>) {
         let sight_m2 = self.params.settings().radius_m * self.params.settings().radius_m;
+        let Edges { clocks, senses, downtime } = &mut self.edges;
         for (observer, robot) in self.robots.iter_mut().enumerate() {
-            if self.bodies.down(observer) {
+            if downtime.down(observer) {
                 continue;
             }
             let own = &frame.positions_m[observer];
             // Sensed positions are finite and clocks rise, so nothing here is refused.
-            let _ =
-                robot.sense(self.clocks.now(observer, self.tick), self.senses.sense(observer, observer, own));
+            let _ = robot.sense(clocks.now(observer, self.tick), senses.sense(observer, observer, own));
             for (index, position) in frame.positions_m.iter().enumerate() {
                 if index != observer && squared_distance(own, position) <= sight_m2 {
-                    let _ = robot.observe(id(index), self.senses.sense(observer, index, position));
+                    let _ = robot.observe(id(index), senses.sense(observer, index, position));
                 }
             }
         }
@@ -142,7 +130,7 @@ impl<'memory, const D: usize> Fleet<'memory, D> {
     /// Every robot shares; by Assumption 1 liars hold the level that they tell.
     fn share(&mut self, liars: &mut Liars) {
         for (index, (robot, slot)) in self.robots.iter_mut().zip(&mut self.outbox).enumerate() {
-            *slot = if self.bodies.down(index) { None } else { robot.share() };
+            *slot = if self.edges.downtime.down(index) { None } else { robot.share() };
         }
         if self.outbox.iter().flatten().any(|message| message.value().is_some()) {
             liars.begin_round(self.robots.iter().map(Robot::value));
@@ -173,7 +161,7 @@ impl<'memory, const D: usize> Fleet<'memory, D> {
 
     fn deliver(&mut self) {
         for Parcel { sender, receiver, bytes } in self.wire.arrivals(self.tick) {
-            if self.bodies.down(receiver) {
+            if self.edges.downtime.down(receiver) {
                 continue;
             }
             if let Ok(message) = Message::parse(&bytes) {
@@ -187,8 +175,8 @@ impl<'memory, const D: usize> Fleet<'memory, D> {
         let input = self.params.settings().input;
         let mut ends: u32 = 0;
         for (index, robot) in self.robots.iter_mut().enumerate() {
-            if self.bodies.down(index) {
-                stand(index, frame, &self.bodies);
+            if self.edges.downtime.down(index) {
+                stand(index, frame, &self.edges.downtime);
                 continue;
             }
             let output = robot.tick(frame.desired_m_s[index]);
@@ -217,55 +205,11 @@ impl<'memory, const D: usize> Fleet<'memory, D> {
         }
         frame.links = ends / 2;
     }
-
-    /// Which assumptions of the theorem hold in this tick, as only the world can know.
-    fn judge(&mut self, frame: &mut Frame<D>) {
-        self.refer(frame);
-        let settings = self.params.settings();
-        let error_m = settings.position_error_m + STILL_M;
-        for (index, wrong) in frame.sensed_wrong.iter_mut().enumerate() {
-            *wrong = self.senses.error_m(index) > error_m;
-        }
-        frame.broken = self.disobeyed
-            || self.bodies.blind()
-            || self.clocks.difference_s(self.tick) > settings.clock_error.as_secs_f64() + 1e-9
-            || self.away(frame)
-            || frame.sensed_wrong.contains(&true)
-            || frame.renewed;
-    }
-
-    /// Takes over where robots count themselves, which is what the theorem is about; whoever is down stays where it was.
-    fn refer(&mut self, frame: &mut Frame<D>) {
-        frame.renewed = false;
-        if self.params.budget().margin.away_m == 0.0 {
-            return frame.references_m.clone_from_slice(&frame.positions_m);
-        }
-        for (index, robot) in self.robots.iter().enumerate() {
-            let reference = robot.reference().filter(|_| !self.bodies.down(index));
-            frame.renewed |= reference.is_none() || robot.began_anew();
-            frame.references_m[index] = reference.unwrap_or(self.bodies.references_m()[index]);
-        }
-    }
-
-    /// True if some robot is farther from its reference than is stated.
-    fn away(&self, frame: &Frame<D>) -> bool {
-        let most_m = self.params.budget().margin.away_m;
-        if most_m == 0.0 {
-            return self.bodies.away_m(&frame.positions_m) > STILL_M;
-        }
-        let away = frame.references_m.iter().zip(&frame.positions_m);
-        away.map(|(x, y)| squared_distance(x, y)).any(|away_m2| away_m2 > most_m * most_m * (1.0 + ROUNDING))
-    }
 }
 
-/// Rounding of a position, m.
-const STILL_M: f64 = 1e-13;
-/// Of positions and errors.
-const ROUNDING: f64 = 1e-9;
-
 /// What is known of a robot that is down: how it moves. It has no φ_i and solves no program; the rest stays as it was.
-fn stand<const D: usize>(index: usize, frame: &mut Frame<D>, bodies: &Bodies<D>) {
-    frame.velocities_m_s[index] = bodies.without_command(index, frame.velocities_m_s[index]);
+fn stand<const D: usize>(index: usize, frame: &mut Frame<D>, downtime: &Downtime) {
+    frame.velocities_m_s[index] = downtime.without_command(index, frame.velocities_m_s[index]);
     frame.modes[index] = Mode::Stopped;
     frame.outcomes[index] = Outcome::Free;
     frame.phis[index] = f64::NAN;

@@ -3,6 +3,8 @@
 pub mod allies;
 mod consensus;
 pub mod fleet;
+pub(crate) mod judge;
 pub mod memory;
+pub(crate) mod robots;
 pub mod team;
 mod ties;

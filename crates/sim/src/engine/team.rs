@@ -113,10 +113,6 @@ impl<const D: usize> Team<D> {
         self.tick = self.tick.saturating_add(1);
     }
 
-    pub(crate) fn tick_s(&self) -> f64 {
-        self.params.settings().level_period.as_secs_f64()
-    }
-
     /// Links, degrees and levels.
     //= paper eq:connectivity
     fn find_pairs(&mut self, frame: &mut Frame<D>) {

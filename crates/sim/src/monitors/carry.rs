@@ -75,13 +75,13 @@ impl<const D: usize> Promise<D> {
         verdicts: &mut Verdicts,
     ) {
         let before = self.before.take();
-        let carried = before.as_ref().filter(|_| covered && !frame.renewed);
+        let carried = before.as_ref().filter(|_| covered && !frame.assumptions.renewed);
         self.watch_spares(tick, frame, truth, carried, verdicts);
         self.pairs.watch(tick, frame, truth, carried, verdicts);
-        if frame.broken || !covered {
+        if frame.assumptions.broken || !covered {
             self.broken = Some(tick);
         }
-        let moves = !frame.broken && covered;
+        let moves = !frame.assumptions.broken && covered;
         let claims = moves && longer_ago(self.broken, tick, self.told_ticks);
         for (counter, counts) in self.ticks.iter_mut().zip([true, claims]) {
             *counter += u64::from(counts);
@@ -137,7 +137,7 @@ impl<const D: usize> Promise<D> {
                 verdicts.broke(
                     Law::Degree,
                     at(seen, f64::from(required)),
-                    (budget && !frame.broken && spare >= 0.0) || carried.is_some(),
+                    (budget && !frame.assumptions.broken && spare >= 0.0) || carried.is_some(),
                 );
             }
             if let Some(before) = before.filter(|_| budget) {

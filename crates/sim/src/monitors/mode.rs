@@ -56,7 +56,7 @@ impl<const D: usize> Honesty<D> {
         let stopped = frame.modes.contains(&Mode::Stopped);
         let safe = (0..truth.own.len()).all(|robot| truth.own[robot] >= ROUNDING)
             && (0..truth.own.len()).all(|robot| !self.crowded(robot, truth, true));
-        let well = safe && !stopped && !frame.broken;
+        let well = safe && !stopped && !frame.assumptions.broken;
         if !well {
             self.unwell = Some(tick);
         }
@@ -71,7 +71,7 @@ impl<const D: usize> Honesty<D> {
                 *counter += u64::from(counts);
             }
             let at = |seen| Violation { tick, robots: [robot, 0], seen, demanded: 0.0 };
-            if guaranteed && !frame.sensed_wrong[index] && self.untrue(index, truth) {
+            if guaranteed && !frame.assumptions.sensed_wrong[index] && self.untrue(index, truth) {
                 verdicts.broke(Law::Mode, at(truth.spares[index]), true);
             }
             if !guaranteed && healed {

@@ -6,8 +6,8 @@ use closeranks_core::num::{Vector, subtract};
 use closeranks_core::settings::params::{Controller, Params};
 
 use crate::frame::Frame;
+use crate::geometry::squared_distance;
 use crate::monitors::carry::required;
-use crate::scenario::start::squared_distance;
 
 /// True levels, degrees and distances of one tick.
 #[derive(Debug, Default)]

@@ -3,7 +3,8 @@
 use closeranks_core::settings::range::{Field, ParamsError};
 
 use super::reader::Reader;
-use crate::scenario::start::{Start, StartError, squared_distance};
+use crate::geometry::squared_distance;
+use crate::scenario::start::{Start, StartError};
 use crate::scenario::{Controller, Scenario, Values};
 
 /// Most rows (ticks × robots) that a run may have.

@@ -15,6 +15,7 @@ use closeranks_core::settings::range::ParamsError;
 use crate::attack::Attack;
 use crate::faults::Faults;
 use crate::law::Law;
+use crate::plant::Plant;
 use crate::scenario::desired::Motion;
 use crate::scenario::start::Start;
 
@@ -89,6 +90,8 @@ pub struct Scenario {
     pub motion: Motion,
     /// What malicious robots do.
     pub attack: Attack,
+    /// How robots follow their velocities.
+    pub plant: Plant,
     /// What goes wrong.
     pub trouble: Faults,
     /// Laws that the run must not break.
@@ -199,6 +202,7 @@ impl Default for Scenario {
             values: Values::Random { min: -500.0, max: 500.0 },
             motion: Motion::Paper,
             attack: Attack::default(),
+            plant: Plant::Single,
             trouble: Faults::default(),
             expect: Law::EXPECTED.to_vec(),
         }
@@ -226,9 +230,14 @@ impl Scenario {
     }
 
     /// True when nothing goes wrong and every liar tells all the same, so that robots may be computed at once.
+    ///
+    /// Bodies that do not follow their velocities make no difference to `composed` and `none`, which know nothing but what
+    /// they sense in a tick. A robot of `budget` compares where it senses itself with where its last velocity should have
+    /// taken it and promises nothing where the two differ; only single robots keep that account.
     #[must_use]
     pub fn is_plain(&self) -> bool {
-        self.trouble.none() && self.attack.is_plain()
+        let followed = self.plant == Plant::Single || self.controller != Controller::Budget;
+        self.trouble.is_none() && self.attack.is_plain() && followed
     }
 
     /// The same under another controller, with what is usually expected of it unless the scenario expects something else.

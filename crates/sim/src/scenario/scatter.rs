@@ -4,9 +4,10 @@ use std::collections::BTreeMap;
 
 use closeranks_core::num::Vector;
 
+use crate::geometry::squared_distance;
 use crate::random::{Random, Stream};
 use crate::scenario::Scenario;
-use crate::scenario::start::{StartError, squared_distance};
+use crate::scenario::start::StartError;
 
 /// Draws for one robot before the box counts as full.
 pub(crate) const TRIES: u32 = 10_000;

@@ -1,6 +1,6 @@
 //! Where robots start.
 
-use closeranks_core::num::{Vector, dot, sqrt, subtract};
+use closeranks_core::num::{Vector, sqrt};
 
 use crate::scenario::Scenario;
 use crate::scenario::scatter::{TRIES, scatter};
@@ -157,16 +157,12 @@ fn listed<const D: usize>(positions: &[Vec<f64>], robots: u16) -> Result<Vec<Vec
     Ok(good)
 }
 
-/// `‖x − y‖²`, m².
-#[must_use]
-pub fn squared_distance<const D: usize>(x: &Vector<D>, y: &Vector<D>) -> f64 {
-    let offset = subtract(x, y);
-    dot(&offset, &offset)
-}
-
 #[cfg(test)]
 mod tests {
+    use closeranks_core::num::dot;
+
     use super::*;
+    use crate::geometry::squared_distance;
 
     fn least_distance<const D: usize>(positions: &[Vector<D>]) -> f64 {
         let pairs =
