@@ -14,6 +14,7 @@
 //! | what malicious robots tell | [`attack`], [`attack::liars`] |
 //! | what goes wrong with messages, clocks, sensors and the robots themselves | [`faults`] |
 //! | how bodies follow velocities | [`plant`] |
+//! | what carries messages | [`transport`] |
 //! | all robots of a tick, one by one or as a team | [`engine`] |
 //! | the theorems as code, and exact robustness round by round | [`law`], [`monitors`] |
 //! | the run, its record and its table row | [`world`], [`output`] |
@@ -31,4 +32,5 @@ pub mod plant;
 pub mod random;
 pub mod scenario;
 pub mod sweep;
+pub mod transport;
 pub mod world;

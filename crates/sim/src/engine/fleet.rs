@@ -14,15 +14,17 @@ use closeranks_core::settings::params::Params;
 use crate::attack::liars::Liars;
 use crate::engine::memory::{Lent, Memory};
 use crate::faults::edges::Edges;
-use crate::faults::network::{Parcel, Wire};
+use crate::faults::network::{FaultyNetwork, LATE_MAX};
 use crate::faults::outages::Downtime;
 use crate::frame::Frame;
 use crate::geometry::squared_distance;
 use crate::scenario::{Controller, Scenario};
+use crate::transport::memory::InMemory;
+use crate::transport::{Parcel, Transport};
 
 /// All robots of a run, with whatever goes wrong around them.
 #[derive(Debug)]
-pub struct Fleet<'memory, const D: usize> {
+pub struct Fleet<'memory, const D: usize, T = FaultyNetwork<InMemory>> {
     robots: Vec<Robot<'memory, D>>,
     params: Params<D>,
     /// Their initial values.
@@ -31,7 +33,7 @@ pub struct Fleet<'memory, const D: usize> {
     /// Runs without a controller: the desired velocity is only cut to the box.
     unfiltered: bool,
     outbox: Vec<Option<Message>>,
-    wire: Wire,
+    transport: T,
     edges: Edges<D>,
     ticks_per_round: u32,
     tick: u32,
@@ -39,8 +41,26 @@ pub struct Fleet<'memory, const D: usize> {
 }
 
 impl<'memory, const D: usize> Fleet<'memory, D> {
-    /// The robots of `scenario` with initial `values`, in memory made for as many.
+    /// The robots of `scenario` with initial `values`, in memory made for as many, over the network of `scenario`.
     pub fn new(
+        scenario: &Scenario,
+        params: Params<D>,
+        values: &[f64],
+        memory: &'memory mut Memory<D>,
+    ) -> Result<Self, RobotError> {
+        let (network, seed, robots) = (scenario.trouble.network, scenario.seed, scenario.robots);
+        // Every robot may send twice to every other one in a tick, and everything that is late may arrive in one.
+        let capacity = 2 * values.len() * values.len() + LATE_MAX;
+        let perfect = InMemory::new(capacity);
+        let transport = FaultyNetwork::new(perfect, network, seed, robots, scenario.tick_s());
+        Self::over(transport, scenario, params, values, memory)
+    }
+}
+
+impl<'memory, const D: usize, T: Transport> Fleet<'memory, D, T> {
+    /// The robots of `scenario` with initial `values`, in memory made for as many, over `transport`.
+    pub fn over(
+        transport: T,
         scenario: &Scenario,
         params: Params<D>,
         values: &[f64],
@@ -58,7 +78,7 @@ impl<'memory, const D: usize> Fleet<'memory, D> {
             malicious: scenario.malicious_mask(),
             unfiltered: scenario.controller == Controller::None,
             outbox: vec![None; values.len()],
-            wire: Wire::new(scenario.trouble.network, scenario.seed, scenario.robots, scenario.tick_s()),
+            transport,
             edges: Edges::new(scenario),
             ticks_per_round: scenario.ticks_per_round(),
             tick: 0,
@@ -99,7 +119,7 @@ impl<'memory, const D: usize> Fleet<'memory, D> {
             frame.heard.fill([0; 2]);
         }
         self.edges.begin_tick(time_s, &frame.positions_m);
-        self.wire.begin_tick();
+        self.transport.begin_tick(self.tick);
         liars.begin_tick(self.tick);
         for (index, robot) in self.robots.iter_mut().enumerate() {
             if self.edges.downtime.reborn(index) {
@@ -153,14 +173,15 @@ impl<'memory, const D: usize> Fleet<'memory, D> {
                     continue;
                 }
                 if let Some(bytes) = liars.bytes(sender, message, robot.value()) {
-                    self.wire.send(self.tick, Parcel { sender, receiver, bytes });
+                    // A message for which there is no room is lost.
+                    let _ = self.transport.send(Parcel { sender, receiver, bytes });
                 }
             }
         }
     }
 
     fn deliver(&mut self) {
-        for Parcel { sender, receiver, bytes } in self.wire.arrivals(self.tick) {
+        while let Some(Parcel { sender, receiver, bytes }) = self.transport.poll() {
             if self.edges.downtime.down(receiver) {
                 continue;
             }

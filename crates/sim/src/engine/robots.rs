@@ -8,6 +8,7 @@ use crate::engine::fleet::Fleet;
 use crate::engine::team::Team;
 use crate::faults::edges::Edges;
 use crate::frame::Frame;
+use crate::transport::Transport;
 
 /// Computes the robots of a run.
 pub(crate) trait Robots<const D: usize> {
@@ -33,7 +34,7 @@ pub(crate) struct Counted<const D: usize> {
     pub(crate) began_anew: bool,
 }
 
-impl<const D: usize> Robots<D> for Fleet<'_, D> {
+impl<const D: usize, T: Transport> Robots<D> for Fleet<'_, D, T> {
     fn step(&mut self, frame: &mut Frame<D>, liars: &mut Liars) {
         self.step(frame, liars);
     }
