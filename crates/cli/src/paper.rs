@@ -92,9 +92,8 @@ fn start(name: &'static str, texts: &[&'static str; 3], seed: u64, bar: &Progres
     let unfiltered = world::run(&unfiltered, Options::default(), &mut |_| ())?;
     let work = scenarios.into_par_iter().zip(texts.par_iter());
     let runs = work.map(|(scenario, text)| done(scenario, text, bar)).collect::<Result<Vec<_>>>()?;
-    let params = runs[0].scenario.params::<2>()?;
     let five = SectionFive {
-        required: params.required_degree(),
+        required: runs[0].scenario.composed().required,
         distance_min_m: runs[0].scenario.distance_min_m,
         runs: [0, 1, 2].map(|index| &runs[index].run.summary),
         unfiltered: &unfiltered.summary,

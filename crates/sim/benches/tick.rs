@@ -2,11 +2,11 @@
 //!
 //! `cargo bench -p closeranks-sim`
 
+use closeranks_core::controller::AnyController;
 use closeranks_core::settings::params::Params;
 use closeranks_sim::attack::LevelAttack;
 use closeranks_sim::attack::liars::Liars;
 use closeranks_sim::engine::fleet::Fleet;
-use closeranks_sim::engine::memory::Memory;
 use closeranks_sim::engine::team::Team;
 use closeranks_sim::frame::Frame;
 use closeranks_sim::plant::Bodies;
@@ -41,7 +41,8 @@ fn world(scenario: &Scenario) -> (Params<2>, Frame<2>, Vec<f64>) {
 fn tick_of_a_team(bencher: Bencher<'_, '_>, robots: u16) {
     let scenario = scenario(robots);
     let (params, mut frame, values) = world(&scenario);
-    let mut team = Team::new(&scenario, params, &values);
+    let AnyController::Composed(composed) = *params.controller() else { return };
+    let mut team = Team::new(&scenario, params, composed, &values);
     let mut liars = Liars::new(&scenario);
     let mut bodies = Bodies::new(scenario.plant, scenario.tick_s(), &frame.positions_m);
     bencher.bench_local(|| {
@@ -58,8 +59,7 @@ fn tick_of_a_team(bencher: Bencher<'_, '_>, robots: u16) {
 fn tick_of_single_robots(bencher: Bencher<'_, '_>, robots: u16) {
     let scenario = scenario(robots);
     let (params, mut frame, values) = world(&scenario);
-    let mut memory = Memory::new(usize::from(robots), false);
-    let mut fleet = Fleet::new(&scenario, params, &values, &mut memory).expect("memory is enough");
+    let mut fleet = Fleet::new(&scenario, params, &values).expect("robots of a valid scenario");
     let mut liars = Liars::new(&scenario);
     let mut bodies = Bodies::new(scenario.plant, scenario.tick_s(), &frame.positions_m);
     bencher.bench_local(|| {

@@ -3,7 +3,7 @@
 //!
 //! `cargo run --release -p closeranks-sim --example choose_inside -- 20000`
 
-use closeranks_core::equations::composition::Share;
+use closeranks_core::equations::composition::PhiSplit;
 use closeranks_sim::attack::{Attack, LevelAttack};
 use closeranks_sim::law::Law;
 use closeranks_sim::output::summary::Summary;
@@ -22,7 +22,7 @@ fn scenario(places: &[[i8; 2]; 11], bias: f64) -> Scenario {
     Scenario {
         start: Start::Listed(places.iter().map(|place| position(*place)).collect()),
         attack: Attack::from(if bias == 0.0 { LevelAttack::None } else { LevelAttack::Bias(bias) }),
-        share: Share::Neighbours,
+        share: PhiSplit::Neighbors,
         ..Scenario::default()
     }
 }

@@ -1,14 +1,13 @@
 //! The run: scenario in, record and summary out.
 
+use closeranks_core::controller::AnyController;
 use closeranks_core::robot::error::RobotError;
 use closeranks_core::settings::params::Params;
 use closeranks_core::settings::range::ParamsError;
 
 use crate::attack::liars::Liars;
-use crate::engine::allies::Allies;
 use crate::engine::fleet::Fleet;
 use crate::engine::judge::Judge;
-use crate::engine::memory::Memory;
 use crate::engine::robots::Robots;
 use crate::engine::team::Team;
 use crate::frame::Frame;
@@ -101,17 +100,40 @@ fn run_in<const D: usize>(
     let values = initial_values(scenario)?;
     let frame = Frame::new(scenario.start.positions(scenario)?, values.clone());
     let world = World::new(scenario, params, frame, options);
-    let together = options.engine == Engine::Team && scenario.is_plain();
-    if together && scenario.controller != Controller::Budget {
-        return Ok(world.run(&mut Team::new(scenario, params, &values), progress));
-    }
-    if together && let Some(mut allies) = Allies::new(scenario, params, &world.frame.positions_m, &values) {
-        return Ok(world.run(&mut allies, progress));
-    }
-    let margin = params.budget().margin.offset_m > 0.0;
-    let mut memory = Memory::new(usize::from(scenario.robots), margin);
-    let mut fleet = Fleet::new(scenario, params, &values, &mut memory)?;
-    Ok(world.run(&mut fleet, progress))
+    let mut robots = robots(scenario, params, &world.frame, &values, options.engine)?;
+    Ok(world.run(robots.as_mut(), progress))
+}
+
+/// What computes the robots of a run: all at once where the world is perfect and the controller can, else one by one.
+fn robots<const D: usize>(
+    scenario: &Scenario,
+    params: Params<D>,
+    frame: &Frame<D>,
+    values: &[f64],
+    engine: Engine,
+) -> Result<Box<dyn Robots<D>>, RunError> {
+    let together = engine == Engine::Team && scenario.is_plain();
+    Ok(match *params.controller() {
+        AnyController::Composed(composed) if together => {
+            Box::new(Team::new(scenario, params, composed, values))
+        }
+        AnyController::None(none) if together => Box::new(Team::new(scenario, params, none, values)),
+        AnyController::Budget(budget)
+            if together && budget.budget.is_plain() && is_near(scenario, &params, frame) =>
+        {
+            Box::new(Team::new(scenario, params, budget, values))
+        }
+        _ => Box::new(Fleet::new(scenario, params, values)?),
+    })
+}
+
+/// Positions are rounded to far less than what a robot takes for a jump as long as they are nearer to 0 than this, m.
+const NEAR_M: f64 = 1e5;
+
+/// True if rounding never looks to a robot like a jump.
+fn is_near<const D: usize>(scenario: &Scenario, params: &Params<D>, frame: &Frame<D>) -> bool {
+    let way_m = f64::from(scenario.ticks()) * params.reach().longest_m();
+    frame.positions_m.iter().flatten().all(|x| x.abs() + way_m < NEAR_M)
 }
 
 /// y_i(t₀).
@@ -142,7 +164,7 @@ struct World<'a, const D: usize> {
 impl<'a, const D: usize> World<'a, D> {
     fn new(scenario: &'a Scenario, params: Params<D>, frame: Frame<D>, options: Options) -> Self {
         let wants_phi = !(options.without_phi && scenario.controller == Controller::Budget);
-        let required = params.required_degree();
+        let required = scenario.composed().required;
         Self {
             scenario,
             malicious: scenario.malicious_mask(),
@@ -157,7 +179,7 @@ impl<'a, const D: usize> World<'a, D> {
         }
     }
 
-    fn run(mut self, robots: &mut impl Robots<D>, progress: &mut dyn FnMut(u32)) -> Run {
+    fn run(mut self, robots: &mut dyn Robots<D>, progress: &mut dyn FnMut(u32)) -> Run {
         let last = self.scenario.ticks();
         for tick in 0..=last {
             progress(tick);

@@ -4,7 +4,7 @@
 use core::time::Duration;
 
 use closeranks_core::controller::budget::knowledge::{Assume, Trust};
-use closeranks_core::equations::composition::Share;
+use closeranks_core::equations::composition::PhiSplit;
 use closeranks_sim::attack::LevelAttack;
 use closeranks_sim::scenario::start::Start;
 use closeranks_sim::scenario::{Controller, Scenario};
@@ -19,7 +19,7 @@ fn mixed() -> Scenario {
         robots: 16,
         faults: 3,
         malicious: vec![2, 7, 11],
-        share: Share::Own,
+        share: PhiSplit::Own,
         start: Start::Random { half_side_m: 1.4, distance_min_m: 0.42 },
         attack: LevelAttack::Bias(1.5).into(),
         ..Scenario::default()
@@ -72,7 +72,7 @@ fn budgets() -> Vec<Scenario> {
     runs.push(Scenario { controller: Controller::Budget, ..mixed() });
     runs.push(Scenario { radius_m: 30.0, q2: 0.9, ..plain.clone() });
     let random = LevelAttack::Random { min: -20.0, max: 20.0 };
-    runs.push(Scenario { attack: random.into(), share: Share::Own, duration_s: 10.0, ..plain });
+    runs.push(Scenario { attack: random.into(), share: PhiSplit::Own, duration_s: 10.0, ..plain });
     runs
 }
 

@@ -4,7 +4,7 @@
 use core::time::Duration;
 
 use closeranks_core::controller::budget::knowledge::Trust;
-use closeranks_core::equations::composition::Share;
+use closeranks_core::equations::composition::PhiSplit;
 use closeranks_sim::attack::{LevelAttack, ValueAttack};
 use closeranks_sim::plant::Plant;
 use closeranks_sim::scenario::start::Start;
@@ -49,8 +49,8 @@ fn the_own_share_three_dimensions_and_no_value_attack() {
         ..short("cube")
     };
     same_bits(&cube);
-    same_bits(&Scenario { share: Share::Own, ..cube });
-    same_bits(&Scenario { share: Share::Own, attack: LevelAttack::Bias(3.5).into(), ..short("own") });
+    same_bits(&Scenario { share: PhiSplit::Own, ..cube });
+    same_bits(&Scenario { share: PhiSplit::Own, attack: LevelAttack::Bias(3.5).into(), ..short("own") });
 }
 
 /// Lies so wild that plain exponentials overflow, and clusters in which slopes vanish below what `f64` holds.

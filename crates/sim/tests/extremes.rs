@@ -2,7 +2,7 @@
 
 use core::time::Duration;
 
-use closeranks_core::equations::composition::Share;
+use closeranks_core::equations::composition::PhiSplit;
 use closeranks_core::settings::params::MAGNITUDE_MAX;
 use closeranks_sim::attack::{Attack, LevelAttack, ValueAttack};
 use closeranks_sim::law::Law;
@@ -43,7 +43,7 @@ fn extreme(seed: u64) -> Scenario {
         w_c: sized(huge),
         alpha: sized(huge),
         distance_min_m: radius_m * sized(&[1e-9, 0.1, 0.999]),
-        share: if sized(&[0.0, 1.0]) > 0.5 { Share::Own } else { Share::Neighbours },
+        share: if sized(&[0.0, 1.0]) > 0.5 { PhiSplit::Own } else { PhiSplit::Neighbors },
         input_min_m_s: vec![-sized(huge), -sized(&[0.0, 1.0, 1e6])],
         input_max_m_s: vec![sized(&[0.0, 1.0, 1e6]), sized(huge)],
         attack: Attack {

@@ -3,35 +3,37 @@
 //! This is the whole path that a robot in the world takes; [`crate::engine::team`] gives the same bits faster where the world is
 //! perfect.
 
+use closeranks_core::equations::composition::Composed;
 use closeranks_core::message::Message;
+use closeranks_core::num::dot;
 use closeranks_core::program::Outcome;
 use closeranks_core::robot::Robot;
 use closeranks_core::robot::error::RobotError;
-use closeranks_core::robot::neighbor::RobotId;
+use closeranks_core::robot::neighbor::{RobotId, Slot};
 use closeranks_core::robot::report::Mode;
 use closeranks_core::settings::params::Params;
 
 use crate::attack::liars::Liars;
-use crate::engine::memory::{Lent, Memory};
+use crate::engine::memory::Memory;
 use crate::faults::edges::Edges;
 use crate::faults::network::{FaultyNetwork, LATE_MAX};
 use crate::faults::outages::Downtime;
 use crate::frame::Frame;
 use crate::geometry::squared_distance;
-use crate::scenario::{Controller, Scenario};
+use crate::scenario::Scenario;
 use crate::transport::memory::InMemory;
 use crate::transport::{Parcel, Transport};
 
 /// All robots of a run, with whatever goes wrong around them.
 #[derive(Debug)]
-pub struct Fleet<'memory, const D: usize, T = FaultyNetwork<InMemory>> {
-    robots: Vec<Robot<'memory, D>>,
+pub struct Fleet<const D: usize, T = FaultyNetwork<InMemory>> {
+    robots: Vec<Robot<D, Vec<Slot<D>>>>,
+    memory: Memory<D>,
+    composed: Composed,
     params: Params<D>,
     /// Their initial values.
     values: Vec<f64>,
     malicious: Vec<bool>,
-    /// Runs without a controller: the desired velocity is only cut to the box.
-    unfiltered: bool,
     outbox: Vec<Option<Message>>,
     transport: T,
     edges: Edges<D>,
@@ -40,49 +42,43 @@ pub struct Fleet<'memory, const D: usize, T = FaultyNetwork<InMemory>> {
     tick_s: f64,
 }
 
-impl<'memory, const D: usize> Fleet<'memory, D> {
-    /// The robots of `scenario` with initial `values`, in memory made for as many, over the network of `scenario`.
-    pub fn new(
-        scenario: &Scenario,
-        params: Params<D>,
-        values: &[f64],
-        memory: &'memory mut Memory<D>,
-    ) -> Result<Self, RobotError> {
+impl<const D: usize> Fleet<D> {
+    /// The robots of `scenario` with initial `values`, over the network of `scenario`.
+    pub fn new(scenario: &Scenario, params: Params<D>, values: &[f64]) -> Result<Self, RobotError> {
         let (network, seed, robots) = (scenario.trouble.network, scenario.seed, scenario.robots);
         // Every robot may send twice to every other one in a tick, and everything that is late may arrive in one.
         let capacity = 2 * values.len() * values.len() + LATE_MAX;
         let perfect = InMemory::new(capacity);
         let transport = FaultyNetwork::new(perfect, network, seed, robots, scenario.tick_s());
-        Self::over(transport, scenario, params, values, memory)
+        Self::over(transport, scenario, params, values)
     }
 }
 
-impl<'memory, const D: usize, T: Transport> Fleet<'memory, D, T> {
-    /// The robots of `scenario` with initial `values`, in memory made for as many, over `transport`.
+impl<const D: usize, T: Transport> Fleet<D, T> {
+    /// The robots of `scenario` with initial `values`, over `transport`.
     pub fn over(
         transport: T,
         scenario: &Scenario,
         params: Params<D>,
         values: &[f64],
-        memory: &'memory mut Memory<D>,
     ) -> Result<Self, RobotError> {
-        let robots = (1..).zip(values).zip(memory.lend());
-        let robots = robots.map(|((id, value), Lent { slots, values, sightings, rows })| {
-            let robot = Robot::new(params, RobotId(id), *value, slots, values)?;
-            Ok(robot.with_budget_memory(sightings, rows))
-        });
+        let others = values.len().saturating_sub(1);
+        let robots = (0..)
+            .zip(values)
+            .map(|(index, value)| Robot::new(params, id(index), *value, vec![Slot::default(); others]));
         Ok(Self {
             robots: robots.collect::<Result<_, _>>()?,
+            memory: Memory::new(&params, others),
+            composed: scenario.composed(),
             params,
             values: values.to_vec(),
             malicious: scenario.malicious_mask(),
-            unfiltered: scenario.controller == Controller::None,
             outbox: vec![None; values.len()],
             transport,
             edges: Edges::new(scenario),
             ticks_per_round: scenario.ticks_per_round(),
             tick: 0,
-            tick_s: params.settings().level_period.as_secs_f64(),
+            tick_s: params.settings().clock.level_period.as_secs_f64(),
         })
     }
 
@@ -105,7 +101,7 @@ impl<'memory, const D: usize, T: Transport> Fleet<'memory, D, T> {
 
     /// The robot `index`, unless it is down in this tick.
     #[must_use]
-    pub fn running(&self, index: usize) -> Option<&Robot<'memory, D>> {
+    pub fn running(&self, index: usize) -> Option<&Robot<D, Vec<Slot<D>>>> {
         self.robots.get(index).filter(|_| !self.edges.downtime.down(index))
     }
 
@@ -130,7 +126,7 @@ impl<'memory, const D: usize, T: Transport> Fleet<'memory, D, T> {
     }
 
     fn sense(&mut self, frame: &Frame<D>) {
-        let sight_m2 = self.params.settings().radius_m * self.params.settings().radius_m;
+        let sight_m2 = self.params.link().radius_m * self.params.link().radius_m;
         let Edges { clocks, senses, downtime } = &mut self.edges;
         for (observer, robot) in self.robots.iter_mut().enumerate() {
             if downtime.down(observer) {
@@ -149,8 +145,9 @@ impl<'memory, const D: usize, T: Transport> Fleet<'memory, D, T> {
 
     /// Every robot shares; by Assumption 1 liars hold the level that they tell.
     fn share(&mut self, liars: &mut Liars) {
+        let mut scratch = self.memory.lend();
         for (index, (robot, slot)) in self.robots.iter_mut().zip(&mut self.outbox).enumerate() {
-            *slot = if self.edges.downtime.down(index) { None } else { robot.share() };
+            *slot = if self.edges.downtime.down(index) { None } else { robot.share(&mut scratch) };
         }
         if self.outbox.iter().flatten().any(|message| message.value().is_some()) {
             liars.begin_round(self.robots.iter().map(Robot::value));
@@ -193,17 +190,17 @@ impl<'memory, const D: usize, T: Transport> Fleet<'memory, D, T> {
     }
 
     fn control(&mut self, frame: &mut Frame<D>, liars: &mut Liars) {
-        let input = self.params.settings().input;
+        let input = self.params.settings().limits.input;
+        let mut scratch = self.memory.lend();
         let mut ends: u32 = 0;
         for (index, robot) in self.robots.iter_mut().enumerate() {
             if self.edges.downtime.down(index) {
                 stand(index, frame, &self.edges.downtime);
                 continue;
             }
-            let output = robot.tick(frame.desired_m_s[index]);
+            let output = robot.tick(frame.desired_m_s[index], &mut scratch);
             frame.velocities_m_s[index] = match liars.velocity(index, &frame.positions_m, &input) {
                 Some(velocity) => velocity,
-                None if self.unfiltered => input.clip(&frame.desired_m_s[index]),
                 None => output.velocity_m_s,
             };
             frame.degrees[index] = output.report.degree;
@@ -213,7 +210,7 @@ impl<'memory, const D: usize, T: Transport> Fleet<'memory, D, T> {
             frame.told[index] = robot.told_level();
             frame.phis[index] = match output.report.phi {
                 Some(phi) => phi,
-                None if frame.wants_phi => robot.phi(),
+                None if frame.wants_phi => phi(robot, &self.composed),
                 None => f64::NAN,
             };
             frame.outcomes[index] = output.report.outcome;
@@ -240,8 +237,15 @@ fn id(index: usize) -> RobotId {
     RobotId(u16::try_from(index + 1).unwrap_or(u16::MAX))
 }
 
+/// φ_i of a robot whose controller does not use it, from what it senses and was told.
+fn phi<const D: usize>(robot: &Robot<D, Vec<Slot<D>>>, composed: &Composed) -> f64 {
+    let slots = || robot.neighbors().iter();
+    let distances_m2 = slots().map(|slot| dot(&slot.offset_m(), &slot.offset_m()));
+    composed.phi(robot.told_level(), slots().filter_map(Slot::told_level), distances_m2)
+}
+
 /// How many values a robot used in its round, and how many of them were those of normal robots.
-fn heard<const D: usize>(robot: &Robot<'_, D>, malicious: &[bool]) -> [u16; 2] {
+fn heard<const D: usize>(robot: &Robot<D, Vec<Slot<D>>>, malicious: &[bool]) -> [u16; 2] {
     let spoke = || robot.neighbors().iter().filter(|slot| slot.told_value().is_some());
     let normal = spoke().filter(|slot| !malicious[usize::from(slot.id().0) - 1]).count();
     [spoke().count(), normal].map(|count| u16::try_from(count).unwrap_or(u16::MAX))

@@ -1,7 +1,7 @@
 //! Which assumptions of the theorem hold in a tick, as only the world can know.
 
 use closeranks_core::controller::budget::knowledge::Assume;
-use closeranks_core::settings::params::{Controller, Params};
+use closeranks_core::settings::params::Params;
 
 use crate::attack::MotionAttack;
 use crate::engine::robots::{Counted, Robots};
@@ -34,15 +34,14 @@ impl Judge {
     /// For the robots of `scenario`.
     pub(crate) fn new<const D: usize>(scenario: &Scenario, params: &Params<D>) -> Self {
         let settings = params.settings();
-        let obedient = settings.assume == Assume::Obedient;
+        let obedient = scenario.assume == Assume::Obedient;
         let disobedient = scenario.attack.motion != MotionAttack::Obedient && !scenario.malicious.is_empty();
-        let budget = settings.controller == Controller::Budget;
         Self {
             malicious: scenario.malicious_mask(),
             disobeyed: obedient && disobedient,
-            away_m: if budget { params.budget().margin.away_m } else { 0.0 },
-            position_error_m: settings.position_error_m,
-            clock_error_s: settings.clock_error.as_secs_f64(),
+            away_m: params.kept().margin.away_m,
+            position_error_m: settings.errors.position_m,
+            clock_error_s: settings.clock.error.as_secs_f64(),
         }
     }
 
@@ -51,7 +50,7 @@ impl Judge {
         &self,
         tick: u32,
         frame: &mut Frame<D>,
-        robots: &impl Robots<D>,
+        robots: &dyn Robots<D>,
         bodies: &Bodies<D>,
     ) {
         self.refer(frame, robots, bodies);
@@ -71,7 +70,7 @@ impl Judge {
     }
 
     /// Takes over where robots count themselves. A robot that is down stays where its velocities have taken it.
-    fn refer<const D: usize>(&self, frame: &mut Frame<D>, robots: &impl Robots<D>, bodies: &Bodies<D>) {
+    fn refer<const D: usize>(&self, frame: &mut Frame<D>, robots: &dyn Robots<D>, bodies: &Bodies<D>) {
         frame.assumptions.renewed = false;
         if self.away_m == 0.0 {
             return frame.references_m.clone_from_slice(&frame.positions_m);

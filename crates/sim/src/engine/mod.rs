@@ -1,10 +1,11 @@
 //! What computes the robots of a tick: one by one, or all at once with the same bits.
 
-pub mod allies;
 mod consensus;
 pub mod fleet;
 pub(crate) mod judge;
+mod links;
 pub mod memory;
+mod near;
 pub(crate) mod robots;
+mod sees;
 pub mod team;
-mod ties;

@@ -1,9 +1,9 @@
 //! What every engine does: compute all robots of a tick.
 
+use closeranks_core::controller::Control;
 use closeranks_core::num::Vector;
 
 use crate::attack::liars::Liars;
-use crate::engine::allies::Allies;
 use crate::engine::fleet::Fleet;
 use crate::engine::team::Team;
 use crate::faults::edges::Edges;
@@ -34,7 +34,7 @@ pub(crate) struct Counted<const D: usize> {
     pub(crate) began_anew: bool,
 }
 
-impl<const D: usize, T: Transport> Robots<D> for Fleet<'_, D, T> {
+impl<const D: usize, T: Transport> Robots<D> for Fleet<D, T> {
     fn step(&mut self, frame: &mut Frame<D>, liars: &mut Liars) {
         self.step(frame, liars);
     }
@@ -49,13 +49,7 @@ impl<const D: usize, T: Transport> Robots<D> for Fleet<'_, D, T> {
     }
 }
 
-impl<const D: usize> Robots<D> for Team<D> {
-    fn step(&mut self, frame: &mut Frame<D>, liars: &mut Liars) {
-        self.step(frame, liars);
-    }
-}
-
-impl<const D: usize> Robots<D> for Allies<D> {
+impl<const D: usize, C: Control<D> + Copy> Robots<D> for Team<D, C> {
     fn step(&mut self, frame: &mut Frame<D>, liars: &mut Liars) {
         self.step(frame, liars);
     }

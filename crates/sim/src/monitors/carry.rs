@@ -2,7 +2,8 @@
 
 use closeranks_core::controller::budget::knowledge::Assume;
 use closeranks_core::num::Vector;
-use closeranks_core::settings::params::{Controller, Params};
+use closeranks_core::settings::Team;
+use closeranks_core::settings::params::Params;
 
 use crate::frame::Frame;
 use crate::law::{Law, Verdicts, Violation};
@@ -20,7 +21,8 @@ pub(crate) struct Promise<const D: usize> {
     params: Params<D>,
     malicious: Vec<bool>,
     told_ticks: u64,
-    gamma: f64,
+    /// γ and κ, by which h may fall; written down once more.
+    shares: [f64; 2],
     before: Option<Before<D>>,
     /// The last tick in which an assumption was broken.
     broken: Option<u32>,
@@ -48,13 +50,13 @@ impl<const D: usize> Promise<D> {
     #[must_use]
     pub(crate) fn new(scenario: &Scenario, params: Params<D>) -> Self {
         let settings = params.settings();
-        let aged = settings.told_max + settings.clock_error;
-        let told_ticks = aged.as_nanos().div_ceil(settings.level_period.as_nanos().max(1));
+        let aged = settings.clock.told_max + settings.clock.error;
+        let told_ticks = aged.as_nanos().div_ceil(settings.clock.level_period.as_nanos().max(1));
         let told_ticks = u64::try_from(told_ticks).unwrap_or(u64::MAX).saturating_add(1);
         Self {
             malicious: scenario.malicious_mask(),
             told_ticks,
-            gamma: settings.gamma(),
+            shares: params.budget().map_or([1.0, 0.0], |budget| [budget.gamma, budget.rise]),
             honesty: Honesty::new(scenario, params, told_ticks),
             pairs: Pairs::new(scenario, params),
             params,
@@ -86,7 +88,7 @@ impl<const D: usize> Promise<D> {
         for (counter, counts) in self.ticks.iter_mut().zip([true, claims]) {
             *counter += u64::from(counts);
         }
-        if self.params.settings().controller == Controller::Budget {
+        if self.params.controller().promises() {
             self.honesty.watch(tick, frame, truth, verdicts);
         }
         let mut now = before.unwrap_or_default();
@@ -100,7 +102,7 @@ impl<const D: usize> Promise<D> {
     /// What is safe now, or was and must still be, must be so at the next tick. `composed` promises nothing before every
     /// φ_i ≥ 0 (thm:cbf-qp).
     fn carry(&mut self, frame: &Frame<D>, truth: &Truth, before: &Before<D>, [moves, claims]: [bool; 2]) {
-        let budget = self.params.settings().controller == Controller::Budget;
+        let budget = self.params.controller().promises();
         let inside = budget || frame.phis.iter().all(|phi| *phi >= 0.0);
         for (kept, spare) in self.kept.iter_mut().zip(&truth.spares) {
             *kept = claims && ((inside && *spare >= 0.0) || (*kept && before.claims));
@@ -110,7 +112,7 @@ impl<const D: usize> Promise<D> {
 
     /// What a tick leaves of h at least (docs/budget.md), written down once more.
     fn left(&self, h: f64) -> f64 {
-        let (gamma, rise) = (self.gamma, self.params.settings().rise);
+        let [gamma, rise] = self.shares;
         if h < 0.0 { h } else { (1.0 - gamma) * h / (1.0 + rise * gamma * h) }
     }
 
@@ -123,7 +125,7 @@ impl<const D: usize> Promise<D> {
         before: Option<&Before<D>>,
         verdicts: &mut Verdicts,
     ) {
-        let budget = self.params.settings().controller == Controller::Budget;
+        let budget = self.params.controller().promises();
         let required = required(&self.params);
         for (robot, index) in (1_u16..).zip(0..truth.spares.len()).filter(|(_, k)| !self.malicious[*k]) {
             let spare = truth.spares[index];
@@ -170,9 +172,14 @@ impl<const D: usize> Promise<D> {
 
 /// The degree that counts: F′, or θ among normal robots with free liars. Written down once more, so that monitors do not rest on what they watch.
 pub(crate) fn required<const D: usize>(params: &Params<D>) -> u16 {
-    let (robots, faults) = (params.settings().robots, params.settings().faults);
-    let free = params.settings().controller == Controller::Budget && params.settings().assume == Assume::Free;
+    let Team { robots, faults } = params.settings().team;
+    let free = is_free(params);
     faults + if free { (robots - faults) / 2 } else { robots / 2 }
+}
+
+/// True if malicious robots may move as they like.
+pub(crate) fn is_free<const D: usize>(params: &Params<D>) -> bool {
+    params.budget().is_some_and(|budget| budget.assume == Assume::Free)
 }
 
 /// `part/whole`, 0 of nothing.

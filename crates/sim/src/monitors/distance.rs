@@ -1,7 +1,7 @@
 //! Pairs of robots from tick to tick: how near they come, between ticks too, and how fast.
 
 use closeranks_core::num::{Vector, add_scaled, dot, sqrt, subtract};
-use closeranks_core::settings::params::{Controller, Params};
+use closeranks_core::settings::params::Params;
 
 use crate::attack::MotionAttack;
 use crate::frame::Frame;
@@ -29,7 +29,7 @@ pub(crate) struct Pairs<const D: usize> {
 impl<const D: usize> Pairs<D> {
     /// For the robots of `scenario`.
     pub(crate) fn new(scenario: &Scenario, params: Params<D>) -> Self {
-        let radius_m = params.settings().radius_m;
+        let radius_m = params.link().radius_m;
         Self {
             malicious: scenario.malicious_mask(),
             free: scenario.attack.motion != MotionAttack::Obedient,
@@ -87,15 +87,15 @@ impl<const D: usize> Pairs<D> {
     fn near_m2(&self, frame: &Frame<D>, before: Option<&Before<D>>) -> f64 {
         let moves = before.map(|before| frame.positions_m.iter().zip(&before.positions_m));
         let moves_m2 = moves.into_iter().flatten().map(|(x, y)| squared_distance(x, y));
-        let near_m = self.params.settings().distance_min_m + 2.0 * sqrt(moves_m2.fold(0.0, f64::max));
+        let near_m = self.params.settings().limits.distance_min_m + 2.0 * sqrt(moves_m2.fold(0.0, f64::max));
         near_m * near_m * (1.0 + ROUNDING)
     }
 
     /// Of two references, m²: what must be left of their spare at the tick before, and what is.
     fn spares_m2(&self, place: usize, truth: &Truth, before: &Before<D>) -> [f64; 2] {
-        let least_m = self.params.budget().distance_min_m;
+        let least_m = self.params.kept().distance_min_m;
         let [then, now] = [&before.truth, truth].map(|truth| truth.pairs_m2[place] - least_m * least_m);
-        [(1.0 - self.params.settings().gamma_c) * then, now]
+        [(1.0 - self.gamma_c()) * then, now]
     }
 
     fn watch_pair(
@@ -113,7 +113,7 @@ impl<const D: usize> Pairs<D> {
         let robots = pair.robots.map(|index| u16::try_from(index + 1).unwrap_or(u16::MAX));
         let at = |seen, demanded| Violation { tick, robots, seen, demanded };
         let carried = before.is_some_and(|before| before.moves && self.apart[pair.place]);
-        let least_m = self.params.settings().distance_min_m;
+        let least_m = self.params.settings().limits.distance_min_m;
         let limit_m2 = self.limit_m2(least_m);
         if pair.distance_m2 < limit_m2 {
             verdicts.broke(Law::Distance, at(sqrt(pair.distance_m2), least_m), carried);
@@ -129,6 +129,11 @@ impl<const D: usize> Pairs<D> {
         }
     }
 
+    /// The fraction of `D − Δ_d²` that may be lost in a tick.
+    fn gamma_c(&self) -> f64 {
+        self.params.budget().map_or(1.0, |budget| budget.gamma_c)
+    }
+
     /// A pair at least `least_m` apart is no nearer than this, but for rounding, m².
     fn limit_m2(&self, least_m: f64) -> f64 {
         least_m * least_m - self.blur_m2
@@ -136,14 +141,14 @@ impl<const D: usize> Pairs<D> {
 
     /// True if (near) bounded how fast a pair could come closer: under `budget`, if it was linked.
     fn binds(&self, place: usize, before: &Before<D>) -> bool {
-        let radius_m = self.params.budget().curvature.link().radius_m;
-        let budget = self.params.settings().controller == Controller::Budget;
+        let radius_m = self.params.kept().link.radius_m;
+        let budget = self.params.controller().promises();
         budget && before.truth.pairs_m2[place] <= radius_m * radius_m
     }
 
     /// What is safe now, or was and must still be, must be so at the next tick. `inside` is false while nothing is promised.
     pub(crate) fn carry(&mut self, truth: &Truth, before: &Before<D>, inside: bool, moves: bool) {
-        let limit_m2 = self.limit_m2(self.params.budget().distance_min_m);
+        let limit_m2 = self.limit_m2(self.params.kept().distance_min_m);
         self.apart.resize(truth.pairs_m2.len(), false);
         for (apart, pair_m2) in self.apart.iter_mut().zip(&truth.pairs_m2) {
             *apart = moves && ((inside && *pair_m2 >= limit_m2) || (*apart && before.moves));

@@ -8,6 +8,7 @@ pub mod robustness;
 pub(crate) mod truth;
 
 use closeranks_core::equations::barrier::degree_barrier;
+use closeranks_core::equations::composition::Composed;
 use closeranks_core::num::sqrt;
 use closeranks_core::program::{InputBox, Outcome};
 use closeranks_core::settings::params::Params;
@@ -23,6 +24,9 @@ use crate::scenario::{Controller, Scenario};
 #[derive(Clone, Debug)]
 pub struct Monitors<const D: usize> {
     params: Params<D>,
+    /// The paper's composition and F′, whatever the controller.
+    composed: Composed,
+    required_degree: u16,
     malicious: Vec<bool>,
     ticks_per_round: u32,
     /// Whether the robots know their true levels, and no more of them lie than the team is prepared for.
@@ -67,6 +71,8 @@ impl<const D: usize> Monitors<D> {
     #[must_use]
     pub fn new(scenario: &Scenario, params: Params<D>) -> Self {
         Self {
+            composed: scenario.composed(),
+            required_degree: scenario.composed().required,
             params,
             malicious: scenario.malicious_mask(),
             ticks_per_round: scenario.ticks_per_round(),
@@ -102,7 +108,7 @@ impl<const D: usize> Monitors<D> {
     /// F′.
     #[must_use]
     pub fn required_degree(&self) -> u16 {
-        self.params.required_degree()
+        self.required_degree
     }
 
     /// What became of each law.
@@ -150,7 +156,7 @@ impl<const D: usize> Monitors<D> {
     }
 
     fn watch_degrees(&mut self) {
-        let required = self.params.required_degree();
+        let required = self.required_degree;
         for index in 0..self.truth.degrees.len() {
             let degree = self.truth.degrees[index];
             if self.malicious[index] {
@@ -167,7 +173,7 @@ impl<const D: usize> Monitors<D> {
     /// φ of the true levels.
     //= paper eq:composition
     fn watch_composition(&mut self, tick: u32) {
-        let (composed, radius_m) = (self.params.composed(), self.params.settings().radius_m);
+        let (composed, radius_m) = (self.composed, self.params.link().radius_m);
         let near = self.truth.pairs_m2.iter().filter(|pair| **pair <= radius_m * radius_m);
         let collisions: f64 =
             near.map(|pair| composed.collision_term::<f64>(*pair)).fold(0.0, |sum, term| sum + term);
@@ -180,7 +186,7 @@ impl<const D: usize> Monitors<D> {
     }
 
     fn watch_programs(&mut self, tick: u32, frame: &Frame<D>) {
-        let input = self.params.settings().input;
+        let input = self.params.settings().limits.input;
         let mut inside = true;
         for (robot, index) in (1_u16..).zip(0..frame.phis.len()) {
             let (phi, velocity) = (frame.phis[index], frame.velocities_m_s[index]);
@@ -225,7 +231,7 @@ impl<const D: usize> Monitors<D> {
 
     //= paper thm:rs_robust
     fn watch_spread(&mut self, tick: u32, spread: f64, magnitude: f64, suffice: bool) {
-        let beta = 1.0 / f64::from(self.params.settings().robots);
+        let beta = 1.0 / f64::from(self.params.settings().team.robots);
         if let Some(before) = self.spread.filter(|_| suffice) {
             // A value is rounded a few times in a round: far less than this.
             let demanded = before * (1.0 - 0.5 * beta) + 1e-13 * magnitude;

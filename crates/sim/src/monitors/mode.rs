@@ -37,13 +37,14 @@ pub(crate) struct Honesty<const D: usize> {
 impl<const D: usize> Honesty<D> {
     /// For the robots of `scenario`, who may use a level for `told_ticks`.
     pub(crate) fn new(scenario: &Scenario, params: Params<D>, told_ticks: u64) -> Self {
-        let (steady, budget) = (scenario.trouble.clocks == Clocks::default(), params.budget());
+        let (steady, margin) = (scenario.trouble.clocks == Clocks::default(), params.kept().margin);
+        let fall_max = params.budget().map_or(0.0, |budget| budget.curvature.fall_max());
         Self {
             malicious: scenario.malicious_mask(),
             free: scenario.attack.motion != MotionAttack::Obedient,
-            exact: budget.margin.offset_m == 0.0 && steady,
+            exact: margin.offset_m == 0.0 && steady,
             told_ticks,
-            blur: 4.0 * budget.margin.offset_m * budget.curvature.fall_max() * f64::from(budget.robots),
+            blur: 4.0 * margin.offset_m * fall_max * f64::from(scenario.robots),
             params,
             unwell: None,
             counted: [0; 3],
@@ -92,14 +93,14 @@ impl<const D: usize> Honesty<D> {
 
     /// True when another robot is certainly too close to `robot`; `anybody` counts disobedient ones too.
     fn crowded(&self, robot: usize, truth: &Truth, anybody: bool) -> bool {
-        let budget = self.params.budget();
-        let radius_m = self.params.settings().radius_m;
+        let kept = self.params.kept();
+        let radius_m = self.params.link().radius_m;
         let blur_m2 = ROUNDING * radius_m * radius_m;
         // A hair more for who must promise than for who may not: at the limit itself either is right.
         let limit_m2 = if anybody {
-            budget.distance_min_m * budget.distance_min_m + blur_m2
+            kept.distance_min_m * kept.distance_min_m + blur_m2
         } else {
-            let least_m = (budget.distance_min_m - 2.0 * budget.margin.offset_m).max(0.0);
+            let least_m = (kept.distance_min_m - 2.0 * kept.margin.offset_m).max(0.0);
             least_m * least_m - blur_m2
         };
         if truth.least_m2 >= limit_m2 {

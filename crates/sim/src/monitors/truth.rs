@@ -1,13 +1,13 @@
 //! The state of a team as only the world knows it: what the theorems are about.
 
-use closeranks_core::controller::budget::knowledge::{Assume, Sighting};
+use closeranks_core::controller::budget::knowledge::Sighting;
 use closeranks_core::equations::link::{Link, LinkShape};
 use closeranks_core::num::{Vector, subtract};
-use closeranks_core::settings::params::{Controller, Params};
+use closeranks_core::settings::params::Params;
 
 use crate::frame::Frame;
 use crate::geometry::squared_distance;
-use crate::monitors::carry::required;
+use crate::monitors::carry::{is_free, required};
 
 /// True levels, degrees and distances of one tick.
 #[derive(Debug, Default)]
@@ -74,9 +74,8 @@ impl Truth {
             self.own.clone_from(&self.spares);
             return;
         }
-        let free =
-            params.settings().controller == Controller::Budget && params.settings().assume == Assume::Free;
-        let margin = params.budget().margin.away_m > 0.0;
+        let free = is_free(params);
+        let margin = params.kept().margin.away_m > 0.0;
         let counts = |robot: usize| !(free && malicious[robot]);
         self.resize(frame.positions_m.len());
         let actual_m2 = first_filled(&self.actual_m2, &self.pairs_m2);
@@ -88,7 +87,7 @@ impl Truth {
         }
         if free || margin {
             let degrees = &mut vec![0; self.degrees.len()];
-            let shape = params.budget().curvature.link();
+            let shape = &params.kept().link;
             weigh(shape, &self.pairs_m2, counts, &mut self.spares, degrees, scratch);
         }
         for spare in &mut self.spares {
@@ -172,5 +171,5 @@ fn trimmed<const D: usize>(params: &Params<D>, frame: &Frame<D>, robot: usize) -
     let own = frame.positions_m[robot];
     let others = frame.positions_m.iter().enumerate().filter(|(other, _)| *other != robot);
     let sightings: Vec<Sighting<D>> = others.map(|(_, x)| Sighting::new(subtract(&own, x), None)).collect();
-    params.budget().level(&sightings, &mut vec![0.0; sightings.len()])
+    params.budget().map_or(0.0, |budget| budget.level(&sightings, &mut vec![0.0; sightings.len()]))
 }

@@ -1,6 +1,7 @@
 //! What no single field can tell: ranges that depend on others, and whether the start exists.
 
-use closeranks_core::settings::range::{Field, ParamsError};
+use closeranks_core::settings::field::Field;
+use closeranks_core::settings::range::ParamsError;
 
 use super::reader::Reader;
 use crate::geometry::squared_distance;
@@ -96,40 +97,10 @@ fn refuse_parameter(reader: &mut Reader, scenario: &Scenario, error: &ParamsErro
     let why = match error.field {
         Field::Faults => format!(" (2F + 1 <= n = {})", scenario.robots),
         Field::Epsilon => format!(" (below 1/(n-1), n = {})", scenario.robots),
-        Field::DistanceMinM if scenario.controller == Controller::Budget => {
-            " (below link.radius_m by two longest moves of a tick)".to_owned()
-        }
-        Field::DistanceMinM => " (below link.radius_m)".to_owned(),
-        Field::InputMinMS | Field::InputMaxMS => " (the box must contain 0)".to_owned(),
-        _ => String::new(),
+        field if field.why().is_empty() => String::new(),
+        field => format!(" ({})", field.why()),
     };
-    reader.refuse(field_name(error.field), error.value.to_string(), format!("{}{why}", error.allowed));
-}
-
-fn field_name(field: Field) -> &'static str {
-    match field {
-        Field::Robots => "team.robots",
-        Field::Faults => "team.faults",
-        Field::RadiusM => "link.radius_m",
-        Field::DistanceMinM => "controller.distance_min_m",
-        Field::Epsilon => "link.epsilon",
-        Field::Q2 => "link.q2",
-        Field::WR => "controller.w_r",
-        Field::WC => "controller.w_c",
-        Field::Alpha => "controller.alpha",
-        Field::Gamma => "controller.gamma",
-        Field::GammaC => "controller.gamma_c",
-        Field::Rise => "controller.rise",
-        Field::InputMinMS => "controller.input_min_m_s",
-        Field::InputMaxMS => "controller.input_max_m_s",
-        Field::LevelPeriod => "clock.tau_1_s",
-        Field::ValuePeriod => "clock.tau_2_s",
-        Field::HoldMax => "clock.hold_max_s",
-        Field::ToldMax => "clock.told_max_s",
-        Field::ClockError => "clock.error_s",
-        Field::PositionErrorM => "controller.position_error_m",
-        Field::TrackingErrorM => "controller.tracking_error_m",
-    }
+    reader.refuse(error.field.name(), error.value.to_string(), format!("{}{why}", error.allowed));
 }
 
 fn start<const D: usize>(reader: &mut Reader, scenario: &Scenario) {

@@ -3,7 +3,7 @@
 use core::time::Duration;
 
 use closeranks_core::controller::budget::knowledge::{Assume, Trust};
-use closeranks_core::equations::composition::Share;
+use closeranks_core::equations::composition::PhiSplit;
 use closeranks_core::settings::params::{MAGNITUDE_MAX, ROBOTS_MAX};
 use closeranks_core::settings::range::Allowed;
 use toml::de::{DeTable, DeValue};
@@ -87,7 +87,7 @@ fn controller(reader: &mut Reader, section: &mut Section<'_>, scenario: &mut Sce
     let kinds =
         [("composed", Controller::Composed), ("budget", Controller::Budget), ("none", Controller::None)];
     set(&mut scenario.controller, reader.word(section, "kind", &kinds));
-    let shares = [("neighbours", Share::Neighbours), ("own", Share::Own)];
+    let shares = [("neighbours", PhiSplit::Neighbors), ("own", PhiSplit::Own)];
     set(&mut scenario.share, reader.word(section, "share", &shares));
     set(&mut scenario.w_r, reader.number(section, "w_r", POSITIVE));
     set(&mut scenario.w_c, reader.number(section, "w_c", POSITIVE));

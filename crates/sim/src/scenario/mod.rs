@@ -7,10 +7,14 @@ pub mod start;
 use core::time::Duration;
 
 use closeranks_core::controller::budget::knowledge::{Assume, Trust};
-use closeranks_core::equations::composition::Share;
+use closeranks_core::equations::barrier::required_degree;
+use closeranks_core::equations::composition::{Composed, PhiSplit};
 use closeranks_core::program::InputBox;
 use closeranks_core::settings::params::{self, Params, Settings};
 use closeranks_core::settings::range::ParamsError;
+use closeranks_core::settings::{
+    BudgetSettings, Clock, ComposedSettings, Errors, Limits, LinkSettings, Team,
+};
 
 use crate::attack::Attack;
 use crate::faults::Faults;
@@ -45,7 +49,7 @@ pub struct Scenario {
     /// Which filter stands between desired and applied velocity.
     pub controller: Controller,
     /// Which φ_i of `composed`.
-    pub share: Share,
+    pub share: PhiSplit,
     /// w_r.
     pub w_r: f64,
     /// w_c, 1/m².
@@ -167,37 +171,38 @@ pub enum Values {
 impl Default for Scenario {
     fn default() -> Self {
         let settings = Settings::<2>::default();
+        let (composed, budget) = (ComposedSettings::default(), BudgetSettings::default());
         Self {
             name: "scenario".into(),
             duration_s: 10.0,
             seed: 1,
             dimension: 2,
-            robots: settings.robots,
-            faults: settings.faults,
+            robots: settings.team.robots,
+            faults: settings.team.faults,
             malicious: vec![1, 2],
-            radius_m: settings.radius_m,
+            radius_m: settings.link.radius_m,
             epsilon: None,
-            q2: settings.q2,
+            q2: settings.link.q2,
             controller: Controller::Composed,
-            share: settings.share,
-            w_r: settings.w_r,
-            w_c: settings.w_c,
-            alpha: settings.alpha,
-            gamma: settings.gamma,
-            rise: settings.rise,
-            gamma_c: settings.gamma_c,
-            trust: settings.trust,
-            assume: settings.assume,
-            distance_min_m: settings.distance_min_m,
-            input_min_m_s: settings.input.min_m_s.to_vec(),
-            input_max_m_s: settings.input.max_m_s.to_vec(),
-            tau_1: settings.level_period,
-            tau_2: settings.value_period,
-            hold_max: settings.hold_max,
-            told_max: settings.told_max,
-            clock_error: settings.clock_error,
-            position_error_m: settings.position_error_m,
-            tracking_error_m: settings.tracking_error_m,
+            share: composed.phi_split,
+            w_r: composed.w_r,
+            w_c: composed.w_c,
+            alpha: composed.alpha,
+            gamma: budget.gamma,
+            rise: budget.gain_slope,
+            gamma_c: budget.gamma_c,
+            trust: budget.trust,
+            assume: budget.assume,
+            distance_min_m: settings.limits.distance_min_m,
+            input_min_m_s: settings.limits.input.min_m_s.to_vec(),
+            input_max_m_s: settings.limits.input.max_m_s.to_vec(),
+            tau_1: settings.clock.level_period,
+            tau_2: settings.clock.value_period,
+            hold_max: settings.clock.hold_max,
+            told_max: settings.clock.told_max,
+            clock_error: settings.clock.error,
+            position_error_m: settings.errors.position_m,
+            tracking_error_m: settings.errors.tracking_m,
             start: Start::Inside,
             values: Values::Random { min: -500.0, max: 500.0 },
             motion: Motion::Paper,
@@ -263,34 +268,53 @@ impl Scenario {
     /// The robot's own parameters; an error names the field.
     pub fn params<const D: usize>(&self) -> Result<Params<D>, ParamsError> {
         let corner = |numbers: &[f64]| core::array::from_fn(|d| numbers.get(d).copied().unwrap_or(f64::NAN));
+        let input = InputBox { min_m_s: corner(&self.input_min_m_s), max_m_s: corner(&self.input_max_m_s) };
         Params::new(Settings {
-            robots: self.robots,
-            faults: self.faults,
-            radius_m: self.radius_m,
-            distance_min_m: self.distance_min_m,
-            epsilon: self.epsilon,
-            q2: self.q2,
-            w_r: self.w_r,
-            w_c: self.w_c,
-            alpha: self.alpha,
-            share: self.share,
+            team: Team { robots: self.robots, faults: self.faults },
+            link: LinkSettings { radius_m: self.radius_m, epsilon: self.epsilon, q2: self.q2 },
+            limits: Limits { distance_min_m: self.distance_min_m, input },
             controller: match self.controller {
-                Controller::Budget => params::Controller::Budget,
-                Controller::Composed | Controller::None => params::Controller::Composed,
+                Controller::Composed => params::Controller::Composed(self.composed_settings()),
+                Controller::Budget => params::Controller::Budget(self.budget_settings()),
+                Controller::None => params::Controller::None,
             },
+            clock: Clock {
+                level_period: self.tau_1,
+                value_period: self.tau_2,
+                hold_max: self.hold_max,
+                told_max: self.told_max,
+                error: self.clock_error,
+            },
+            errors: Errors { position_m: self.position_error_m, tracking_m: self.tracking_error_m },
+        })
+    }
+
+    fn composed_settings(&self) -> ComposedSettings {
+        ComposedSettings { phi_split: self.share, w_r: self.w_r, w_c: self.w_c, alpha: self.alpha }
+    }
+
+    fn budget_settings(&self) -> BudgetSettings {
+        BudgetSettings {
             gamma: self.gamma,
-            rise: self.rise,
+            gain_slope: self.rise,
             gamma_c: self.gamma_c,
             trust: self.trust,
             assume: self.assume,
-            input: InputBox { min_m_s: corner(&self.input_min_m_s), max_m_s: corner(&self.input_max_m_s) },
-            level_period: self.tau_1,
-            value_period: self.tau_2,
-            hold_max: self.hold_max,
-            told_max: self.told_max,
-            clock_error: self.clock_error,
-            position_error_m: self.position_error_m,
-            tracking_error_m: self.tracking_error_m,
-        })
+        }
+    }
+
+    /// The paper's composition, for whoever wants to know φ and φ_i, whatever the controller.
+    #[must_use]
+    pub fn composed(&self) -> Composed {
+        let of = self.composed_settings();
+        Composed {
+            split: of.phi_split,
+            w_r: of.w_r,
+            w_c: of.w_c,
+            alpha: of.alpha,
+            robots: self.robots,
+            required: required_degree(self.robots, self.faults),
+            distance_min_m: self.distance_min_m,
+        }
     }
 }

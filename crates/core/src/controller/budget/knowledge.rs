@@ -1,6 +1,7 @@
 //! What robot i knows about the spare connectivity h_j of a neighbour, whatever it is told.
 
-use crate::controller::budget::interval::Interval;
+use crate::controller::Glimpse;
+use crate::controller::budget::interval::{Interval, number};
 use crate::controller::budget::settings::Budget;
 use crate::controller::budget::survey::Seen;
 use crate::num::{Vector, larger};
@@ -72,6 +73,11 @@ pub struct Known {
     pub degree_max: f64,
 }
 
+/// Far more than the rounding of a sum of weights, as a fraction.
+const ROOM: f64 = 1e-9;
+/// Up to so many neighbours a sum costs less than an exponential.
+const FEW: u16 = 32;
+
 impl Budget {
     /// b_ij, what robot i may count on: the larger of 0 and, by [`Trust`], of what was told and what is seen.
     ///
@@ -113,6 +119,46 @@ impl Budget {
             _ => self.high(seen, distance_m),
         };
         self.weigh([seen.low - required, high - required], seen.worth, larger(seen.degree, 1.0))
+    }
+
+    /// What robot i knows of j in a world in which all sense exactly and hear the same.
+    ///
+    /// Where the claim is worth at least what i can see and at most what is possible, it is what i knows, and the sum of what i
+    /// sees is not needed. Both can be told from the true level of j:
+    ///
+    /// ```text
+    /// low ≤ level,    high ≥ level + (unseen − unseen_near) · a(R − Δ_ij)
+    /// ```
+    ///
+    /// The first holds to the last bit, because `low` leaves terms of the same sum out that are not negative. The second is used
+    /// with more room than rounding takes: each of the unseen near j is at least R − Δ_ij away from it.
+    #[must_use]
+    pub fn known_of(&self, glimpse: &Glimpse<'_, f64>) -> Known {
+        let (worth, unseen) = (*glimpse.told, glimpse.unseen);
+        let degree = f64::from(glimpse.degree) + number(unseen - glimpse.unseen_near);
+        if unseen == 0 {
+            return self.known_from(&Seen { low: glimpse.level, degree, unseen, worth }, 0.0);
+        }
+        if self.is_worth_what_was_told(glimpse) {
+            return Known { budget: worth, deficit: 0.0, degree_max: larger(degree, 1.0) };
+        }
+        self.known_from(&Seen { low: (glimpse.low)(), degree, unseen, worth }, glimpse.distance_m)
+    }
+
+    /// True where [`known_of`](Self::known_of) surely is what the claim is worth.
+    fn is_worth_what_was_told(&self, glimpse: &Glimpse<'_, f64>) -> bool {
+        let required = f64::from(self.required());
+        let overlooked = number(glimpse.unseen - glimpse.unseen_near);
+        let worth = *glimpse.told;
+        if self.trust == Trust::Seen || worth < glimpse.level - required || overlooked == 0.0 {
+            return false;
+        }
+        let missing = worth + required - glimpse.level + ROOM * (1.0 + glimpse.level + worth);
+        let nearest_m = self.nearest_m(glimpse.distance_m);
+        if nearest_m <= 0.5 * self.curvature.link().radius_m {
+            return missing <= overlooked * self.curvature.least_within_half();
+        }
+        glimpse.degree > FEW && missing <= overlooked * self.weight(&[nearest_m]) * (1.0 - ROOM)
     }
 
     pub(crate) fn believe(&self, interval: &Interval, claim: Option<Claim>) -> Known {

@@ -46,7 +46,7 @@ impl Budget {
     pub(crate) fn push_neighbor<const D: usize>(
         &self,
         own: &mut Own<D>,
-        neighbor: &Neighbor<'_, D>,
+        neighbor: &Neighbor<D>,
         rows: &mut Rows<'_, D>,
     ) {
         let Neighbor { offset_m, tie, known } = neighbor;
@@ -67,7 +67,7 @@ impl Budget {
     fn push_far<const D: usize>(
         &self,
         own: &Own<D>,
-        Neighbor { offset_m, tie, known }: &Neighbor<'_, D>,
+        Neighbor { offset_m, tie, known }: &Neighbor<D>,
         gradient: &Vector<D>,
         rows: &mut Rows<'_, D>,
     ) {

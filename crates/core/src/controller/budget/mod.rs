@@ -28,8 +28,7 @@
 //! | the closest point | [`crate::program::balls`] |
 //! | γ, γ_c and the rest | [`settings`] |
 
-mod allowance;
-pub mod answer;
+pub mod control;
 pub mod curvature;
 pub mod interval;
 pub mod knowledge;

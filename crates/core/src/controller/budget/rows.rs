@@ -115,10 +115,10 @@ impl Budget {
     /// The same rows for a robot with this own `level` and `degree`, from all its `neighbors` in order of their numbers: for
     /// whoever computes a whole team at once. Their ties must have been made with this `reach`: which rows can bind depends on it.
     #[must_use]
-    pub fn rows_between<'memory, 'a, const D: usize>(
+    pub fn rows_between<'memory, const D: usize>(
         &self,
         (level, degree): (f64, u16),
-        neighbors: impl Iterator<Item = Neighbor<'a, D>>,
+        neighbors: impl Iterator<Item = Neighbor<D>>,
         desired_m: &Vector<D>,
         reach: Reach<D>,
         memory: &'memory mut [Row<D>],
@@ -143,7 +143,7 @@ impl Budget {
         rows.h = own.h;
         for (index, &Sighting { offset_m, claim, .. }) in sightings.iter().enumerate() {
             if self.bounds_move(&offset_m, rows) {
-                let tie = &self.tie(&offset_m, survey.slopes[index], &rows.program.reach);
+                let tie = self.tie(&offset_m, survey.slopes[index], &rows.program.reach);
                 let known = self.known_from(&survey.seen(index, self.worth(claim)), tie.distance_m);
                 self.push_neighbor(&mut own, &Neighbor { offset_m, tie, known }, rows);
             }
@@ -175,7 +175,7 @@ impl Budget {
                 self.interval(index, sightings, weights)
             };
             let slope = self.link(&offset_m).map_or(0.0, |link| link.slope);
-            let tie = &self.tie(&offset_m, slope, &rows.program.reach);
+            let tie = self.tie(&offset_m, slope, &rows.program.reach);
             let known = self.believe(&interval, claim);
             self.push_neighbor(&mut own, &Neighbor { offset_m, tie, known }, rows);
         }

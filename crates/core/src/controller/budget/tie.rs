@@ -26,11 +26,11 @@ pub struct Tie {
 
 /// A neighbour, with all that its rows need.
 #[derive(Clone, Copy, Debug)]
-pub struct Neighbor<'a, const D: usize> {
+pub struct Neighbor<const D: usize> {
     /// x_i − x_j, m.
     pub offset_m: Vector<D>,
     /// What holds for both ends, made with the reach that the rows are for.
-    pub tie: &'a Tie,
+    pub tie: Tie,
     /// What is known of its spare connectivity.
     pub known: Known,
 }
