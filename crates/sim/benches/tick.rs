@@ -32,7 +32,7 @@ fn scenario(robots: u16) -> Scenario {
 fn world(scenario: &Scenario) -> (Params<2>, Frame<2>, Vec<f64>) {
     let params = scenario.params().expect("valid");
     let values = initial_values(scenario).expect("drawn");
-    let positions = scenario.start.positions(scenario).expect("a hexagon");
+    let positions = scenario.positions().expect("a hexagon");
     (params, Frame::new(positions, values.clone()), values)
 }
 

@@ -98,7 +98,7 @@ fn run_in<const D: usize>(
 ) -> Result<Run, RunError> {
     let params = scenario.params::<D>()?;
     let values = initial_values(scenario)?;
-    let frame = Frame::new(scenario.start.positions(scenario)?, values.clone());
+    let frame = Frame::new(scenario.positions()?, values.clone());
     let world = World::new(scenario, params, frame, options);
     let mut robots = robots(scenario, params, &world.frame, &values, options.engine)?;
     Ok(world.run(robots.as_mut(), progress))

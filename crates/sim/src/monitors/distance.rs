@@ -7,8 +7,8 @@ use crate::attack::MotionAttack;
 use crate::frame::Frame;
 use crate::geometry::squared_distance;
 use crate::law::{Law, Verdicts, Violation};
-use crate::monitors::carry::{Before, ROUNDING};
-use crate::monitors::truth::Truth;
+use crate::monitors::before::Before;
+use crate::monitors::truth::{ROUNDING, Truth};
 use crate::scenario::Scenario;
 
 /// What became of the pairs of a run.

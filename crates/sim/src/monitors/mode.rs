@@ -7,8 +7,8 @@ use crate::attack::MotionAttack;
 use crate::faults::Clocks;
 use crate::frame::Frame;
 use crate::law::{Law, Verdicts, Violation};
-use crate::monitors::carry::{ROUNDING, longer_ago, required, share, since};
-use crate::monitors::truth::Truth;
+use crate::monitors::time::{fraction, longer_ago, since};
+use crate::monitors::truth::{ROUNDING, Truth, required};
 use crate::scenario::Scenario;
 
 /// Ticks in which all must have noticed that everything holds again.
@@ -115,7 +115,7 @@ impl<const D: usize> Honesty<D> {
     /// Shares of time in which normal robots were guaranteed, and in which their own h was negative.
     pub(crate) fn shares(&self) -> [f64; 2] {
         let [all, guaranteed, negative] = self.counted;
-        [share(guaranteed, all), share(negative, all)]
+        [fraction(guaranteed, all), fraction(negative, all)]
     }
 
     /// Longest time from the end of trouble until all were guaranteed again, in ticks.

@@ -104,7 +104,7 @@ fn refuse_parameter(reader: &mut Reader, scenario: &Scenario, error: &ParamsErro
 }
 
 fn start<const D: usize>(reader: &mut Reader, scenario: &Scenario) {
-    let positions = match scenario.start.positions::<D>(scenario) {
+    let positions = match scenario.positions::<D>() {
         Ok(positions) => positions,
         Err(error) => return refuse_start(reader, scenario, &error),
     };

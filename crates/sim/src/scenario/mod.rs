@@ -9,6 +9,7 @@ use core::time::Duration;
 use closeranks_core::controller::budget::knowledge::{Assume, Trust};
 use closeranks_core::equations::barrier::required_degree;
 use closeranks_core::equations::composition::{Composed, PhiSplit};
+use closeranks_core::num::Vector;
 use closeranks_core::program::InputBox;
 use closeranks_core::settings::params::{self, Params, Settings};
 use closeranks_core::settings::range::ParamsError;
@@ -21,7 +22,7 @@ use crate::faults::Faults;
 use crate::law::Law;
 use crate::plant::Plant;
 use crate::scenario::desired::Motion;
-use crate::scenario::start::Start;
+use crate::scenario::start::{Start, StartError};
 
 /// One run, complete. [`crate::parse::scenario`] makes it from TOML and checks every field.
 #[derive(Clone, Debug, PartialEq)]
@@ -257,6 +258,11 @@ impl Scenario {
     #[must_use]
     pub fn tick_s(&self) -> f64 {
         self.tau_1.as_secs_f64()
+    }
+
+    /// Where the robots start, m.
+    pub fn positions<const D: usize>(&self) -> Result<Vec<Vector<D>>, StartError> {
+        self.start.positions(self.robots, self.seed)
     }
 
     /// Which robots are malicious, by index from 0.
