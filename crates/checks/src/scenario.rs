@@ -63,7 +63,7 @@ fn is_runnable(scenario: &Scenario) {
 
 fn is_ready<const D: usize>(scenario: &Scenario) {
     scenario.params::<D>().unwrap_or_else(|error| panic!("{error}"));
-    let start = scenario.start.positions::<D>(scenario).unwrap_or_else(|error| panic!("{error}"));
+    let start = scenario.positions::<D>().unwrap_or_else(|error| panic!("{error}"));
     assert_eq!(start.len(), usize::from(scenario.robots));
     assert!(start.iter().flatten().all(|component| component.is_finite()));
 }

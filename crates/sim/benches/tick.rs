@@ -9,6 +9,7 @@ use closeranks_sim::attack::liars::Liars;
 use closeranks_sim::engine::fleet::Fleet;
 use closeranks_sim::engine::team::Team;
 use closeranks_sim::frame::Frame;
+use closeranks_sim::plant::Bodies;
 use closeranks_sim::scenario::start::Start;
 use closeranks_sim::scenario::{Controller, Scenario};
 use closeranks_sim::world::{Options, initial_values, run, want};
@@ -31,7 +32,7 @@ fn scenario(robots: u16) -> Scenario {
 fn world(scenario: &Scenario) -> (Params<2>, Frame<2>, Vec<f64>) {
     let params = scenario.params().expect("valid");
     let values = initial_values(scenario).expect("drawn");
-    let positions = scenario.start.positions(scenario).expect("a hexagon");
+    let positions = scenario.positions().expect("a hexagon");
     (params, Frame::new(positions, values.clone()), values)
 }
 
@@ -43,10 +44,11 @@ fn tick_of_a_team(bencher: Bencher<'_, '_>, robots: u16) {
     let AnyController::Composed(composed) = *params.controller() else { return };
     let mut team = Team::new(&scenario, params, composed, &values);
     let mut liars = Liars::new(&scenario);
+    let mut bodies = Bodies::new(scenario.plant, scenario.tick_s(), &frame.positions_m);
     bencher.bench_local(|| {
         want(&scenario, 0, &mut frame);
         team.step(&mut frame, &mut liars);
-        frame.integrate(scenario.tick_s());
+        bodies.integrate(&mut frame.positions_m, &frame.velocities_m_s);
     });
     let links = u32::from(robots) * u32::from(robots - 1) / 2;
     assert!(frame.links * 10 > links * 9, "nearly all in range: {} of {links}", frame.links);
@@ -57,13 +59,13 @@ fn tick_of_a_team(bencher: Bencher<'_, '_>, robots: u16) {
 fn tick_of_single_robots(bencher: Bencher<'_, '_>, robots: u16) {
     let scenario = scenario(robots);
     let (params, mut frame, values) = world(&scenario);
-    let mut fleet =
-        Fleet::new(&scenario, params, &frame.positions_m, &values).expect("robots of a valid scenario");
+    let mut fleet = Fleet::new(&scenario, params, &values).expect("robots of a valid scenario");
     let mut liars = Liars::new(&scenario);
+    let mut bodies = Bodies::new(scenario.plant, scenario.tick_s(), &frame.positions_m);
     bencher.bench_local(|| {
         want(&scenario, 0, &mut frame);
         fleet.step(&mut frame, &mut liars);
-        frame.integrate(scenario.tick_s());
+        bodies.integrate(&mut frame.positions_m, &frame.velocities_m_s);
     });
 }
 

@@ -1,18 +1,21 @@
 //! The run: scenario in, record and summary out.
 
-use closeranks_core::controller::{AnyController, Control};
+use closeranks_core::controller::AnyController;
 use closeranks_core::robot::error::RobotError;
 use closeranks_core::settings::params::Params;
 use closeranks_core::settings::range::ParamsError;
 
 use crate::attack::liars::Liars;
 use crate::engine::fleet::Fleet;
+use crate::engine::judge::Judge;
+use crate::engine::robots::Robots;
 use crate::engine::team::Team;
 use crate::frame::Frame;
 use crate::monitors::Monitors;
 use crate::monitors::robustness::{Round, Watcher};
 use crate::output::record::Record;
 use crate::output::summary::{Collector, Summary};
+use crate::plant::Bodies;
 use crate::random::{Random, Stream};
 use crate::scenario::desired::Motion;
 use crate::scenario::start::StartError;
@@ -95,7 +98,7 @@ fn run_in<const D: usize>(
 ) -> Result<Run, RunError> {
     let params = scenario.params::<D>()?;
     let values = initial_values(scenario)?;
-    let frame = Frame::new(scenario.start.positions(scenario)?, values.clone());
+    let frame = Frame::new(scenario.positions()?, values.clone());
     let world = World::new(scenario, params, frame, options);
     let mut robots = robots(scenario, params, &world.frame, &values, options.engine)?;
     Ok(world.run(robots.as_mut(), progress))
@@ -120,7 +123,7 @@ fn robots<const D: usize>(
         {
             Box::new(Team::new(scenario, params, budget, values))
         }
-        _ => Box::new(Fleet::new(scenario, params, &frame.positions_m, values)?),
+        _ => Box::new(Fleet::new(scenario, params, values)?),
     })
 }
 
@@ -145,39 +148,13 @@ pub fn initial_values(scenario: &Scenario) -> Result<Vec<f64>, RunError> {
     }
 }
 
-/// What computes the robots of a run.
-trait Robots<const D: usize> {
-    /// One tick: fills everything in `frame` but positions and desired velocities.
-    fn step(&mut self, frame: &mut Frame<D>, liars: &mut Liars);
-    /// Moves everybody to the next tick.
-    fn integrate(&mut self, frame: &mut Frame<D>);
-}
-
-impl<const D: usize> Robots<D> for Fleet<D> {
-    fn step(&mut self, frame: &mut Frame<D>, liars: &mut Liars) {
-        self.step(frame, liars);
-    }
-
-    fn integrate(&mut self, frame: &mut Frame<D>) {
-        self.integrate(frame);
-    }
-}
-
-impl<const D: usize, C: Control<D> + Copy> Robots<D> for Team<D, C> {
-    fn step(&mut self, frame: &mut Frame<D>, liars: &mut Liars) {
-        self.step(frame, liars);
-    }
-
-    fn integrate(&mut self, frame: &mut Frame<D>) {
-        frame.integrate(self.tick_s());
-    }
-}
-
 struct World<'a, const D: usize> {
     scenario: &'a Scenario,
     malicious: Vec<bool>,
     frame: Frame<D>,
     liars: Liars,
+    bodies: Bodies<D>,
+    judge: Judge,
     monitors: Monitors<D>,
     collector: Collector,
     record: Option<Record>,
@@ -191,8 +168,10 @@ impl<'a, const D: usize> World<'a, D> {
         Self {
             scenario,
             malicious: scenario.malicious_mask(),
+            bodies: Bodies::new(scenario.plant, scenario.tick_s(), &frame.positions_m),
             frame: Frame { wants_phi, ..frame },
             liars: Liars::new(scenario),
+            judge: Judge::new(scenario, &params),
             monitors: Monitors::new(scenario, params),
             collector: Collector::default(),
             record: options.record.then(|| Record::new(scenario, required)),
@@ -206,6 +185,7 @@ impl<'a, const D: usize> World<'a, D> {
             progress(tick);
             want(self.scenario, tick, &mut self.frame);
             robots.step(&mut self.frame, &mut self.liars);
+            self.judge.judge(tick, &mut self.frame, robots, &self.bodies);
             self.monitors.watch(tick, &self.frame);
             self.collector.watch(self.scenario, &self.frame, &self.monitors);
             if let Some(record) = &mut self.record {
@@ -213,7 +193,7 @@ impl<'a, const D: usize> World<'a, D> {
             }
             self.watch_round(tick);
             if tick < last {
-                robots.integrate(&mut self.frame);
+                self.bodies.integrate(&mut self.frame.positions_m, &self.frame.velocities_m_s);
             }
         }
         let summary = self.collector.finish(self.scenario, &self.frame, &self.monitors);

@@ -6,6 +6,7 @@ use core::time::Duration;
 use closeranks_core::controller::budget::knowledge::Trust;
 use closeranks_core::equations::composition::PhiSplit;
 use closeranks_sim::attack::{LevelAttack, ValueAttack};
+use closeranks_sim::plant::Plant;
 use closeranks_sim::scenario::start::Start;
 use closeranks_sim::scenario::{Controller, Scenario};
 use closeranks_sim::world::{Engine, Options, Run, run};
@@ -83,6 +84,23 @@ fn teams_of_other_sizes_and_no_liars() {
         let malicious = (1..=faults).collect();
         same_bits(&Scenario { robots, faults, malicious, start, ..short("size") });
     }
+}
+
+/// Bodies that lag belong to the world, whatever computes the robots.
+#[test]
+fn bodies_that_lag() {
+    for lag_s in [0.001, 0.02, 0.3] {
+        let plant = Plant::Lag { lag_s };
+        for controller in [Controller::Composed, Controller::None, Controller::Budget] {
+            let lagging = Scenario { plant, controller, ..short("lag") };
+            same_bits(&lagging);
+            same_bits(&Scenario { attack: LevelAttack::Bias(3.5).into(), ..lagging.clone() });
+            same_bits(&Scenario { tracking_error_m: 0.05, position_error_m: 0.01, ..lagging });
+        }
+    }
+    let (start, plant) =
+        (Start::Random { half_side_m: 2.0, distance_min_m: 0.35 }, Plant::Lag { lag_s: 0.1 });
+    same_bits(&Scenario { start, plant, ..short("wide") });
 }
 
 #[test]

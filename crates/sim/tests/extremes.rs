@@ -85,5 +85,5 @@ fn the_largest_crowd_is_refused_within_seconds() {
         start: Start::Random { half_side_m: 30.0, distance_min_m: 0.6 },
         ..Scenario::default()
     };
-    assert!(crowd.start.positions::<2>(&crowd).is_err());
+    assert!(crowd.positions::<2>().is_err());
 }

@@ -69,7 +69,7 @@ fn an_understated_level_beyond_reach_makes_programs_infeasible() {
 #[test]
 fn a_robot_that_is_down_breaks_nothing_again_and_again() {
     let mut scenario = Scenario { attack: LevelAttack::Bias(-6.0).into(), ..Scenario::default() };
-    scenario.trouble.plant.crash = Some(Spell { robot: 4, from_s: 0.05, to_s: 100.0 });
+    scenario.trouble.outages.crash = Some(Spell { robot: 4, from_s: 0.05, to_s: 100.0 });
     let run = run(&scenario, Options { record: true, ..Options::default() }, &mut |_| ()).unwrap();
     let record = run.record.unwrap();
     let found = |tick| (record.outcome[record.row(tick, 3)], record.phi[record.row(tick, 3)] < 0.0);
@@ -85,7 +85,7 @@ fn a_robot_that_is_down_breaks_nothing_again_and_again() {
 fn a_start_with_a_robot_down_is_not_called_inside() {
     let mut scenario = Scenario { duration_s: 0.5, ..Scenario::default() };
     assert!(summary(&scenario).start.inside);
-    scenario.trouble.plant.crash = Some(Spell { robot: 4, from_s: 0.0, to_s: 0.1 });
+    scenario.trouble.outages.crash = Some(Spell { robot: 4, from_s: 0.0, to_s: 0.1 });
     let summary = summary(&scenario);
     assert_eq!((summary.start.inside, summary.extremes.inside_from), (false, Some(20)));
 }

@@ -227,7 +227,7 @@ fn troubles_do_not_end_before_they_begin() {
     );
     let partition = problems("[network]\npartition = { from_s = 2, to_s = 1 }");
     assert_eq!(partition[0].field, "network.partition.to_s");
-    let spell = |times: &str| scenario(&crash(times)).unwrap().trouble.plant.crash.unwrap();
+    let spell = |times: &str| scenario(&crash(times)).unwrap().trouble.outages.crash.unwrap();
     assert_eq!(spell("from_s = 1.0, to_s = 1.0").to_s, 1.0);
     assert_eq!(spell("from_s = 1e6").to_s, 1e6);
     assert_eq!((spell("to_s = 1.5").from_s, spell("from_s = 3.0").to_s), (1.0, 4.0));

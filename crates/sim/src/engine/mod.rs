@@ -2,8 +2,10 @@
 
 mod consensus;
 pub mod fleet;
+pub(crate) mod judge;
 mod links;
 pub mod memory;
 mod near;
+pub(crate) mod robots;
 mod sees;
 pub mod team;

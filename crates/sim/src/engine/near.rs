@@ -2,7 +2,7 @@
 
 use closeranks_core::num::Vector;
 
-use crate::scenario::start::squared_distance;
+use crate::geometry::squared_distance;
 
 /// Teams up to this size are looked at pair by pair.
 const FEW: usize = 128;

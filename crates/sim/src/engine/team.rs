@@ -19,8 +19,8 @@ use crate::engine::memory::Memory;
 use crate::engine::near::small;
 use crate::engine::sees::{Around, Half, Sees};
 use crate::frame::Frame;
+use crate::geometry::squared_distance;
 use crate::scenario::Scenario;
-use crate::scenario::start::squared_distance;
 
 /// A team in a perfect network.
 #[derive(Clone, Debug)]
@@ -81,10 +81,6 @@ impl<const D: usize, C: Control<D> + Copy> Team<D, C> {
     }
 
     /// τ₁, s.
-    pub(crate) fn tick_s(&self) -> f64 {
-        self.robots.params.settings().clock.level_period.as_secs_f64()
-    }
-
     /// One tick: fills everything in `frame` but positions and desired velocities.
     pub fn step(&mut self, frame: &mut Frame<D>, liars: &mut Liars) {
         let (robots, round) = (&mut self.robots, self.consensus.is_due(self.tick));

@@ -1,19 +1,15 @@
 //! The theorem of `budget` from tick to tick: what was safe stays safe wherever its assumptions hold.
 
-use closeranks_core::controller::budget::knowledge::Assume;
-use closeranks_core::num::Vector;
-use closeranks_core::settings::Team;
 use closeranks_core::settings::params::Params;
 
 use crate::frame::Frame;
 use crate::law::{Law, Verdicts, Violation};
+use crate::monitors::before::Before;
 use crate::monitors::distance::Pairs;
 use crate::monitors::mode::Honesty;
-use crate::monitors::truth::Truth;
+use crate::monitors::time::{fraction, longer_ago};
+use crate::monitors::truth::{ROUNDING, Truth, required};
 use crate::scenario::Scenario;
-
-/// Sums of weights, and squares of distances as a share of R², are rounded by far less than this.
-pub(crate) const ROUNDING: f64 = 1e-11;
 
 /// The tick before, and what has not held since when.
 #[derive(Clone, Debug)]
@@ -33,16 +29,6 @@ pub(crate) struct Promise<const D: usize> {
     honesty: Honesty<D>,
     /// Ticks, and those in which every assumption held.
     ticks: [u64; 2],
-}
-
-/// A tick that was.
-#[derive(Clone, Debug, Default)]
-pub(crate) struct Before<const D: usize> {
-    pub(crate) truth: Truth,
-    pub(crate) positions_m: Vec<Vector<D>>,
-    /// Moves obey the rows, and rows rest on what is true.
-    pub(crate) moves: bool,
-    claims: bool,
 }
 
 impl<const D: usize> Promise<D> {
@@ -77,13 +63,13 @@ impl<const D: usize> Promise<D> {
         verdicts: &mut Verdicts,
     ) {
         let before = self.before.take();
-        let carried = before.as_ref().filter(|_| covered && !frame.renewed);
+        let carried = before.as_ref().filter(|_| covered && !frame.assumptions.renewed);
         self.watch_spares(tick, frame, truth, carried, verdicts);
         self.pairs.watch(tick, frame, truth, carried, verdicts);
-        if frame.broken || !covered {
+        if frame.assumptions.broken || !covered {
             self.broken = Some(tick);
         }
-        let moves = !frame.broken && covered;
+        let moves = !frame.assumptions.broken && covered;
         let claims = moves && longer_ago(self.broken, tick, self.told_ticks);
         for (counter, counts) in self.ticks.iter_mut().zip([true, claims]) {
             *counter += u64::from(counts);
@@ -139,7 +125,7 @@ impl<const D: usize> Promise<D> {
                 verdicts.broke(
                     Law::Degree,
                     at(seen, f64::from(required)),
-                    (budget && !frame.broken && spare >= 0.0) || carried.is_some(),
+                    (budget && !frame.assumptions.broken && spare >= 0.0) || carried.is_some(),
                 );
             }
             if let Some(before) = before.filter(|_| budget) {
@@ -156,7 +142,7 @@ impl<const D: usize> Promise<D> {
     #[must_use]
     pub(crate) fn shares(&self) -> [f64; 3] {
         let [guaranteed, negative] = self.honesty.shares();
-        [guaranteed, negative, share(self.ticks[1], self.ticks[0])]
+        [guaranteed, negative, fraction(self.ticks[1], self.ticks[0])]
     }
 
     /// Longest time from the end of trouble until all were guaranteed again, in ticks.
@@ -168,33 +154,4 @@ impl<const D: usize> Promise<D> {
     pub(crate) fn least_m2(&self) -> f64 {
         self.pairs.least_m2()
     }
-}
-
-/// The degree that counts: F′, or θ among normal robots with free liars. Written down once more, so that monitors do not rest on what they watch.
-pub(crate) fn required<const D: usize>(params: &Params<D>) -> u16 {
-    let Team { robots, faults } = params.settings().team;
-    let free = is_free(params);
-    faults + if free { (robots - faults) / 2 } else { robots / 2 }
-}
-
-/// True if malicious robots may move as they like.
-pub(crate) fn is_free<const D: usize>(params: &Params<D>) -> bool {
-    params.budget().is_some_and(|budget| budget.assume == Assume::Free)
-}
-
-/// `part/whole`, 0 of nothing.
-pub(crate) fn share(part: u64, whole: u64) -> f64 {
-    #[expect(clippy::cast_precision_loss, reason = "counts")]
-    let share = part as f64 / whole.max(1) as f64;
-    share
-}
-
-/// Ticks since `then`; for ever if it never was.
-pub(crate) fn since(then: Option<u32>, tick: u32) -> u32 {
-    then.map_or(u32::MAX, |then| tick - then)
-}
-
-/// True if `then` is more than `ticks` ticks ago, or never was.
-pub(crate) fn longer_ago(then: Option<u32>, tick: u32, ticks: u64) -> bool {
-    then.is_none_or(|then| u64::from(tick - then) > ticks)
 }

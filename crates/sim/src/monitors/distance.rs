@@ -5,11 +5,11 @@ use closeranks_core::settings::params::Params;
 
 use crate::attack::MotionAttack;
 use crate::frame::Frame;
+use crate::geometry::squared_distance;
 use crate::law::{Law, Verdicts, Violation};
-use crate::monitors::carry::{Before, ROUNDING};
-use crate::monitors::truth::Truth;
+use crate::monitors::before::Before;
+use crate::monitors::truth::{ROUNDING, Truth};
 use crate::scenario::Scenario;
-use crate::scenario::start::squared_distance;
 
 /// What became of the pairs of a run.
 #[derive(Clone, Debug)]

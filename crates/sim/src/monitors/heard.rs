@@ -43,7 +43,7 @@ impl Voices {
 
     /// Takes in a tick.
     pub(crate) fn hear<const D: usize>(&mut self, frame: &Frame<D>) {
-        self.steady &= !frame.unsteady;
+        self.steady &= !frame.assumptions.unsteady;
         self.heard.clone_from(&frame.heard);
     }
 
@@ -55,7 +55,7 @@ impl Voices {
         };
         let mut normal = self.heard.iter().zip(malicious).filter(|(_, malicious)| !**malicious);
         let enough = normal.all(|(heard, _)| enough(heard));
-        let steady = core::mem::replace(&mut self.steady, true) && !frame.unsteady;
+        let steady = core::mem::replace(&mut self.steady, true) && !frame.assumptions.unsteady;
         self.same_time && steady && enough
     }
 }

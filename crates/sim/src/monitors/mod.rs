@@ -1,10 +1,12 @@
 //! The theorems as code: each law names what must hold and remembers where it first did not.
 
+mod before;
 mod carry;
 mod distance;
 mod heard;
 mod mode;
 pub mod robustness;
+mod time;
 pub(crate) mod truth;
 
 use closeranks_core::equations::barrier::degree_barrier;

@@ -7,8 +7,8 @@ use crate::attack::MotionAttack;
 use crate::faults::Clocks;
 use crate::frame::Frame;
 use crate::law::{Law, Verdicts, Violation};
-use crate::monitors::carry::{ROUNDING, longer_ago, required, share, since};
-use crate::monitors::truth::Truth;
+use crate::monitors::time::{fraction, longer_ago, since};
+use crate::monitors::truth::{ROUNDING, Truth, required};
 use crate::scenario::Scenario;
 
 /// Ticks in which all must have noticed that everything holds again.
@@ -57,7 +57,7 @@ impl<const D: usize> Honesty<D> {
         let stopped = frame.modes.contains(&Mode::Stopped);
         let safe = (0..truth.own.len()).all(|robot| truth.own[robot] >= ROUNDING)
             && (0..truth.own.len()).all(|robot| !self.crowded(robot, truth, true));
-        let well = safe && !stopped && !frame.broken;
+        let well = safe && !stopped && !frame.assumptions.broken;
         if !well {
             self.unwell = Some(tick);
         }
@@ -72,7 +72,7 @@ impl<const D: usize> Honesty<D> {
                 *counter += u64::from(counts);
             }
             let at = |seen| Violation { tick, robots: [robot, 0], seen, demanded: 0.0 };
-            if guaranteed && !frame.sensed_wrong[index] && self.untrue(index, truth) {
+            if guaranteed && !frame.assumptions.sensed_wrong[index] && self.untrue(index, truth) {
                 verdicts.broke(Law::Mode, at(truth.spares[index]), true);
             }
             if !guaranteed && healed {
@@ -115,7 +115,7 @@ impl<const D: usize> Honesty<D> {
     /// Shares of time in which normal robots were guaranteed, and in which their own h was negative.
     pub(crate) fn shares(&self) -> [f64; 2] {
         let [all, guaranteed, negative] = self.counted;
-        [share(guaranteed, all), share(negative, all)]
+        [fraction(guaranteed, all), fraction(negative, all)]
     }
 
     /// Longest time from the end of trouble until all were guaranteed again, in ticks.

@@ -1,14 +1,17 @@
 //! The state of a team as only the world knows it: what the theorems are about.
 
-use closeranks_core::controller::budget::knowledge::Sighting;
+use closeranks_core::controller::budget::knowledge::{Assume, Sighting};
 use closeranks_core::equations::link::{Link, LinkShape};
-use closeranks_core::num::{Vector, subtract};
+use closeranks_core::num::subtract;
 use closeranks_core::robot::neighbor::RobotId;
+use closeranks_core::settings::Team;
 use closeranks_core::settings::params::Params;
 
 use crate::frame::Frame;
-use crate::monitors::carry::{is_free, required};
-use crate::scenario::start::squared_distance;
+use crate::geometry::fill_pairs;
+
+/// Sums of weights, and squares of distances as a share of R², are rounded by far less than this.
+pub(crate) const ROUNDING: f64 = 1e-11;
 
 /// True levels, degrees and distances of one tick.
 #[derive(Debug, Default)]
@@ -124,20 +127,6 @@ fn first_filled<'a>(numbers: &'a Vec<f64>, others: &'a Vec<f64>) -> &'a Vec<f64>
     if numbers.is_empty() { others } else { numbers }
 }
 
-/// Puts squared distances of all pairs, m², into `pairs_m2`, in the order of [`Truth::pairs_m2`].
-pub(crate) fn fill_pairs<const D: usize>(positions_m: &[Vector<D>], pairs_m2: &mut Vec<f64>) {
-    let robots = positions_m.len();
-    pairs_m2.resize(robots * robots.saturating_sub(1) / 2, 0.0);
-    let mut rest = &mut pairs_m2[..];
-    for (second, x) in positions_m.iter().enumerate() {
-        let (line, later) = core::mem::take(&mut rest).split_at_mut(second);
-        for (pair_m2, y) in line.iter_mut().zip(positions_m) {
-            *pair_m2 = squared_distance(x, y);
-        }
-        rest = later;
-    }
-}
-
 /// Sum and number of the links of every robot with the others that count, in order of their numbers; each pair once.
 fn weigh(
     shape: &LinkShape,
@@ -168,7 +157,19 @@ fn weigh(
     }
 }
 
-/// The level of a robot without its F largest terms, as the robot itself computes it.
+/// The degree that counts: F′, or θ among normal robots with free liars. Written down once more, so that monitors do not rest on what they watch.
+pub(crate) fn required<const D: usize>(params: &Params<D>) -> u16 {
+    let Team { robots, faults } = params.settings().team;
+    let free = is_free(params);
+    faults + if free { (robots - faults) / 2 } else { robots / 2 }
+}
+
+/// True if malicious robots may move as they like.
+pub(crate) fn is_free<const D: usize>(params: &Params<D>) -> bool {
+    params.budget().is_some_and(|budget| budget.assume == Assume::Free)
+}
+
+/// The trimmed sum T_i of a robot that senses exactly.
 fn trimmed<const D: usize>(params: &Params<D>, frame: &Frame<D>, robot: usize) -> f64 {
     let own = frame.positions_m[robot];
     let id = |index: usize| RobotId(u16::try_from(index + 1).unwrap_or(u16::MAX));

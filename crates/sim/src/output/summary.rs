@@ -3,9 +3,9 @@
 use closeranks_core::num::{Vector, dot, length, sqrt, subtract};
 
 use crate::frame::Frame;
+use crate::geometry::squared_distance;
 use crate::law::{Law, Verdict, Verdicts};
 use crate::monitors::{Extremes, Monitors};
-use crate::scenario::start::squared_distance;
 use crate::scenario::{Controller, Scenario};
 
 /// Where the start lies.

@@ -4,7 +4,8 @@ use closeranks_core::settings::field::Field;
 use closeranks_core::settings::range::ParamsError;
 
 use super::reader::Reader;
-use crate::scenario::start::{Start, StartError, squared_distance};
+use crate::geometry::squared_distance;
+use crate::scenario::start::{Start, StartError};
 use crate::scenario::{Controller, Scenario, Values};
 
 /// Most rows (ticks × robots) that a run may have.
@@ -103,7 +104,7 @@ fn refuse_parameter(reader: &mut Reader, scenario: &Scenario, error: &ParamsErro
 }
 
 fn start<const D: usize>(reader: &mut Reader, scenario: &Scenario) {
-    let positions = match scenario.start.positions::<D>(scenario) {
+    let positions = match scenario.positions::<D>() {
         Ok(positions) => positions,
         Err(error) => return refuse_start(reader, scenario, &error),
     };

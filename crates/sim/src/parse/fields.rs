@@ -11,8 +11,9 @@ use toml::de::{DeTable, DeValue};
 use super::common::{ANY, NOT_NEGATIVE, POSITIVE, SECONDS, interval, set, small};
 use super::reader::{Reader, Section, number, whole};
 use crate::attack::Attack;
-use crate::faults::Faults;
+use crate::faults::{Faults, Outages};
 use crate::law::Law;
+use crate::plant::Plant;
 use crate::scenario::desired::Motion;
 use crate::scenario::start::Start;
 use crate::scenario::{Controller, Scenario, Values};
@@ -39,6 +40,10 @@ pub(super) fn read(reader: &mut Reader, table: &DeTable<'_>) -> Scenario {
     }
     scenario.attack = reader.table(&mut root, "attack", Attack::read);
     scenario.trouble = Faults::read(reader, &mut root, scenario.robots);
+    reader.table(&mut root, "plant", |reader, section| {
+        scenario.plant = Plant::read(reader, section);
+        scenario.trouble.outages = Outages::read(reader, section, scenario.robots);
+    });
     reader.close(&root);
     scenario.expect = expect.unwrap_or_else(|| scenario.controller.usual().to_vec());
     scenario

@@ -9,6 +9,7 @@ use core::time::Duration;
 use closeranks_core::controller::budget::knowledge::{Assume, Trust};
 use closeranks_core::equations::barrier::required_degree;
 use closeranks_core::equations::composition::{Composed, PhiSplit};
+use closeranks_core::num::Vector;
 use closeranks_core::program::InputBox;
 use closeranks_core::settings::params::{self, Params, Settings};
 use closeranks_core::settings::range::ParamsError;
@@ -19,8 +20,9 @@ use closeranks_core::settings::{
 use crate::attack::Attack;
 use crate::faults::Faults;
 use crate::law::Law;
+use crate::plant::Plant;
 use crate::scenario::desired::Motion;
-use crate::scenario::start::Start;
+use crate::scenario::start::{Start, StartError};
 
 /// One run, complete. [`crate::parse::scenario`] makes it from TOML and checks every field.
 #[derive(Clone, Debug, PartialEq)]
@@ -93,6 +95,8 @@ pub struct Scenario {
     pub motion: Motion,
     /// What malicious robots do.
     pub attack: Attack,
+    /// How robots follow their velocities.
+    pub plant: Plant,
     /// What goes wrong.
     pub trouble: Faults,
     /// Laws that the run must not break.
@@ -204,6 +208,7 @@ impl Default for Scenario {
             values: Values::Random { min: -500.0, max: 500.0 },
             motion: Motion::Paper,
             attack: Attack::default(),
+            plant: Plant::Single,
             trouble: Faults::default(),
             expect: Law::EXPECTED.to_vec(),
         }
@@ -231,9 +236,14 @@ impl Scenario {
     }
 
     /// True when nothing goes wrong and every liar tells all the same, so that robots may be computed at once.
+    ///
+    /// Bodies that do not follow their velocities make no difference to `composed` and `none`, which know nothing but what
+    /// they sense in a tick. A robot of `budget` compares where it senses itself with where its last velocity should have
+    /// taken it and promises nothing where the two differ; only single robots keep that account.
     #[must_use]
     pub fn is_plain(&self) -> bool {
-        self.trouble.none() && self.attack.is_plain()
+        let followed = self.plant == Plant::Single || self.controller != Controller::Budget;
+        self.trouble.is_none() && self.attack.is_plain() && followed
     }
 
     /// The same under another controller, with what is usually expected of it unless the scenario expects something else.
@@ -248,6 +258,11 @@ impl Scenario {
     #[must_use]
     pub fn tick_s(&self) -> f64 {
         self.tau_1.as_secs_f64()
+    }
+
+    /// Where the robots start, m.
+    pub fn positions<const D: usize>(&self) -> Result<Vec<Vector<D>>, StartError> {
+        self.start.positions(self.robots, self.seed)
     }
 
     /// Which robots are malicious, by index from 0.
