@@ -14,6 +14,8 @@ pub struct Frame<const D: usize> {
     pub positions_m: Vec<Vector<D>>,
     /// u_{i,des}, m/s.
     pub desired_m_s: Vec<Vector<D>>,
+    /// What robots are asked for, m/s: the desired velocity, or what a controller with global state makes of it.
+    pub asked_m_s: Vec<Vector<D>>,
     /// u_i, m/s, held from this tick on.
     pub velocities_m_s: Vec<Vector<D>>,
     /// δ_i.
@@ -77,6 +79,7 @@ impl<const D: usize> Frame<D> {
             references_m: positions_m.clone(),
             positions_m,
             desired_m_s: vec![[0.0; D]; robots],
+            asked_m_s: vec![[0.0; D]; robots],
             velocities_m_s: vec![[0.0; D]; robots],
             degrees: vec![0; robots],
             levels: vec![0.0; robots],

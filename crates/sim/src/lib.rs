@@ -20,10 +20,12 @@
 //! | the run, its record and its table row | [`world`], [`output`] |
 
 pub mod attack;
+pub mod controllers;
 pub mod engine;
 pub mod faults;
 pub mod frame;
 pub mod geometry;
+pub mod given;
 pub mod law;
 pub mod monitors;
 pub mod output;

@@ -1,16 +1,18 @@
-//! The run: scenario in, record and summary out.
+//! The world: one tick after another, and a run as the loop over it.
 
-use closeranks_core::controller::AnyController;
+use closeranks_core::program::Outcome;
 use closeranks_core::robot::error::RobotError;
 use closeranks_core::settings::params::Params;
 use closeranks_core::settings::range::ParamsError;
 
 use crate::attack::liars::Liars;
-use crate::engine::fleet::Fleet;
+use crate::controllers::{Answer, Global, TeamView, Velocities};
+use crate::engine;
+pub use crate::engine::Engine;
 use crate::engine::judge::Judge;
 use crate::engine::robots::Robots;
-use crate::engine::team::Team;
 use crate::frame::Frame;
+use crate::given::{Given, GivenError};
 use crate::monitors::Monitors;
 use crate::monitors::robustness::{Round, Watcher};
 use crate::output::record::Record;
@@ -19,18 +21,7 @@ use crate::plant::Bodies;
 use crate::random::{Random, Stream};
 use crate::scenario::desired::Motion;
 use crate::scenario::start::StartError;
-use crate::scenario::{Controller, Scenario, Values};
-
-/// How robots are computed; both give the same bits.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Engine {
-    /// All at once ([`crate::engine::team`], for `budget` [`crate::engine::allies`]); `budget` with free liars, with margins for errors or far
-    /// from the origin, and any world that is not perfect, run one by one all the same.
-    #[default]
-    Team,
-    /// One by one, with every message as bytes ([`crate::engine::fleet`]).
-    Robots,
-}
+use crate::scenario::{Scenario, Values};
 
 /// What a run is to produce besides its summary.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -96,44 +87,12 @@ fn run_in<const D: usize>(
     options: Options,
     progress: &mut dyn FnMut(u32),
 ) -> Result<Run, RunError> {
-    let params = scenario.params::<D>()?;
-    let values = initial_values(scenario)?;
-    let frame = Frame::new(scenario.positions()?, values.clone());
-    let world = World::new(scenario, params, frame, options);
-    let mut robots = robots(scenario, params, &world.frame, &values, options.engine)?;
-    Ok(world.run(robots.as_mut(), progress))
-}
-
-/// What computes the robots of a run: all at once where the world is perfect and the controller can, else one by one.
-fn robots<const D: usize>(
-    scenario: &Scenario,
-    params: Params<D>,
-    frame: &Frame<D>,
-    values: &[f64],
-    engine: Engine,
-) -> Result<Box<dyn Robots<D>>, RunError> {
-    let together = engine == Engine::Team && scenario.is_plain();
-    Ok(match *params.controller() {
-        AnyController::Composed(composed) if together => {
-            Box::new(Team::new(scenario, params, composed, values))
-        }
-        AnyController::None(none) if together => Box::new(Team::new(scenario, params, none, values)),
-        AnyController::Budget(budget)
-            if together && budget.budget.is_plain() && is_near(scenario, &params, frame) =>
-        {
-            Box::new(Team::new(scenario, params, budget, values))
-        }
-        _ => Box::new(Fleet::new(scenario, params, values)?),
-    })
-}
-
-/// Positions are rounded to far less than what a robot takes for a jump as long as they are nearer to 0 than this, m.
-const NEAR_M: f64 = 1e5;
-
-/// True if rounding never looks to a robot like a jump.
-fn is_near<const D: usize>(scenario: &Scenario, params: &Params<D>, frame: &Frame<D>) -> bool {
-    let way_m = f64::from(scenario.ticks()) * params.reach().longest_m();
-    frame.positions_m.iter().flatten().all(|x| x.abs() + way_m < NEAR_M)
+    let mut world = World::<D>::new(scenario, options)?;
+    while !world.is_over() {
+        progress(world.ticks_done());
+        world.step();
+    }
+    Ok(world.finish())
 }
 
 /// y_i(t₀).
@@ -148,9 +107,29 @@ pub fn initial_values(scenario: &Scenario) -> Result<Vec<f64>, RunError> {
     }
 }
 
-struct World<'a, const D: usize> {
-    scenario: &'a Scenario,
-    malicious: Vec<bool>,
+/// A team in its world.
+///
+/// [`step`](Self::step) computes one tick; [`frame`](Self::frame) is what it came to. Robots move at the beginning of the next
+/// step, so that positions and velocities of a frame belong together. A world can be stepped beyond the last tick of
+/// its scenario.
+///
+/// ```
+/// use closeranks_sim::scenario::Scenario;
+/// use closeranks_sim::world::{Options, World};
+///
+/// let mut world = World::<2>::new(&Scenario::default(), Options::default())?;
+/// for _ in 0..200 {
+///     world.step();
+/// }
+/// assert!(world.frame().spares.iter().all(|h| *h > 0.0));
+/// # Ok::<(), closeranks_sim::world::RunError>(())
+/// ```
+pub struct World<const D: usize> {
+    scenario: Scenario,
+    params: Params<D>,
+    robots: Box<dyn Robots<D>>,
+    global: Option<Global>,
+    answers: Vec<Answer<D>>,
     frame: Frame<D>,
     liars: Liars,
     bodies: Bodies<D>,
@@ -159,53 +138,142 @@ struct World<'a, const D: usize> {
     collector: Collector,
     record: Option<Record>,
     watcher: Option<Watcher>,
+    /// Ticks computed yet.
+    done: u32,
 }
 
-impl<'a, const D: usize> World<'a, D> {
-    fn new(scenario: &'a Scenario, params: Params<D>, frame: Frame<D>, options: Options) -> Self {
-        let wants_phi = !(options.without_phi && scenario.controller == Controller::Budget);
-        let required = scenario.composed().required;
-        Self {
-            scenario,
-            malicious: scenario.malicious_mask(),
+impl<const D: usize> World<D> {
+    /// The world of `scenario`, which must be of `D` dimensions, before its first tick.
+    pub fn new(scenario: &Scenario, options: Options) -> Result<Self, RunError> {
+        if scenario.dimension != D {
+            return Err(RunError::Dimension(scenario.dimension));
+        }
+        let params = scenario.params::<D>()?;
+        let values = initial_values(scenario)?;
+        let wants_phi = scenario.controller.row().uses_phi || !options.without_phi;
+        let frame = Frame { wants_phi, ..Frame::new(scenario.positions()?, values.clone()) };
+        Ok(Self {
+            params,
+            robots: engine::robots(scenario, params, &frame, &values, options.engine)?,
+            global: scenario.controller.global(scenario),
+            answers: Vec::new(),
             bodies: Bodies::new(scenario.plant, scenario.tick_s(), &frame.positions_m),
-            frame: Frame { wants_phi, ..frame },
             liars: Liars::new(scenario),
             judge: Judge::new(scenario, &params),
             monitors: Monitors::new(scenario, params),
             collector: Collector::default(),
-            record: options.record.then(|| Record::new(scenario, required)),
+            record: options.record.then(|| Record::new(scenario, scenario.composed().required)),
             watcher: options.robustness.then(Watcher::default),
-        }
+            scenario: scenario.clone(),
+            frame,
+            done: 0,
+        })
     }
 
-    fn run(mut self, robots: &mut dyn Robots<D>, progress: &mut dyn FnMut(u32)) -> Run {
-        let last = self.scenario.ticks();
-        for tick in 0..=last {
-            progress(tick);
-            want(self.scenario, tick, &mut self.frame);
-            robots.step(&mut self.frame, &mut self.liars);
-            self.judge.judge(tick, &mut self.frame, robots, &self.bodies);
-            self.monitors.watch(tick, &self.frame);
-            self.collector.watch(self.scenario, &self.frame, &self.monitors);
-            if let Some(record) = &mut self.record {
-                record.push(&self.frame);
-            }
-            self.watch_round(tick);
-            if tick < last {
-                self.bodies.integrate(&mut self.frame.positions_m, &self.frame.velocities_m_s);
-            }
+    /// How many ticks were computed.
+    #[must_use]
+    pub fn ticks_done(&self) -> u32 {
+        self.done
+    }
+
+    /// True once the last tick of the scenario was computed.
+    #[must_use]
+    pub fn is_over(&self) -> bool {
+        self.done > self.scenario.ticks()
+    }
+
+    /// What the last tick came to; before the first one, where robots start.
+    #[must_use]
+    pub fn frame(&self) -> &Frame<D> {
+        &self.frame
+    }
+
+    /// What is run.
+    #[must_use]
+    pub fn scenario(&self) -> &Scenario {
+        &self.scenario
+    }
+
+    /// What became of the laws, and least and greatest values, up to the last tick.
+    #[must_use]
+    pub fn monitors(&self) -> &Monitors<D> {
+        &self.monitors
+    }
+
+    /// Computes the next tick.
+    pub fn step(&mut self) -> &Frame<D> {
+        self.begin();
+        self.end()
+    }
+
+    /// Computes the next tick with what is `given` from outside instead of what the scenario says; refused if an array has another
+    /// length than the team, or a number is not finite.
+    pub fn step_with(&mut self, given: &Given<'_, D>) -> Result<&Frame<D>, GivenError> {
+        given.check(self.frame.positions_m.len())?;
+        self.begin();
+        if let Some(desired_m_s) = given.desired_m_s {
+            self.frame.desired_m_s.copy_from_slice(desired_m_s);
         }
-        let summary = self.collector.finish(self.scenario, &self.frame, &self.monitors);
-        Run { record: self.record, rounds: self.watcher.map(Watcher::finish).unwrap_or_default(), summary }
+        self.liars.give(given.levels, given.values);
+        Ok(self.end())
+    }
+
+    /// Moves everybody to the next tick and asks where they want to go.
+    fn begin(&mut self) {
+        if self.done > 0 {
+            self.bodies.integrate(&mut self.frame.positions_m, &self.frame.velocities_m_s);
+        }
+        want(&self.scenario, self.done, &mut self.frame);
+        self.liars.give(None, None);
+    }
+
+    fn end(&mut self) -> &Frame<D> {
+        let tick = self.done;
+        self.ask();
+        self.robots.step(&mut self.frame, &mut self.liars);
+        for (outcome, answer) in self.frame.outcomes.iter_mut().zip(&self.answers) {
+            *outcome = answer.outcome;
+        }
+        self.judge.judge(tick, &mut self.frame, self.robots.as_ref(), &self.bodies);
+        self.monitors.watch(tick, &self.frame);
+        self.collector.watch(&self.scenario, &self.frame, &self.monitors);
+        if let Some(record) = &mut self.record {
+            record.push(&self.frame);
+        }
+        self.watch_round(tick);
+        self.done = self.done.saturating_add(1);
+        &self.frame
+    }
+
+    /// What robots are asked for: what they want, or what a controller with global state makes of it.
+    fn ask(&mut self) {
+        let Frame { desired_m_s, asked_m_s, positions_m, velocities_m_s, .. } = &mut self.frame;
+        asked_m_s.copy_from_slice(desired_m_s);
+        let Some(global) = &mut self.global else { return };
+        let nothing = Answer { velocity_m_s: [0.0; D], outcome: Outcome::Free };
+        self.answers.resize(positions_m.len(), nothing);
+        global.velocities(
+            &TeamView { params: &self.params, positions_m, velocities_m_s, desired_m_s },
+            &mut self.answers,
+        );
+        for (asked, answer) in asked_m_s.iter_mut().zip(&self.answers) {
+            *asked = answer.velocity_m_s;
+        }
     }
 
     fn watch_round(&mut self, tick: u32) {
         if let Some(watcher) = &mut self.watcher
             && tick.is_multiple_of(self.scenario.ticks_per_round())
         {
-            watcher.watch(tick, &self.frame, self.scenario.radius_m, &self.malicious);
+            watcher.watch(tick, &self.frame, self.scenario.radius_m, self.monitors.malicious());
         }
+    }
+
+    /// Ends the run: the record, if one was asked for, and the row of the table.
+    #[must_use]
+    pub fn finish(self) -> Run {
+        let summary = self.collector.finish(&self.scenario, &self.frame, &self.monitors);
+        Run { record: self.record, rounds: self.watcher.map(Watcher::finish).unwrap_or_default(), summary }
     }
 }
 

@@ -61,6 +61,12 @@ impl<const D: usize> AnyController<D> {
         dispatch!(self, controller => controller.promises())
     }
 
+    /// True if a whole team can be computed at once ([`Control::can_be_computed_at_once`]).
+    #[must_use]
+    pub fn can_be_computed_at_once(&self) -> bool {
+        dispatch!(self, controller => controller.can_be_computed_at_once())
+    }
+
     /// What a robot tells ([`Control::level`]).
     #[must_use]
     pub fn level(&self, view: &View<'_, D>, scratch: &mut Scratch<'_, D>) -> f64 {

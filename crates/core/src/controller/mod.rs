@@ -190,6 +190,11 @@ pub trait Control<const D: usize> {
         false
     }
 
+    /// True if a whole team can be computed at once where nothing goes wrong: decisions rest on levels and links alone.
+    fn can_be_computed_at_once(&self) -> bool {
+        true
+    }
+
     /// What a robot on its own has to tell of its connectivity: c_i, the sum of the weights of its links.
     //= paper eq:connectivity
     fn level(&self, view: &View<'_, D>, _scratch: &mut Scratch<'_, D>) -> f64 {

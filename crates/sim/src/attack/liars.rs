@@ -19,6 +19,9 @@ pub struct Liars {
     /// Behind everything that is told to one neighbour alone, levels and values in one order.
     faces: Random,
     malicious: Vec<bool>,
+    /// What is told in this tick instead, if it was given from outside.
+    given_levels: Option<Vec<f64>>,
+    given_values: Option<Vec<f64>>,
     tick_s: f64,
     tick: u32,
 }
@@ -34,9 +37,17 @@ impl Liars {
             motion: MotionLiar::new(scenario.attack.motion, seed, robots),
             faces: Random::new(seed, Stream::Faces),
             malicious: scenario.malicious_mask(),
+            given_levels: None,
+            given_values: None,
             tick_s,
             tick: 0,
         }
+    }
+
+    /// What malicious robots tell in the next tick instead of what the scenario says, one number a robot, the same to all.
+    pub(crate) fn give(&mut self, levels: Option<&[f64]>, values: Option<&[f64]>) {
+        self.given_levels = levels.map(<[f64]>::to_vec);
+        self.given_values = values.map(<[f64]>::to_vec);
     }
 
     /// Decides what is told of levels in `tick`.
@@ -47,7 +58,11 @@ impl Liars {
 
     /// The level that robot `index` holds and tells in this tick when its true one is `level`.
     pub fn level(&mut self, index: usize, level: f64) -> f64 {
-        if self.malicious[index] { self.level.level(index, level) } else { level }
+        match &self.given_levels {
+            _ if !self.malicious[index] => level,
+            Some(given) => given[index],
+            None => self.level.level(index, level),
+        }
     }
 
     /// Decides what is told of values in the round that begins with this tick; all robots hold `values`.
@@ -58,7 +73,11 @@ impl Liars {
     /// The value that robot `index` tells everybody when it holds `value`.
     #[must_use]
     pub fn value(&self, index: usize, value: f64) -> f64 {
-        if self.malicious[index] { self.value.value(index, value) } else { value }
+        match &self.given_values {
+            _ if !self.malicious[index] => value,
+            Some(given) => given[index],
+            None => self.value.value(index, value),
+        }
     }
 
     /// The bytes that go from `sender` to one robot that holds `value`: `message`, unless the sender has another face for it.
@@ -67,11 +86,13 @@ impl Liars {
             return Some(message.encode());
         }
         let level = match self.level.to_one(message, &mut self.faces) {
+            _ if self.given_levels.is_some() => message.level(),
             Face::Silence => return None,
             Face::Bytes(bytes) => return Some(bytes),
             Face::Level(level) => level,
         };
-        let value = message.value().and_then(|told| self.value.to_one(told, value, &mut self.faces));
+        let face = message.value().and_then(|told| self.value.to_one(told, value, &mut self.faces));
+        let value = if self.given_values.is_some() { message.value() } else { face };
         Message::new(message.sequence(), message.stamp(), level, value).ok().map(|message| message.encode())
     }
 

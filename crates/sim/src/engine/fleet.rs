@@ -198,7 +198,7 @@ impl<const D: usize, T: Transport> Fleet<D, T> {
                 stand(index, frame, &self.edges.downtime);
                 continue;
             }
-            let output = robot.tick(frame.desired_m_s[index], &mut scratch);
+            let output = robot.tick(frame.asked_m_s[index], &mut scratch);
             frame.velocities_m_s[index] = match liars.velocity(index, &frame.positions_m, &input) {
                 Some(velocity) => velocity,
                 None => output.velocity_m_s,

@@ -170,7 +170,7 @@ impl<const D: usize, C: Control<D> + Copy> Robots<D, C> {
     ) -> Decision<D> {
         let (level, told_level) = (frame.levels[robot], frame.told[robot]);
         let own = Own { id: id(robot), level, told_level, degree: frame.degrees[robot] };
-        let (desired_m_s, before_m_s) = (frame.desired_m_s[robot], frame.velocities_m_s[robot]);
+        let (desired_m_s, before_m_s) = (frame.asked_m_s[robot], frame.velocities_m_s[robot]);
         let motion = Motion { desired_m_s, before_m_s };
         self.controller.decide(&own, &self.sums[robot], neighbors, &motion, scratch)
     }

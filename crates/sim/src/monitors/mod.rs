@@ -20,7 +20,7 @@ use crate::law::{Law, Verdicts, Violation};
 use crate::monitors::carry::Promise;
 use crate::monitors::heard::Voices;
 use crate::monitors::truth::Truth;
-use crate::scenario::{Controller, Scenario};
+use crate::scenario::Scenario;
 
 /// Watches the frames of one run.
 #[derive(Clone, Debug)]
@@ -78,7 +78,7 @@ impl<const D: usize> Monitors<D> {
             params,
             malicious: scenario.malicious_mask(),
             ticks_per_round: scenario.ticks_per_round(),
-            plain: scenario.is_plain() && scenario.controller != Controller::Budget,
+            plain: scenario.is_plain() && !params.controller().promises(),
             few_lie: scenario.malicious.len() <= usize::from(scenario.faults),
             truth: Truth::default(),
             promise: Promise::new(scenario, params),

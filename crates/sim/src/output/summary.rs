@@ -2,11 +2,12 @@
 
 use closeranks_core::num::{Vector, dot, length, sqrt, subtract};
 
+use crate::controllers::{Counted, Inside, Row};
 use crate::frame::Frame;
 use crate::geometry::squared_distance;
 use crate::law::{Law, Verdict, Verdicts};
 use crate::monitors::{Extremes, Monitors};
-use crate::scenario::{Controller, Scenario};
+use crate::scenario::Scenario;
 
 /// Where the start lies.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -66,14 +67,13 @@ impl Summary {
         self.verdicts.of(law).count
     }
 
-    /// What counts against the controller, counted and located so: what it promises ([`Controller::promises`]) and what was
+    /// What counts against the controller, counted and located so: what it promises ([`Row::promises`]) and what was
     /// broken although everything held that the promise rests on. With `budget` that is a bug, or a hole in the theorem.
     pub fn violations(&self, scenario: &Scenario) -> impl Iterator<Item = Verdict> {
-        let laws = scenario.controller.promises();
-        let all = scenario.controller == Controller::None;
+        let Row { promises: laws, counted, .. } = scenario.controller.row();
         let counted =
             self.verdicts.iter().filter(|verdict| laws.contains(&verdict.law)).map(move |verdict| {
-                let (count, first) = if all {
+                let (count, first) = if *counted == Counted::All {
                     (verdict.count, verdict.first)
                 } else {
                     (verdict.covered, verdict.first_covered)
@@ -156,9 +156,9 @@ fn start<const D: usize>(scenario: &Scenario, frame: &Frame<D>, monitors: &Monit
     let Extremes { phi_min, distance_min_m, inside_from, .. } = *monitors.extremes();
     let normal = frame.spares.iter().zip(monitors.malicious()).filter(|(_, malicious)| !**malicious);
     let h_min = normal.map(|(spare, _)| *spare).fold(f64::INFINITY, f64::min);
-    let inside = match scenario.controller {
-        Controller::Budget => h_min >= 0.0 && distance_min_m >= scenario.distance_min_m,
-        Controller::Composed | Controller::None => inside_from.is_some(),
+    let inside = match scenario.controller.row().inside {
+        Inside::Margins => h_min >= 0.0 && distance_min_m >= scenario.distance_min_m,
+        Inside::Shares => inside_from.is_some(),
     };
     let degree_min = frame.degrees.iter().copied().min().unwrap_or(0);
     StartSummary { inside, phi_min, h_min, degree_min, distance_min_m }

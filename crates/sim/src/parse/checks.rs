@@ -1,12 +1,13 @@
 //! What no single field can tell: ranges that depend on others, and whether the start exists.
 
 use closeranks_core::settings::field::Field;
+use closeranks_core::settings::params::Params;
 use closeranks_core::settings::range::ParamsError;
 
 use super::reader::Reader;
 use crate::geometry::squared_distance;
 use crate::scenario::start::{Start, StartError};
-use crate::scenario::{Controller, Scenario, Values};
+use crate::scenario::{Scenario, Values};
 
 /// Most rows (ticks × robots) that a run may have.
 pub const ROWS_MAX: u64 = 20_000_000;
@@ -20,12 +21,9 @@ pub(super) fn check(reader: &mut Reader, scenario: &Scenario) {
     if !reader.is_clean() {
         return;
     }
-    let checked = match scenario.dimension {
-        3 => scenario.params::<3>().err(),
-        _ => scenario.params::<2>().err(),
-    };
-    if let Some(error) = checked {
-        refuse_parameter(reader, scenario, &error);
+    match scenario.dimension {
+        3 => parameters::<3>(reader, scenario),
+        _ => parameters::<2>(reader, scenario),
     }
     match scenario.dimension {
         3 => start::<3>(reader, scenario),
@@ -33,24 +31,33 @@ pub(super) fn check(reader: &mut Reader, scenario: &Scenario) {
     }
 }
 
-fn team(reader: &mut Reader, scenario: &Scenario) {
-    let heavy = scenario.controller == Controller::Budget || !scenario.is_plain();
-    if heavy && scenario.robots > HEAVY_ROBOTS_MAX {
-        let allowed = format!("at most {HEAVY_ROBOTS_MAX} {HEAVY}");
-        reader.refuse("team.robots", scenario.robots.to_string(), allowed);
+fn parameters<const D: usize>(reader: &mut Reader, scenario: &Scenario) {
+    match scenario.params::<D>() {
+        Ok(params) => one_by_one(reader, scenario, &params),
+        Err(error) => refuse_parameter(reader, scenario, &error),
     }
+}
+
+fn team(reader: &mut Reader, scenario: &Scenario) {
     let mut pairs = scenario.malicious.iter().zip(scenario.malicious.iter().skip(1));
     if let Some((robot, _)) = pairs.find(|(first, second)| first == second) {
         reader.refuse("team.malicious", format!("robot {robot} twice"), "each robot once");
     }
 }
 
-/// Where the world is not plain robots run one by one, and each holds what it knows of all others; `budget` holds every pair
-/// even if it is computed at once. Memory grows with the square.
-const HEAVY_ROBOTS_MAX: u16 = 1_000;
-/// Which teams these are.
-const HEAVY: &str = "with controller.kind = \"budget\", and wherever something goes wrong or liars have faces, fall silent, \
-                     send garbage or disobey";
+/// Robots that run one by one each hold what they know of all others: memory grows with the square of the team.
+const ONE_BY_ONE_MAX: u16 = 1_000;
+
+fn one_by_one<const D: usize>(reader: &mut Reader, scenario: &Scenario, params: &Params<D>) {
+    let at_once = scenario.is_plain() && params.controller().can_be_computed_at_once();
+    if !at_once && scenario.robots > ONE_BY_ONE_MAX {
+        let allowed = format!(
+            "at most {ONE_BY_ONE_MAX} where robots run one by one: wherever something goes wrong, liars have faces, fall \
+             silent, send garbage or disobey, and with controller.kind = \"budget\" under assume = \"free\" or stated errors"
+        );
+        reader.refuse("team.robots", scenario.robots.to_string(), allowed);
+    }
+}
 
 fn boxes(reader: &mut Reader, scenario: &Scenario) {
     let corners = [

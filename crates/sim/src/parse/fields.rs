@@ -45,7 +45,7 @@ pub(super) fn read(reader: &mut Reader, table: &DeTable<'_>) -> Scenario {
         scenario.trouble.outages = Outages::read(reader, section, scenario.robots);
     });
     reader.close(&root);
-    scenario.expect = expect.unwrap_or_else(|| scenario.controller.usual().to_vec());
+    scenario.expect = expect.unwrap_or_else(|| scenario.controller.row().expects.to_vec());
     scenario
 }
 
@@ -84,8 +84,7 @@ fn link(reader: &mut Reader, section: &mut Section<'_>, scenario: &mut Scenario)
 }
 
 fn controller(reader: &mut Reader, section: &mut Section<'_>, scenario: &mut Scenario) {
-    let kinds =
-        [("composed", Controller::Composed), ("budget", Controller::Budget), ("none", Controller::None)];
+    let kinds: Vec<_> = Controller::ALL.iter().map(|controller| (controller.name(), *controller)).collect();
     set(&mut scenario.controller, reader.word(section, "kind", &kinds));
     let shares = [("neighbours", PhiSplit::Neighbors), ("own", PhiSplit::Own)];
     set(&mut scenario.share, reader.word(section, "share", &shares));

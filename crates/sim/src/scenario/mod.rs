@@ -11,13 +11,14 @@ use closeranks_core::equations::barrier::required_degree;
 use closeranks_core::equations::composition::{Composed, PhiSplit};
 use closeranks_core::num::Vector;
 use closeranks_core::program::InputBox;
-use closeranks_core::settings::params::{self, Params, Settings};
+use closeranks_core::settings::params::{Params, Settings};
 use closeranks_core::settings::range::ParamsError;
 use closeranks_core::settings::{
     BudgetSettings, Clock, ComposedSettings, Errors, Limits, LinkSettings, Team,
 };
 
 use crate::attack::Attack;
+pub use crate::controllers::Controller;
 use crate::faults::Faults;
 use crate::law::Law;
 use crate::plant::Plant;
@@ -101,58 +102,6 @@ pub struct Scenario {
     pub trouble: Faults,
     /// Laws that the run must not break.
     pub expect: Vec<Law>,
-}
-
-/// The filter between desired and applied velocity.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Controller {
-    /// The paper's (eq:split, seq:qp).
-    Composed,
-    /// Ours (METHOD.md section 3).
-    Budget,
-    /// None: the desired velocity, cut to the box. What the paper's robots would do unfiltered.
-    None,
-}
-
-impl Controller {
-    /// All, in the order of their names.
-    pub const ALL: [Self; 3] = [Self::Budget, Self::Composed, Self::None];
-
-    /// Its name in scenario files.
-    #[must_use]
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Composed => "composed",
-            Self::Budget => "budget",
-            Self::None => "none",
-        }
-    }
-
-    /// The controller of that name.
-    #[must_use]
-    pub fn named(name: &str) -> Option<Self> {
-        Self::ALL.into_iter().find(|controller| controller.name() == name)
-    }
-
-    /// The laws that a scenario expects if it says nothing.
-    #[must_use]
-    pub fn usual(self) -> &'static [Law] {
-        match self {
-            Self::Budget => &Law::PROMISED,
-            Self::Composed | Self::None => &Law::EXPECTED,
-        }
-    }
-
-    /// The laws that sweeps hold it to where its assumptions hold. Without a filter nothing is promised, and all that may be
-    /// expected counts wherever it is broken.
-    #[must_use]
-    pub fn promises(self) -> &'static [Law] {
-        match self {
-            Self::Budget => &Law::PROMISED,
-            Self::Composed => &Law::COMPOSED,
-            Self::None => &Law::EXPECTED,
-        }
-    }
 }
 
 /// Initial values y_i(t₀).
@@ -249,8 +198,8 @@ impl Scenario {
     /// The same under another controller, with what is usually expected of it unless the scenario expects something else.
     #[must_use]
     pub fn under(self, controller: Controller) -> Self {
-        let usual = self.expect == self.controller.usual();
-        let expect = if usual { controller.usual().to_vec() } else { self.expect };
+        let usual = self.expect == self.controller.row().expects;
+        let expect = if usual { controller.row().expects.to_vec() } else { self.expect };
         Self { controller, expect, ..self }
     }
 
@@ -279,11 +228,7 @@ impl Scenario {
             team: Team { robots: self.robots, faults: self.faults },
             link: LinkSettings { radius_m: self.radius_m, epsilon: self.epsilon, q2: self.q2 },
             limits: Limits { distance_min_m: self.distance_min_m, input },
-            controller: match self.controller {
-                Controller::Composed => params::Controller::Composed(self.composed_settings()),
-                Controller::Budget => params::Controller::Budget(self.budget_settings()),
-                Controller::None => params::Controller::None,
-            },
+            controller: self.controller.settings(self),
             clock: Clock {
                 level_period: self.tau_1,
                 value_period: self.tau_2,
@@ -295,11 +240,11 @@ impl Scenario {
         })
     }
 
-    fn composed_settings(&self) -> ComposedSettings {
+    pub(crate) fn composed_settings(&self) -> ComposedSettings {
         ComposedSettings { phi_split: self.share, w_r: self.w_r, w_c: self.w_c, alpha: self.alpha }
     }
 
-    fn budget_settings(&self) -> BudgetSettings {
+    pub(crate) fn budget_settings(&self) -> BudgetSettings {
         BudgetSettings {
             gamma: self.gamma,
             gain_slope: self.rise,

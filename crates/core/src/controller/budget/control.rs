@@ -125,6 +125,10 @@ impl<const D: usize> Control<D> for BudgetController<D> {
         true
     }
 
+    fn can_be_computed_at_once(&self) -> bool {
+        self.budget.is_plain()
+    }
+
     /// The plain sum of weights, or with free liars the trimmed one, with stated errors the least that it can be.
     fn level(&self, view: &View<'_, D>, scratch: &mut Scratch<'_, D>) -> f64 {
         if self.budget.is_plain() {
