@@ -21,7 +21,7 @@ use crate::attack::Attack;
 use crate::faults::Faults;
 use crate::law::Law;
 use crate::plant::Plant;
-use crate::scenario::desired::Motion;
+use crate::scenario::desired::Desired;
 use crate::scenario::start::{Start, StartError};
 
 /// One run, complete. [`crate::parse::scenario`] makes it from TOML and checks every field.
@@ -92,7 +92,7 @@ pub struct Scenario {
     /// y_i(t₀).
     pub values: Values,
     /// Where robots want to go.
-    pub motion: Motion,
+    pub desired: Desired,
     /// What malicious robots do.
     pub attack: Attack,
     /// How robots follow their velocities.
@@ -108,7 +108,7 @@ pub struct Scenario {
 pub enum Controller {
     /// The paper's (eq:split, seq:qp).
     Composed,
-    /// Ours (METHOD.md section 3).
+    /// Ours (docs/budget.md).
     Budget,
     /// None: the desired velocity, cut to the box. What the paper's robots would do unfiltered.
     None,
@@ -206,7 +206,7 @@ impl Default for Scenario {
             tracking_error_m: settings.errors.tracking_m,
             start: Start::Inside,
             values: Values::Random { min: -500.0, max: 500.0 },
-            motion: Motion::Paper,
+            desired: Desired::Paper,
             attack: Attack::default(),
             plant: Plant::Single,
             trouble: Faults::default(),
