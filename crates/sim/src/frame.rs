@@ -25,7 +25,7 @@ pub struct Frame<const D: usize> {
     /// c_i as told.
     pub told: Vec<f64>,
     /// h_i as the robot's controller has it: c_i − F′, or T_i − θ under `budget` with free liars.
-    pub spares: Vec<f64>,
+    pub h: Vec<f64>,
     /// φ_i; NaN where nobody wants to know it, and of a robot that is down.
     pub phis: Vec<f64>,
     /// Whether φ and φ_i are wanted though the controller does not use them.
@@ -84,7 +84,7 @@ impl<const D: usize> Frame<D> {
             degrees: vec![0; robots],
             levels: vec![0.0; robots],
             told: vec![0.0; robots],
-            spares: vec![0.0; robots],
+            h: vec![0.0; robots],
             phis: vec![f64::NAN; robots],
             wants_phi: true,
             values,

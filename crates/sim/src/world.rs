@@ -19,7 +19,7 @@ use crate::output::record::Record;
 use crate::output::summary::{Collector, Summary};
 use crate::plant::Bodies;
 use crate::random::{Random, Stream};
-use crate::scenario::desired::Motion;
+use crate::scenario::desired::Desired;
 use crate::scenario::start::StartError;
 use crate::scenario::{Scenario, Values};
 
@@ -121,7 +121,7 @@ pub fn initial_values(scenario: &Scenario) -> Result<Vec<f64>, RunError> {
 /// for _ in 0..200 {
 ///     world.step();
 /// }
-/// assert!(world.frame().spares.iter().all(|h| *h > 0.0));
+/// assert!(world.frame().h.iter().all(|h| *h > 0.0));
 /// # Ok::<(), closeranks_sim::world::RunError>(())
 /// ```
 pub struct World<const D: usize> {
@@ -282,8 +282,8 @@ pub fn want<const D: usize>(scenario: &Scenario, tick: u32, frame: &mut Frame<D>
     let time_s = f64::from(tick) * scenario.tick_s();
     for (index, (desired, position)) in frame.desired_m_s.iter_mut().zip(&frame.positions_m).enumerate() {
         let number = u16::try_from(index + 1).unwrap_or(u16::MAX);
-        *desired = match scenario.motion {
-            Motion::Wander => Motion::wandering(scenario.seed, number, time_s),
+        *desired = match scenario.desired {
+            Desired::Wander => Desired::wandering(scenario.seed, number, time_s),
             motion => motion.desired(number, scenario.robots, position),
         };
     }

@@ -1,4 +1,4 @@
-//! What METHOD.md section 2 says does not hold as printed, shown in whole runs. 2.1, 2.3 and 2.5 are about single robots,
+//! What docs/theory/paper.md says does not hold as printed, shown in whole runs. The other sections are about single robots,
 //! sums and networks: `crates/core/tests/split.rs` and `consensus.rs`.
 
 #![expect(clippy::unwrap_used, reason = "helpers of tests")]
@@ -18,7 +18,7 @@ fn summary(scenario: &Scenario) -> Summary {
     run(scenario, Options::default(), &mut |_| ()).unwrap().summary
 }
 
-/// METHOD 2.2: φ_i falls below 0 with no attack, no new link and nearly continuous time, while every h_i stays positive.
+/// docs/theory, sec:phi: φ_i falls below 0 with no attack, no new link and nearly continuous time, while every h_i stays positive.
 //= paper thm:cbf-qp type=test
 #[test]
 fn phi_i_is_not_protected() {
@@ -40,7 +40,7 @@ fn phi_i_is_not_protected() {
     assert!(record.h[..=first].iter().all(|h| *h > 0.0), "while every robot keeps its degree");
 }
 
-/// METHOD 2.2, end: then programs become infeasible, which lem:equivalence rules out.
+/// docs/theory, sec:phi, end: then programs become infeasible, which lem:equivalence rules out.
 //= paper lem:equivalence type=test
 #[test]
 fn programs_become_infeasible_without_any_attack() {
@@ -58,7 +58,7 @@ fn programs_become_infeasible_without_any_attack() {
     assert!(summary.broken(Law::Feasible) > 0, "programs without a solution");
 }
 
-/// METHOD 2.4: the published start is outside the safe set in every scenario; it comes inside by itself.
+/// docs/theory, sec:start: the published start is outside the safe set in every scenario; it comes inside by itself.
 #[test]
 fn the_published_start_is_outside_the_safe_set() {
     for attack in ATTACKS {
@@ -71,7 +71,7 @@ fn the_published_start_is_outside_the_safe_set() {
     }
 }
 
-/// METHOD 2.4: `inside` is inside in all three scenarios, for every steepness that is likely to be tried.
+/// docs/theory, sec:start: `inside` is inside in all three scenarios, for every steepness that is likely to be tried.
 //= paper eq:phi_i type=test
 #[test]
 fn our_start_is_inside_the_safe_set() {
@@ -86,7 +86,7 @@ fn our_start_is_inside_the_safe_set() {
     }
 }
 
-/// METHOD 2.4: the paper's three effects, together, from `inside`.
+/// docs/theory, sec:start: the paper's three effects, together, from `inside`.
 //= paper sec:sim type=test
 #[test]
 fn the_papers_three_effects_show_from_our_start() {
@@ -101,11 +101,11 @@ fn the_papers_three_effects_show_from_our_start() {
         for law in [Law::Degree, Law::Distance, Law::Interval, Law::Agreement, Law::Input, Law::Feasible] {
             assert_eq!(summary.broken(law), 0, "{law:?}");
         }
-        assert!(summary.broken(Law::Shares) > 0, "METHOD 2.2 in the paper's own runs");
+        assert!(summary.broken(Law::Shares) > 0, "docs/theory, sec:phi, in the paper's own runs");
     }
 }
 
-/// METHOD 2.6: a lie that begins later, or swings, breaks what a constant one does not.
+/// docs/theory, sec:wide-attacks: a lie that begins later, or swings, breaks what a constant one does not.
 #[test]
 fn wider_lies_break_the_papers_controller() {
     let step = LevelAttack::Step { bias: -4.0, from_s: 2.0 };

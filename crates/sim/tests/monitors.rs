@@ -33,7 +33,7 @@ fn without_a_filter_degrees_and_distances_go() {
     assert_eq!(summary.extremes.safe_from, None);
 }
 
-/// METHOD 2.6: at 50 ms ticks `composed` fails with no attack at all.
+/// docs/theory, sec:wide-attacks: at 50 ms ticks `composed` fails with no attack at all.
 #[test]
 fn slow_ticks_break_the_papers_controller() {
     let slow = Scenario {

@@ -206,7 +206,7 @@ impl<const D: usize, T: Transport> Fleet<D, T> {
             frame.degrees[index] = output.report.degree;
             frame.levels[index] =
                 robot.neighbors().iter().fold(0.0, |level, slot| level + slot.link().weight);
-            frame.spares[index] = output.report.h;
+            frame.h[index] = output.report.h;
             frame.told[index] = robot.told_level();
             frame.phis[index] = match output.report.phi {
                 Some(phi) => phi,

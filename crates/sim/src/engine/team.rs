@@ -107,7 +107,7 @@ impl<const D: usize, C: Control<D> + Copy> Robots<D, C> {
     fn tell(&mut self, frame: &mut Frame<D>, liars: &mut Liars) {
         self.told.clear();
         for (index, level) in frame.levels.iter().enumerate() {
-            frame.spares[index] = degree_barrier(*level, self.params.need().need(id(index)));
+            frame.h[index] = degree_barrier(*level, self.params.need().need(id(index)));
             frame.told[index] = liars.level(index, *level);
             self.told.push(self.controller.told(id(index), Some(frame.told[index])));
         }
@@ -176,8 +176,7 @@ impl<const D: usize, C: Control<D> + Copy> Robots<D, C> {
     }
 
     fn take(&self, robot: usize, decision: &Decision<D>, frame: &mut Frame<D>) {
-        let (degree, h, need) =
-            (frame.degrees[robot], frame.spares[robot], self.params.need().need(id(robot)));
+        let (degree, h, need) = (frame.degrees[robot], frame.h[robot], self.params.need().need(id(robot)));
         let (outcome, phi, reason) = (decision.outcome, decision.phi, decision.doubt);
         frame.velocities_m_s[robot] = decision.velocity_m_s;
         frame.outcomes[robot] = outcome;

@@ -5,15 +5,15 @@ use closeranks_core::settings::params::Params;
 use crate::frame::Frame;
 use crate::law::{Law, Verdicts, Violation};
 use crate::monitors::before::Before;
-use crate::monitors::distance::Pairs;
-use crate::monitors::mode::Honesty;
+use crate::monitors::distance::Distances;
+use crate::monitors::mode::ModeWatch;
 use crate::monitors::time::{fraction, longer_ago};
 use crate::monitors::truth::{ROUNDING, Truth, required};
 use crate::scenario::Scenario;
 
 /// The tick before, and what has not held since when.
 #[derive(Clone, Debug)]
-pub(crate) struct Promise<const D: usize> {
+pub(crate) struct Carry<const D: usize> {
     params: Params<D>,
     malicious: Vec<bool>,
     told_ticks: u64,
@@ -24,14 +24,14 @@ pub(crate) struct Promise<const D: usize> {
     broken: Option<u32>,
     /// Robots that were safe once and must have been ever since: no assumption was broken.
     kept: Vec<bool>,
-    pairs: Pairs<D>,
+    distances: Distances<D>,
     /// What robots say of it.
-    honesty: Honesty<D>,
+    mode: ModeWatch<D>,
     /// Ticks, and those in which every assumption held.
     ticks: [u64; 2],
 }
 
-impl<const D: usize> Promise<D> {
+impl<const D: usize> Carry<D> {
     /// For the robots of `scenario`.
     #[must_use]
     pub(crate) fn new(scenario: &Scenario, params: Params<D>) -> Self {
@@ -43,8 +43,8 @@ impl<const D: usize> Promise<D> {
             malicious: scenario.malicious_mask(),
             told_ticks,
             shares: params.budget().map_or([1.0, 0.0], |budget| [budget.gamma, budget.gain_slope]),
-            honesty: Honesty::new(scenario, params, told_ticks),
-            pairs: Pairs::new(scenario, params),
+            mode: ModeWatch::new(scenario, params, told_ticks),
+            distances: Distances::new(scenario, params),
             params,
             before: None,
             broken: None,
@@ -64,8 +64,8 @@ impl<const D: usize> Promise<D> {
     ) {
         let before = self.before.take();
         let carried = before.as_ref().filter(|_| covered && !frame.assumptions.renewed);
-        self.watch_spares(tick, frame, truth, carried, verdicts);
-        self.pairs.watch(tick, frame, truth, carried, verdicts);
+        self.watch_h(tick, frame, truth, carried, verdicts);
+        self.distances.watch(tick, frame, truth, carried, verdicts);
         if frame.assumptions.broken || !covered {
             self.broken = Some(tick);
         }
@@ -75,7 +75,7 @@ impl<const D: usize> Promise<D> {
             *counter += u64::from(counts);
         }
         if self.params.controller().promises() {
-            self.honesty.watch(tick, frame, truth, verdicts);
+            self.mode.watch(tick, frame, truth, verdicts);
         }
         let mut now = before.unwrap_or_default();
         now.truth.clone_from(truth);
@@ -90,10 +90,10 @@ impl<const D: usize> Promise<D> {
     fn carry(&mut self, frame: &Frame<D>, truth: &Truth, before: &Before<D>, [moves, claims]: [bool; 2]) {
         let budget = self.params.controller().promises();
         let inside = budget || frame.phis.iter().all(|phi| *phi >= 0.0);
-        for (kept, spare) in self.kept.iter_mut().zip(&truth.spares) {
-            *kept = claims && ((inside && *spare >= 0.0) || (*kept && before.claims));
+        for (kept, h) in self.kept.iter_mut().zip(&truth.h) {
+            *kept = claims && ((inside && *h >= 0.0) || (*kept && before.claims));
         }
-        self.pairs.carry(truth, before, inside, moves);
+        self.distances.carry(truth, before, inside, moves);
     }
 
     /// What a tick leaves of h at least (docs/budget.md), written down once more.
@@ -103,7 +103,7 @@ impl<const D: usize> Promise<D> {
     }
 
     /// h of normal robots, and their degrees, which follow from it (lem:connectivity).
-    fn watch_spares(
+    fn watch_h(
         &self,
         tick: u32,
         frame: &Frame<D>,
@@ -113,25 +113,25 @@ impl<const D: usize> Promise<D> {
     ) {
         let budget = self.params.controller().promises();
         let required = required(&self.params);
-        for (robot, index) in (1_u16..).zip(0..truth.spares.len()).filter(|(_, k)| !self.malicious[*k]) {
-            let spare = truth.spares[index];
+        for (robot, index) in (1_u16..).zip(0..truth.h.len()).filter(|(_, k)| !self.malicious[*k]) {
+            let h = truth.h[index];
             let carried = before.filter(|before| before.claims && self.kept[index]);
             let at = |seen, demanded| Violation { tick, robots: [robot, 0], seen, demanded };
-            if spare < -ROUNDING {
-                verdicts.broke(Law::Spare, at(spare, 0.0), carried.is_some());
+            if h < -ROUNDING {
+                verdicts.broke(Law::Spare, at(h, 0.0), carried.is_some());
             }
             if truth.degrees[index] < required {
                 let seen = f64::from(truth.degrees[index]);
                 verdicts.broke(
                     Law::Degree,
                     at(seen, f64::from(required)),
-                    (budget && !frame.assumptions.broken && spare >= 0.0) || carried.is_some(),
+                    (budget && !frame.assumptions.broken && h >= 0.0) || carried.is_some(),
                 );
             }
             if let Some(before) = before.filter(|_| budget) {
-                let floor = self.left(before.truth.spares[index]);
-                if floor >= 0.0 && spare < floor - ROUNDING {
-                    verdicts.broke(Law::Decay, at(spare, floor), carried.is_some());
+                let floor = self.left(before.truth.h[index]);
+                if floor >= 0.0 && h < floor - ROUNDING {
+                    verdicts.broke(Law::Decay, at(h, floor), carried.is_some());
                 }
             }
         }
@@ -141,17 +141,17 @@ impl<const D: usize> Promise<D> {
     /// held.
     #[must_use]
     pub(crate) fn shares(&self) -> [f64; 3] {
-        let [guaranteed, negative] = self.honesty.shares();
+        let [guaranteed, negative] = self.mode.shares();
         [guaranteed, negative, fraction(self.ticks[1], self.ticks[0])]
     }
 
     /// Longest time from the end of trouble until all were guaranteed again, in ticks.
     pub(crate) fn recovery_ticks(&self) -> u32 {
-        self.honesty.recovery_ticks()
+        self.mode.recovery_ticks()
     }
 
     /// Least squared distance of two robots yet, m².
     pub(crate) fn least_m2(&self) -> f64 {
-        self.pairs.least_m2()
+        self.distances.least_m2()
     }
 }

@@ -1,4 +1,4 @@
-//! Pairs of robots from tick to tick: how near they come, between ticks too, and how fast.
+//! Distances of robots from tick to tick: how near they come, between ticks too, and how fast.
 
 use closeranks_core::num::{Vector, add_scaled, dot, sqrt, subtract};
 use closeranks_core::settings::params::Params;
@@ -13,20 +13,20 @@ use crate::scenario::Scenario;
 
 /// What became of the pairs of a run.
 #[derive(Clone, Debug)]
-pub(crate) struct Pairs<const D: usize> {
+pub(crate) struct Distances<const D: usize> {
     params: Params<D>,
     malicious: Vec<bool>,
-    /// Pairs with a malicious robot may collide: it goes where it likes.
+    /// Distances with a malicious robot may collide: it goes where it likes.
     free: bool,
     /// Squares of distances are rounded by far less than this, m².
     blur_m2: f64,
-    /// Pairs that were safe once and must have been ever since: no assumption was broken.
+    /// Distances that were safe once and must have been ever since: no assumption was broken.
     apart: Vec<bool>,
     /// Least squared distance of two robots yet, m².
     least_m2: f64,
 }
 
-impl<const D: usize> Pairs<D> {
+impl<const D: usize> Distances<D> {
     /// For the robots of `scenario`.
     pub(crate) fn new(scenario: &Scenario, params: Params<D>) -> Self {
         let radius_m = params.link().radius_m;
@@ -72,10 +72,10 @@ impl<const D: usize> Pairs<D> {
             for (first, distance_m2) in truth.actual_m2()[pair..pair + second].iter().enumerate() {
                 self.least_m2 = if *distance_m2 < self.least_m2 { *distance_m2 } else { self.least_m2 };
                 let place = pair + first;
-                let spares_m2 = before.map(|before| self.spares_m2(place, truth, before));
-                let nears = spares_m2.is_some_and(|[floor_m2, now_m2]| now_m2 < floor_m2);
+                let rooms_m2 = before.map(|before| self.rooms_m2(place, truth, before));
+                let nears = rooms_m2.is_some_and(|[floor_m2, now_m2]| now_m2 < floor_m2);
                 if *distance_m2 < near_m2 || nears {
-                    let pair = Pair { place, robots: [first, second], distance_m2: *distance_m2, spares_m2 };
+                    let pair = Pair { place, robots: [first, second], distance_m2: *distance_m2, rooms_m2 };
                     self.watch_pair(&pair, tick, frame, before, verdicts);
                 }
             }
@@ -91,8 +91,8 @@ impl<const D: usize> Pairs<D> {
         near_m * near_m * (1.0 + ROUNDING)
     }
 
-    /// Of two references, m²: what must be left of their spare at the tick before, and what is.
-    fn spares_m2(&self, place: usize, truth: &Truth, before: &Before<D>) -> [f64; 2] {
+    /// `D − Δ_d²` of two references, m²: the least that must be left of it since the tick before, and what is left.
+    fn rooms_m2(&self, place: usize, truth: &Truth, before: &Before<D>) -> [f64; 2] {
         let least_m = self.params.kept().distance_min_m;
         let [then, now] = [&before.truth, truth].map(|truth| truth.pairs_m2[place] - least_m * least_m);
         [(1.0 - self.gamma_c()) * then, now]
@@ -118,7 +118,7 @@ impl<const D: usize> Pairs<D> {
         if pair.distance_m2 < limit_m2 {
             verdicts.broke(Law::Distance, at(sqrt(pair.distance_m2), least_m), carried);
         }
-        let Some((before, [floor_m2, now_m2])) = before.zip(pair.spares_m2) else { return };
+        let Some((before, [floor_m2, now_m2])) = before.zip(pair.rooms_m2) else { return };
         let [start, end] = [&before.positions_m, &frame.positions_m].map(|x| subtract(&x[second], &x[first]));
         let path_m2 = nearest_m2(&start, &end);
         if path_m2 < limit_m2 {
@@ -162,8 +162,8 @@ struct Pair {
     place: usize,
     robots: [usize; 2],
     distance_m2: f64,
-    /// See [`Pairs::spares_m2`].
-    spares_m2: Option<[f64; 2]>,
+    /// See [`Distances::rooms_m2`].
+    rooms_m2: Option<[f64; 2]>,
 }
 
 /// Square of the least distance while an offset goes straight from `start` to `end`, m².
@@ -222,7 +222,7 @@ mod tests {
             truth.look(&params, &malicious, frame, false);
             truth
         });
-        let mut pairs = Pairs::new(scenario, params);
+        let mut pairs = Distances::new(scenario, params);
         let mut before = Before::default();
         before.moves = random.chance(0.9);
         pairs.carry(&was, &before, true, before.moves);

@@ -7,10 +7,10 @@ use crate::scenario::Scenario;
 /// What robots heard in a round.
 ///
 /// The spread shrinks by 1 − β/2 if every normal robot used, of values of this round, at least `F′ = F + ⌊n/2⌋` of robots that
-/// told all the same (Theorem A), or `F + ⌊(n − a)/2⌋` of normal ones, a the number of malicious robots (Theorem A′). Only who
+/// told all the same (thm:contraction), or `F + ⌊(n − a)/2⌋` of normal ones, a the number of malicious robots (thm:two-faced). Only who
 /// is heard matters to the proofs, so messages may be lost. All normal robots must run and keep the same time.
 #[derive(Clone, Debug)]
-pub(crate) struct Voices {
+pub(crate) struct Heard {
     one_voice: bool,
     same_time: bool,
     steady: bool,
@@ -26,7 +26,7 @@ fn in_time(scenario: &Scenario) -> bool {
     scenario.trouble.network.delay_max_s == 0.0 || late <= scenario.tau_2
 }
 
-impl Voices {
+impl Heard {
     /// For the robots of `scenario`.
     #[must_use]
     pub(crate) fn new(scenario: &Scenario) -> Self {

@@ -17,8 +17,8 @@ use closeranks_core::settings::params::Params;
 
 use crate::frame::Frame;
 use crate::law::{Law, Verdicts, Violation};
-use crate::monitors::carry::Promise;
-use crate::monitors::heard::Voices;
+use crate::monitors::carry::Carry;
+use crate::monitors::heard::Heard;
 use crate::monitors::truth::Truth;
 use crate::scenario::Scenario;
 
@@ -35,11 +35,11 @@ pub struct Monitors<const D: usize> {
     plain: bool,
     few_lie: bool,
     truth: Truth,
-    promise: Promise<D>,
+    carry: Carry<D>,
     verdicts: Verdicts,
     interval: Option<[f64; 2]>,
     spread: Option<f64>,
-    voices: Voices,
+    heard: Heard,
     extremes: Extremes,
 }
 
@@ -81,9 +81,9 @@ impl<const D: usize> Monitors<D> {
             plain: scenario.is_plain() && !params.controller().promises(),
             few_lie: scenario.malicious.len() <= usize::from(scenario.faults),
             truth: Truth::default(),
-            promise: Promise::new(scenario, params),
+            carry: Carry::new(scenario, params),
             verdicts: Verdicts::default(),
-            voices: Voices::new(scenario),
+            heard: Heard::new(scenario),
             interval: None,
             spread: None,
             extremes: Extremes {
@@ -127,8 +127,8 @@ impl<const D: usize> Monitors<D> {
 
     /// What the theorem of `budget` came to.
     #[must_use]
-    pub(crate) fn promise(&self) -> &Promise<D> {
-        &self.promise
+    pub(crate) fn carry(&self) -> &Carry<D> {
+        &self.carry
     }
 
     /// Looks at one tick, after its robots ticked and before they move.
@@ -136,12 +136,12 @@ impl<const D: usize> Monitors<D> {
         let broken = |verdicts: &Verdicts| verdicts.of(Law::Degree).count + verdicts.of(Law::Distance).count;
         let before = broken(&self.verdicts);
         self.truth.look(&self.params, &self.malicious, frame, self.plain);
-        self.promise.watch(tick, frame, &self.truth, self.few_lie, &mut self.verdicts);
+        self.carry.watch(tick, frame, &self.truth, self.few_lie, &mut self.verdicts);
         self.watch_degrees();
         if tick.is_multiple_of(self.ticks_per_round) {
             self.watch_values(tick, frame);
         }
-        self.voices.hear(frame);
+        self.heard.hear(frame);
         if frame.wants_phi {
             self.watch_composition(tick);
         }
@@ -169,7 +169,7 @@ impl<const D: usize> Monitors<D> {
             let h = degree_barrier(self.truth.levels[index], required);
             self.extremes.h_min = self.extremes.h_min.min(h);
         }
-        self.extremes.distance_min_m = sqrt(self.promise.least_m2());
+        self.extremes.distance_min_m = sqrt(self.carry.least_m2());
     }
 
     /// φ of the true levels.
@@ -227,7 +227,7 @@ impl<const D: usize> Monitors<D> {
                 self.broke(Law::Interval, Violation { tick, robots, seen: value, demanded });
             }
         }
-        let suffice = self.voices.end_round(frame, &self.malicious);
+        let suffice = self.heard.end_round(frame, &self.malicious);
         self.watch_spread(tick, (high - low).max(0.0), least.abs().max(most.abs()), suffice);
     }
 

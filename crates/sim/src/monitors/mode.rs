@@ -16,7 +16,7 @@ const NOTICE_TICKS: u64 = 2;
 
 /// Watches the modes of normal robots under `budget`.
 #[derive(Clone, Debug)]
-pub(crate) struct Honesty<const D: usize> {
+pub(crate) struct ModeWatch<const D: usize> {
     params: Params<D>,
     malicious: Vec<bool>,
     /// Pairs with a malicious robot may collide: it goes where it likes.
@@ -34,7 +34,7 @@ pub(crate) struct Honesty<const D: usize> {
     recovery_ticks: u32,
 }
 
-impl<const D: usize> Honesty<D> {
+impl<const D: usize> ModeWatch<D> {
     /// For the robots of `scenario`, who may use a level for `told_ticks`.
     pub(crate) fn new(scenario: &Scenario, params: Params<D>, told_ticks: u64) -> Self {
         let (steady, errors) = (scenario.trouble.clocks == Clocks::default(), params.kept().errors);
@@ -55,8 +55,8 @@ impl<const D: usize> Honesty<D> {
     /// Nobody promises what is not so, as far as it can know; and all promise again soon after everything holds.
     pub(crate) fn watch(&mut self, tick: u32, frame: &Frame<D>, truth: &Truth, verdicts: &mut Verdicts) {
         let stopped = frame.modes.contains(&Mode::Stopped);
-        let safe = (0..truth.own.len()).all(|robot| truth.own[robot] >= ROUNDING)
-            && (0..truth.own.len()).all(|robot| !self.crowded(robot, truth, true));
+        let safe = (0..truth.h_own.len()).all(|robot| truth.h_own[robot] >= ROUNDING)
+            && (0..truth.h_own.len()).all(|robot| !self.crowded(robot, truth, true));
         let well = safe && !stopped && !frame.assumptions.broken;
         if !well {
             self.unwell = Some(tick);
@@ -64,16 +64,16 @@ impl<const D: usize> Honesty<D> {
         let healed =
             self.exact && longer_ago(self.unwell, tick, self.told_ticks.saturating_add(NOTICE_TICKS));
         let mut all = true;
-        for (robot, index) in (1_u16..).zip(0..truth.spares.len()).filter(|(_, k)| !self.malicious[*k]) {
+        for (robot, index) in (1_u16..).zip(0..truth.h.len()).filter(|(_, k)| !self.malicious[*k]) {
             let guaranteed = frame.modes[index] == Mode::Guaranteed;
             all &= guaranteed;
-            let negative = truth.own[index] < 0.0;
+            let negative = truth.h_own[index] < 0.0;
             for (counter, counts) in self.counted.iter_mut().zip([true, guaranteed, negative]) {
                 *counter += u64::from(counts);
             }
             let at = |seen| Violation { tick, robots: [robot, 0], seen, demanded: 0.0 };
             if guaranteed && !frame.assumptions.sensed_wrong[index] && self.untrue(index, truth) {
-                verdicts.broke(Law::Mode, at(truth.spares[index]), true);
+                verdicts.broke(Law::Mode, at(truth.h[index]), true);
             }
             if !guaranteed && healed {
                 verdicts.broke(Law::Mode, at(f64::from(since(self.unwell, tick))), true);
@@ -88,7 +88,7 @@ impl<const D: usize> Honesty<D> {
     /// robot too close.
     fn untrue(&self, robot: usize, truth: &Truth) -> bool {
         let degree_low = self.exact && truth.degrees[robot] < required(&self.params);
-        degree_low || truth.spares[robot] < -ROUNDING - self.blur || self.crowded(robot, truth, false)
+        degree_low || truth.h[robot] < -ROUNDING - self.blur || self.crowded(robot, truth, false)
     }
 
     /// True when another robot is certainly too close to `robot`; `anybody` counts disobedient ones too.
@@ -108,7 +108,7 @@ impl<const D: usize> Honesty<D> {
         }
         let counts =
             |other: usize| anybody || !(self.free && (self.malicious[robot] || self.malicious[other]));
-        (0..truth.own.len())
+        (0..truth.h_own.len())
             .any(|other| other != robot && counts(other) && truth.pair_m2(robot, other) < limit_m2)
     }
 

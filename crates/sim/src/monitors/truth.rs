@@ -21,16 +21,16 @@ pub(crate) struct Truth {
     /// Neighbours that count: all, or with free liars the normal ones.
     pub(crate) degrees: Vec<u16>,
     /// What is kept at 0 or above: h_i of references; with free liars the sum over normal neighbours, less θ.
-    pub(crate) spares: Vec<f64>,
+    pub(crate) h: Vec<f64>,
     /// h_i as a robot has it that senses exactly: with free liars of the trimmed sum.
-    pub(crate) own: Vec<f64>,
+    pub(crate) h_own: Vec<f64>,
     /// Squared distances of references, m², pair (first, second) at `second (second − 1)/2 + first`.
     pub(crate) pairs_m2: Vec<f64>,
-    /// The least of them.
+    /// The least of `pairs_m2`.
     pub(crate) least_m2: f64,
-    /// `pairs_m2` of positions; empty where these are the references.
+    /// Squared distances of positions, m², in the order of `pairs_m2`; empty where the positions are the references.
     actual_m2: Vec<f64>,
-    /// Weights and slopes of pairs.
+    /// Memory for the weights and the slopes of all pairs.
     scratch: [Vec<f64>; 2],
 }
 
@@ -41,12 +41,12 @@ impl Clone for Truth {
         clone
     }
 
-    /// In the memory that is there.
+    /// Copies into the memory that is there.
     fn clone_from(&mut self, other: &Self) {
         self.levels.clone_from(&other.levels);
         self.degrees.clone_from(&other.degrees);
-        self.spares.clone_from(&other.spares);
-        self.own.clone_from(&other.own);
+        self.h.clone_from(&other.h);
+        self.h_own.clone_from(&other.h_own);
         self.pairs_m2.clone_from(&other.pairs_m2);
         self.least_m2 = other.least_m2;
         self.actual_m2.clone_from(&other.actual_m2);
@@ -73,9 +73,9 @@ impl Truth {
         if plain {
             self.levels.clone_from(&frame.levels);
             self.degrees.clone_from(&frame.degrees);
-            self.spares.clear();
-            self.spares.extend(frame.levels.iter().map(|level| level - required));
-            self.own.clone_from(&self.spares);
+            self.h.clear();
+            self.h.extend(frame.levels.iter().map(|level| level - required));
+            self.h_own.clone_from(&self.h);
             return;
         }
         let free = is_free(params);
@@ -85,21 +85,21 @@ impl Truth {
         let actual_m2 = first_filled(&self.actual_m2, &self.pairs_m2);
         let scratch = &mut self.scratch;
         weigh(params.link(), actual_m2, |_| true, &mut self.levels, &mut self.degrees, scratch);
-        self.spares.clone_from(&self.levels);
+        self.h.clone_from(&self.levels);
         if free {
-            weigh(params.link(), actual_m2, counts, &mut self.spares, &mut self.degrees, scratch);
+            weigh(params.link(), actual_m2, counts, &mut self.h, &mut self.degrees, scratch);
         }
         if free || margin {
             let degrees = &mut vec![0; self.degrees.len()];
             let shape = &params.kept().link;
-            weigh(shape, &self.pairs_m2, counts, &mut self.spares, degrees, scratch);
+            weigh(shape, &self.pairs_m2, counts, &mut self.h, degrees, scratch);
         }
-        for spare in &mut self.spares {
-            *spare -= required;
+        for h in &mut self.h {
+            *h -= required;
         }
-        self.own.clone_from(&self.spares);
+        self.h_own.clone_from(&self.h);
         if free {
-            for (robot, own) in self.own.iter_mut().enumerate() {
+            for (robot, own) in self.h_own.iter_mut().enumerate() {
                 *own = trimmed(params, frame, robot) - required;
             }
         }

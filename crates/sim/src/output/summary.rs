@@ -121,7 +121,7 @@ impl Collector {
         monitors: &Monitors<D>,
     ) -> Summary {
         let speeds = frame.velocities_m_s.iter().map(|velocity| squared_distance(velocity, &[0.0; D]));
-        let [guaranteed_share, negative_share, covered_share] = monitors.promise().shares();
+        let [guaranteed_share, negative_share, covered_share] = monitors.carry().shares();
         let below = self.malicious_below.iter().filter(|below| **below).count();
         Summary {
             start: self.start.unwrap_or(NO_START),
@@ -135,7 +135,7 @@ impl Collector {
             guaranteed_share,
             negative_share,
             covered_share,
-            recovery_s: f64::from(monitors.promise().recovery_ticks()) * scenario.tick_s(),
+            recovery_s: f64::from(monitors.carry().recovery_ticks()) * scenario.tick_s(),
             malicious_below: u16::try_from(below).unwrap_or(u16::MAX),
             rounds: scenario.ticks() / scenario.ticks_per_round(),
             ticks: scenario.ticks(),
@@ -154,8 +154,8 @@ const NO_START: StartSummary = StartSummary {
 
 fn start<const D: usize>(scenario: &Scenario, frame: &Frame<D>, monitors: &Monitors<D>) -> StartSummary {
     let Extremes { phi_min, distance_min_m, inside_from, .. } = *monitors.extremes();
-    let normal = frame.spares.iter().zip(monitors.malicious()).filter(|(_, malicious)| !**malicious);
-    let h_min = normal.map(|(spare, _)| *spare).fold(f64::INFINITY, f64::min);
+    let normal = frame.h.iter().zip(monitors.malicious()).filter(|(_, malicious)| !**malicious);
+    let h_min = normal.map(|(h, _)| *h).fold(f64::INFINITY, f64::min);
     let inside = match scenario.controller.row().inside {
         Inside::Margins => h_min >= 0.0 && distance_min_m >= scenario.distance_min_m,
         Inside::Shares => inside_from.is_some(),

@@ -14,7 +14,7 @@ use crate::attack::Attack;
 use crate::faults::{Faults, Outages};
 use crate::law::Law;
 use crate::plant::Plant;
-use crate::scenario::desired::Motion;
+use crate::scenario::desired::Desired;
 use crate::scenario::start::Start;
 use crate::scenario::{Controller, Scenario, Values};
 
@@ -173,15 +173,15 @@ fn values(reader: &mut Reader, section: &mut Section<'_>, scenario: &mut Scenari
 
 fn motion(reader: &mut Reader, section: &mut Section<'_>, scenario: &mut Scenario) {
     set(
-        &mut scenario.motion,
+        &mut scenario.desired,
         reader.word(
             section,
             "kind",
             &[
-                ("paper", Motion::Paper),
-                ("hold", Motion::Hold),
-                ("gather", Motion::Gather),
-                ("wander", Motion::Wander),
+                ("paper", Desired::Paper),
+                ("hold", Desired::Hold),
+                ("gather", Desired::Gather),
+                ("wander", Desired::Wander),
             ],
         ),
     );

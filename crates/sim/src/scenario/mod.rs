@@ -22,7 +22,7 @@ pub use crate::controllers::Controller;
 use crate::faults::Faults;
 use crate::law::Law;
 use crate::plant::Plant;
-use crate::scenario::desired::Motion;
+use crate::scenario::desired::Desired;
 use crate::scenario::start::{Start, StartError};
 
 /// One run, complete. [`crate::parse::scenario`] makes it from TOML and checks every field.
@@ -93,7 +93,7 @@ pub struct Scenario {
     /// y_i(t₀).
     pub values: Values,
     /// Where robots want to go.
-    pub motion: Motion,
+    pub desired: Desired,
     /// What malicious robots do.
     pub attack: Attack,
     /// How robots follow their velocities.
@@ -155,7 +155,7 @@ impl Default for Scenario {
             tracking_error_m: settings.errors.tracking_m,
             start: Start::Inside,
             values: Values::Random { min: -500.0, max: 500.0 },
-            motion: Motion::Paper,
+            desired: Desired::Paper,
             attack: Attack::default(),
             plant: Plant::Single,
             trouble: Faults::default(),
