@@ -93,8 +93,8 @@ fn start(name: &'static str, texts: &[&'static str; 3], seed: u64, bar: &Progres
     let work = scenarios.into_par_iter().zip(texts.par_iter());
     let runs = work.map(|(scenario, text)| done(scenario, text, bar)).collect::<Result<Vec<_>>>()?;
     let five = SectionFive {
-        required: runs[0].scenario.composed().required,
-        distance_min_m: runs[0].scenario.distance_min_m,
+        required: runs[0].scenario.composition().required,
+        distance_min_m: runs[0].scenario.limits.distance_min_m,
         runs: [0, 1, 2].map(|index| &runs[index].run.summary),
         unfiltered: &unfiltered.summary,
     };
@@ -146,7 +146,11 @@ fn surveys(start: &Start) -> Vec<Survey<'_>> {
 }
 
 fn survey<'a>(done: &'a Done, title: &'a str) -> Survey<'a> {
-    Survey { title, faults: done.scenario.faults, points: points(&done.run.rounds, done.scenario.tick_s()) }
+    Survey {
+        title,
+        faults: done.scenario.team.faults,
+        points: points(&done.run.rounds, done.scenario.tick_s()),
+    }
 }
 
 fn data(starts: &[Start], seed: u64, folder: &mut Folder, bar: &ProgressBar) -> Result<()> {

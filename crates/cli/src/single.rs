@@ -105,7 +105,11 @@ fn figure(caption: &str, svg: String) -> Figure {
 }
 
 fn survey<'a>(scenario: &'a Scenario, run: &'a Run) -> Survey<'a> {
-    Survey { title: &scenario.name, faults: scenario.faults, points: points(&run.rounds, scenario.tick_s()) }
+    Survey {
+        title: &scenario.name,
+        faults: scenario.team.faults,
+        points: points(&run.rounds, scenario.tick_s()),
+    }
 }
 
 fn page(scenario: &Scenario, source: &str, run: &Run, time_s: f64, svg: String) -> Page {

@@ -37,10 +37,10 @@ pub(crate) fn start(scenario: &Scenario, summary: &Summary) -> String {
 /// A warning when more robots lie than the team is prepared for.
 pub(crate) fn warning(scenario: &Scenario) -> Option<String> {
     let liars = scenario.malicious.len();
-    (liars > usize::from(scenario.faults)).then(|| {
+    (liars > usize::from(scenario.team.faults)).then(|| {
         format!(
             "note: {liars} malicious robots, but the team is prepared for F = {}: no theorem covers this run",
-            scenario.faults
+            scenario.team.faults
         )
     })
 }

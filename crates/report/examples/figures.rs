@@ -1,5 +1,7 @@
 //! Writes every kind of picture and file into a folder: `cargo run --release --example figures -- FOLDER`.
 
+use closeranks_core::settings::Team;
+use closeranks_sim::scenario::Limits;
 use std::fs;
 use std::path::Path;
 
@@ -24,14 +26,21 @@ fn main() -> Result<(), Failure> {
     fs::create_dir_all(folder)?;
     paper(folder, "published", &Start::Published)?;
     paper(folder, "inside", &Start::Inside)?;
-    let crowd =
-        Scenario { robots: 200, start: Start::Hexagon { spacing_m: 0.5 }, duration_s: 2.0, ..spread() };
+    let crowd = Scenario {
+        start: Start::Hexagon { spacing_m: 0.5 },
+        duration_s: 2.0,
+        team: Team { robots: 200, ..spread().team },
+        ..spread()
+    };
     single(folder, "crowd", &crowd)?;
     let cube = Scenario {
         dimension: 3,
-        input_min_m_s: vec![-1.5; 3],
-        input_max_m_s: vec![1.5; 3],
         start: Start::Random { half_side_m: 0.9, distance_min_m: 0.5 },
+        limits: Limits {
+            input_min_m_s: vec![-1.5; 3],
+            input_max_m_s: vec![1.5; 3],
+            ..spread().limits.clone()
+        },
         ..spread()
     };
     single(folder, "cube", &cube)?;

@@ -133,7 +133,7 @@ impl<'a> Moment<'a> {
     /// above a narrow one); without numbers malicious ones last.
     pub(crate) fn draw(&self, svg: &mut Svg, axes: &Axes, marker: Marker) {
         let points: Vec<[f64; 2]> = self.points().into_iter().map(|point| axes.at(point)).collect();
-        let links = links(self.record(), self.case.scenario.radius_m, self.tick);
+        let links = links(self.record(), self.case.scenario.link.radius_m, self.tick);
         let (red, grey): (Vec<Link>, Vec<Link>) = links.iter().partition(|link| link.malicious);
         for (some, colour) in [(grey, LINK), (red, MALICIOUS)] {
             draw_links(svg, &points, &some, colour, links.len() <= DOTTED);

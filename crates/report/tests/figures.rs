@@ -1,10 +1,12 @@
 //! The figures: what is drawn is what was recorded, for any team and any length, and never anything not finite.
 #![expect(clippy::unwrap_used, reason = "helpers of tests")]
 
+use closeranks_core::settings::Team;
 use closeranks_report::figure::{Case, figure1, figure2, overview};
 use closeranks_report::png::png;
 use closeranks_sim::attack::LevelAttack;
 use closeranks_sim::output::record::Record;
+use closeranks_sim::scenario::Limits;
 use closeranks_sim::scenario::Scenario;
 use closeranks_sim::scenario::start::Start;
 use closeranks_sim::world::{Options, run};
@@ -124,9 +126,12 @@ fn a_full_run_is_a_small_file() {
 fn three_dimensions_are_projected_and_say_so() {
     let scenario = Scenario {
         dimension: 3,
-        input_min_m_s: vec![-1.5; 3],
-        input_max_m_s: vec![1.5; 3],
         start: Start::Random { half_side_m: 0.9, distance_min_m: 0.4 },
+        limits: Limits {
+            input_min_m_s: vec![-1.5; 3],
+            input_max_m_s: vec![1.5; 3],
+            ..short().limits.clone()
+        },
         ..short()
     };
     let record = record(&scenario);
@@ -146,8 +151,12 @@ fn a_single_tick_shows_dots() {
 
 #[test]
 fn crowds_have_no_numbers() {
-    let scenario =
-        Scenario { robots: 70, start: Start::Hexagon { spacing_m: 0.5 }, duration_s: 0.02, ..short() };
+    let scenario = Scenario {
+        start: Start::Hexagon { spacing_m: 0.5 },
+        duration_s: 0.02,
+        team: Team { robots: 70, ..short().team },
+        ..short()
+    };
     let record = record(&scenario);
     let svg = overview(Case { title: "crowd", scenario: &scenario, record: &record });
     assert!(count(&svg, "<circle") > 2 * 68 && count(&svg, "</text>") < 80);

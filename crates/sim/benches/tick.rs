@@ -4,6 +4,7 @@
 
 use closeranks_core::controller::AnyController;
 use closeranks_core::settings::params::Params;
+use closeranks_core::settings::{self, LinkSettings};
 use closeranks_sim::attack::LevelAttack;
 use closeranks_sim::attack::liars::Liars;
 use closeranks_sim::engine::fleet::Fleet;
@@ -26,7 +27,12 @@ fn scenario(robots: u16) -> Scenario {
         100 => 7.0,
         _ => 22.0,
     };
-    Scenario { robots, radius_m, start: Start::Hexagon { spacing_m: 0.6 }, ..Scenario::default() }
+    Scenario {
+        start: Start::Hexagon { spacing_m: 0.6 },
+        team: settings::Team { robots, ..settings::Team::default() },
+        link: LinkSettings { radius_m, ..LinkSettings::default() },
+        ..Scenario::default()
+    }
 }
 
 fn world(scenario: &Scenario) -> (Params<2>, Frame<2>, Vec<f64>) {

@@ -4,6 +4,7 @@
 //! `cargo run --release -p closeranks-sim --example choose_inside -- 20000`
 
 use closeranks_core::equations::composition::PhiSplit;
+use closeranks_core::settings::ComposedSettings;
 use closeranks_sim::attack::{Attack, LevelAttack};
 use closeranks_sim::law::Law;
 use closeranks_sim::output::summary::Summary;
@@ -22,7 +23,7 @@ fn scenario(places: &[[i8; 2]; 11], bias: f64) -> Scenario {
     Scenario {
         start: Start::Listed(places.iter().map(|place| position(*place)).collect()),
         attack: Attack::from(if bias == 0.0 { LevelAttack::None } else { LevelAttack::Bias(bias) }),
-        share: PhiSplit::Neighbors,
+        composed: ComposedSettings { phi_split: PhiSplit::Neighbors, ..ComposedSettings::default() },
         ..Scenario::default()
     }
 }

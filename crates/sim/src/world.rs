@@ -98,11 +98,11 @@ fn run_in<const D: usize>(
 /// y_i(t₀).
 pub fn initial_values(scenario: &Scenario) -> Result<Vec<f64>, RunError> {
     match &scenario.values {
-        Values::Listed(values) if values.len() == usize::from(scenario.robots) => Ok(values.clone()),
-        Values::Listed(values) => Err(RunError::Values { found: values.len(), robots: scenario.robots }),
+        Values::Listed(values) if values.len() == usize::from(scenario.team.robots) => Ok(values.clone()),
+        Values::Listed(values) => Err(RunError::Values { found: values.len(), robots: scenario.team.robots }),
         Values::Random { min, max } => {
             let mut random = Random::new(scenario.seed, Stream::Values);
-            Ok((0..scenario.robots).map(|_| random.uniform(*min, *max)).collect())
+            Ok((0..scenario.team.robots).map(|_| random.uniform(*min, *max)).collect())
         }
     }
 }
@@ -162,7 +162,7 @@ impl<const D: usize> World<D> {
             judge: Judge::new(scenario, &params),
             monitors: Monitors::new(scenario, params),
             collector: Collector::default(),
-            record: options.record.then(|| Record::new(scenario, scenario.composed().required)),
+            record: options.record.then(|| Record::new(scenario, scenario.composition().required)),
             watcher: options.robustness.then(Watcher::default),
             scenario: scenario.clone(),
             frame,
@@ -265,7 +265,7 @@ impl<const D: usize> World<D> {
         if let Some(watcher) = &mut self.watcher
             && tick.is_multiple_of(self.scenario.ticks_per_round())
         {
-            watcher.watch(tick, &self.frame, self.scenario.radius_m, self.monitors.malicious());
+            watcher.watch(tick, &self.frame, self.scenario.link.radius_m, self.monitors.malicious());
         }
     }
 
@@ -284,7 +284,7 @@ pub fn want<const D: usize>(scenario: &Scenario, tick: u32, frame: &mut Frame<D>
         let number = u16::try_from(index + 1).unwrap_or(u16::MAX);
         *desired = match scenario.desired {
             Desired::Wander => Desired::wandering(scenario.seed, number, time_s),
-            motion => motion.desired(number, scenario.robots, position),
+            motion => motion.desired(number, scenario.team.robots, position),
         };
     }
 }

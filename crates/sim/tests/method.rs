@@ -3,6 +3,7 @@
 
 #![expect(clippy::unwrap_used, reason = "helpers of tests")]
 
+use closeranks_core::settings::{Clock, ComposedSettings, LinkSettings};
 use core::time::Duration;
 
 use closeranks_sim::attack::{LevelAttack, ValueAttack};
@@ -24,11 +25,11 @@ fn summary(scenario: &Scenario) -> Summary {
 fn phi_i_is_not_protected() {
     let scenario = Scenario {
         duration_s: 1.5,
-        tau_1: Duration::from_micros(200),
-        alpha: 1.0,
-        q2: 0.1,
         malicious: Vec::new(),
         attack: ValueAttack::None.into(),
+        clock: Clock { level_period: Duration::from_micros(200), ..Clock::default() },
+        composed: ComposedSettings { alpha: 1.0, ..ComposedSettings::default() },
+        link: LinkSettings { q2: 0.1, ..LinkSettings::default() },
         ..Scenario::default()
     };
     let run = run(&scenario, Options { record: true, ..Options::default() }, &mut |_| ()).unwrap();
@@ -46,11 +47,11 @@ fn phi_i_is_not_protected() {
 fn programs_become_infeasible_without_any_attack() {
     let scenario = Scenario {
         duration_s: 3.0,
-        tau_1: Duration::from_millis(1),
-        alpha: 10.0,
-        q2: 0.1,
         malicious: Vec::new(),
         attack: ValueAttack::None.into(),
+        clock: Clock { level_period: Duration::from_millis(1), ..Clock::default() },
+        composed: ComposedSettings { alpha: 10.0, ..ComposedSettings::default() },
+        link: LinkSettings { q2: 0.1, ..LinkSettings::default() },
         ..Scenario::default()
     };
     let summary = summary(&scenario);
@@ -77,8 +78,12 @@ fn the_published_start_is_outside_the_safe_set() {
 fn our_start_is_inside_the_safe_set() {
     for q2 in [0.1, 0.3, 0.9] {
         for level_attack in ATTACKS {
-            let scenario =
-                Scenario { q2, attack: level_attack.into(), duration_s: 0.0, ..Scenario::default() };
+            let scenario = Scenario {
+                attack: level_attack.into(),
+                duration_s: 0.0,
+                link: LinkSettings { q2, ..LinkSettings::default() },
+                ..Scenario::default()
+            };
             let summary = summary(&scenario);
             assert!(summary.start.phi_min > 0.0, "q2 = {q2}, {level_attack:?}: {}", summary.start.phi_min);
             assert!(summary.start.degree_min >= 7);
@@ -109,14 +114,24 @@ fn the_papers_three_effects_show_from_our_start() {
 #[test]
 fn wider_lies_break_the_papers_controller() {
     let step = LevelAttack::Step { bias: -4.0, from_s: 2.0 };
-    let crowded = summary(&Scenario { attack: step.into(), q2: 0.1, alpha: 1.0, ..Scenario::default() });
+    let crowded = summary(&Scenario {
+        attack: step.into(),
+        link: LinkSettings { q2: 0.1, ..LinkSettings::default() },
+        composed: ComposedSettings { alpha: 1.0, ..ComposedSettings::default() },
+        ..Scenario::default()
+    });
     assert!(
         crowded.start.inside && crowded.extremes.distance_min_m < 0.1,
         "{}",
         crowded.extremes.distance_min_m
     );
     let sine = LevelAttack::Sine { amplitude: 5.0, period_s: 0.9 };
-    let torn = summary(&Scenario { attack: sine.into(), q2: 0.1, alpha: 1.0, ..Scenario::default() });
+    let torn = summary(&Scenario {
+        attack: sine.into(),
+        link: LinkSettings { q2: 0.1, ..LinkSettings::default() },
+        composed: ComposedSettings { alpha: 1.0, ..ComposedSettings::default() },
+        ..Scenario::default()
+    });
     assert!(torn.extremes.h_min < 0.0 || torn.extremes.distance_min_m < 0.1, "{:?}", torn.extremes);
 }
 

@@ -69,15 +69,24 @@ pub struct Row {
     pub get: fn(&Parts<'_>) -> Option<f64>,
     /// Sets it. A number that is not of the kind of the field is cut to it.
     pub set: fn(&mut Parts<'_>, f64),
-    /// What it may be, given the others.
-    pub allowed: fn(&Parts<'_>) -> Allowed,
-    /// Why it may be only that, if the range depends on others.
+    /// What it may be, whatever the others are.
+    pub range: Allowed,
+    /// What it may be given the others, if that is less.
+    pub limit: Option<Limit>,
+    /// Why it may be only that, if it has a limit.
     pub why: &'static str,
 }
 
-const POSITIVE: fn(&Parts<'_>) -> Allowed = |_| Allowed::LeftOpen(0.0, MAGNITUDE_MAX);
-const NOT_NEGATIVE: fn(&Parts<'_>) -> Allowed = |_| Allowed::Closed(0.0, MAGNITUDE_MAX);
-const FRACTION: fn(&Parts<'_>) -> Allowed = |_| Allowed::LeftOpen(0.0, 1.0);
+/// What a number may be, given the others.
+pub type Limit = fn(&Parts<'_>) -> Allowed;
+
+const POSITIVE: Allowed = Allowed::LeftOpen(0.0, MAGNITUDE_MAX);
+const NOT_NEGATIVE: Allowed = Allowed::Closed(0.0, MAGNITUDE_MAX);
+const FRACTION: Allowed = Allowed::LeftOpen(0.0, 1.0);
+#[expect(clippy::cast_lossless, reason = "`f64::from` is not const")]
+const TEAM_MAX: f64 = ROBOTS_MAX as f64;
+/// A time between two events, s.
+const SECONDS: Allowed = Allowed::Closed(1e-6, 3_600.0);
 
 /// All of them, in the order in which they are checked.
 pub const TABLE: [Row; 19] = [
@@ -87,7 +96,8 @@ pub const TABLE: [Row; 19] = [
         about: "n",
         get: |of| Some(f64::from(of.team.robots)),
         set: |of, to| of.team.robots = whole(to),
-        allowed: |_| Allowed::Closed(2.0, f64::from(ROBOTS_MAX)),
+        range: Allowed::Closed(2.0, TEAM_MAX),
+        limit: None,
         why: "",
     },
     Row {
@@ -96,7 +106,8 @@ pub const TABLE: [Row; 19] = [
         about: "F, how many robots may be malicious",
         get: |of| Some(f64::from(of.team.faults)),
         set: |of, to| of.team.faults = whole(to),
-        allowed: |of| Allowed::Closed(0.0, f64::from(of.team.robots.saturating_sub(1) / 2)),
+        range: Allowed::Closed(0.0, TEAM_MAX),
+        limit: Some(|of| Allowed::Closed(0.0, f64::from(of.team.robots.saturating_sub(1) / 2))),
         why: "2F + 1 <= n",
     },
     Row {
@@ -105,7 +116,8 @@ pub const TABLE: [Row; 19] = [
         about: "R, how far a link reaches, m",
         get: |of| Some(of.link.radius_m),
         set: |of, to| of.link.radius_m = to,
-        allowed: POSITIVE,
+        range: POSITIVE,
+        limit: None,
         why: "",
     },
     Row {
@@ -114,7 +126,8 @@ pub const TABLE: [Row; 19] = [
         about: "budget: bound of the error of every sensed position, own and others', m",
         get: |of| Some(of.errors.position_m),
         set: |of, to| of.errors.position_m = to,
-        allowed: NOT_NEGATIVE,
+        range: NOT_NEGATIVE,
+        limit: None,
         why: "",
     },
     Row {
@@ -123,7 +136,8 @@ pub const TABLE: [Row; 19] = [
         about: "budget: bound of how far a robot is from where its velocities would have taken it, m",
         get: |of| Some(of.errors.tracking_m),
         set: |of, to| of.errors.tracking_m = to,
-        allowed: NOT_NEGATIVE,
+        range: NOT_NEGATIVE,
+        limit: None,
         why: "",
     },
     Row {
@@ -132,8 +146,9 @@ pub const TABLE: [Row; 19] = [
         about: "Delta_d, how near two robots may come, m",
         get: |of| Some(*of.distance_min_m),
         set: |of, to| *of.distance_min_m = to,
-        allowed: |of| Allowed::Open(0.0, of.distance_limit_m),
-        why: "below link.radius_m; for budget by two longest moves of a tick and what errors cost",
+        range: POSITIVE,
+        limit: Some(|of| Allowed::Open(0.0, of.distance_limit_m)),
+        why: "below link.radius_m",
     },
     Row {
         field: Field::Epsilon,
@@ -141,7 +156,8 @@ pub const TABLE: [Row; 19] = [
         about: "of q1 = 2 + epsilon; by default 1/(n-1) - 0.001",
         get: |of| Some(of.link.epsilon.unwrap_or(epsilon_of(of.team.robots))),
         set: |of, to| of.link.epsilon = Some(to),
-        allowed: |of| Allowed::Open(0.0, 1.0 / (f64::from(of.team.robots) - 1.0)),
+        range: Allowed::Open(-1.0, 1.0),
+        limit: Some(|of| Allowed::Open(0.0, 1.0 / (f64::from(of.team.robots) - 1.0))),
         why: "below 1/(n-1)",
     },
     Row {
@@ -150,7 +166,8 @@ pub const TABLE: [Row; 19] = [
         about: "steepness of the weight, 1/m^4",
         get: |of| Some(of.link.q2),
         set: |of, to| of.link.q2 = to,
-        allowed: POSITIVE,
+        range: POSITIVE,
+        limit: None,
         why: "",
     },
     Row {
@@ -159,7 +176,8 @@ pub const TABLE: [Row; 19] = [
         about: "composed: weight of degrees",
         get: |of| of.composed.as_ref().map(|composed| composed.w_r),
         set: |of, to| composed(of, |composed| composed.w_r = to),
-        allowed: POSITIVE,
+        range: POSITIVE,
+        limit: None,
         why: "",
     },
     Row {
@@ -168,7 +186,8 @@ pub const TABLE: [Row; 19] = [
         about: "composed: weight of collisions, 1/m^2",
         get: |of| of.composed.as_ref().map(|composed| composed.w_c),
         set: |of, to| composed(of, |composed| composed.w_c = to),
-        allowed: POSITIVE,
+        range: POSITIVE,
+        limit: None,
         why: "",
     },
     Row {
@@ -177,7 +196,8 @@ pub const TABLE: [Row; 19] = [
         about: "composed: alpha(s) = alpha s, 1/s",
         get: |of| of.composed.as_ref().map(|composed| composed.alpha),
         set: |of, to| composed(of, |composed| composed.alpha = to),
-        allowed: POSITIVE,
+        range: POSITIVE,
+        limit: None,
         why: "",
     },
     Row {
@@ -186,7 +206,8 @@ pub const TABLE: [Row; 19] = [
         about: "levels are shared and robots move at this period, s",
         get: |of| Some(of.clock.level_period.as_secs_f64()),
         set: |of, to| of.clock.level_period = time(to),
-        allowed: POSITIVE,
+        range: SECONDS,
+        limit: None,
         why: "",
     },
     Row {
@@ -195,7 +216,8 @@ pub const TABLE: [Row; 19] = [
         about: "values are shared and updated at this period, s",
         get: |of| Some(of.clock.value_period.as_secs_f64()),
         set: |of, to| of.clock.value_period = time(to),
-        allowed: POSITIVE,
+        range: SECONDS,
+        limit: None,
         why: "",
     },
     Row {
@@ -204,7 +226,8 @@ pub const TABLE: [Row; 19] = [
         about: "budget: fraction of h that may be lost in a tick; by default 1 - exp(-2 tau_1)",
         get: |of| of.budget.as_ref().map(|budget| budget.gamma(of.clock.level_period)),
         set: |of, to| budget(of, |budget| budget.gamma = Some(to)),
-        allowed: FRACTION,
+        range: FRACTION,
+        limit: None,
         why: "",
     },
     Row {
@@ -213,7 +236,8 @@ pub const TABLE: [Row; 19] = [
         about: "budget: by how much that fraction rises with h",
         get: |of| of.budget.as_ref().map(|budget| budget.gain_slope),
         set: |of, to| budget(of, |budget| budget.gain_slope = to),
-        allowed: NOT_NEGATIVE,
+        range: NOT_NEGATIVE,
+        limit: None,
         why: "",
     },
     Row {
@@ -222,7 +246,8 @@ pub const TABLE: [Row; 19] = [
         about: "budget: fraction of distance^2 - distance_min^2 that may be lost in a tick",
         get: |of| of.budget.as_ref().map(|budget| budget.gamma_c),
         set: |of, to| budget(of, |budget| budget.gamma_c = to),
-        allowed: FRACTION,
+        range: FRACTION,
+        limit: None,
         why: "",
     },
     Row {
@@ -231,7 +256,8 @@ pub const TABLE: [Row; 19] = [
         about: "budget: how long a velocity may be held, s; by default tau_1_s",
         get: |of| Some(of.clock.hold_max().as_secs_f64()),
         set: |of, to| of.clock.hold_max = Some(time(to)),
-        allowed: |of| Allowed::Closed(of.clock.level_period.as_secs_f64(), MAGNITUDE_MAX),
+        range: SECONDS,
+        limit: Some(|of| Allowed::Closed(of.clock.level_period.as_secs_f64(), 3_600.0)),
         why: "at least clock.tau_1_s",
     },
     Row {
@@ -240,7 +266,8 @@ pub const TABLE: [Row; 19] = [
         about: "budget: a level told longer ago counts as not told, s",
         get: |of| Some(of.clock.told_max.as_secs_f64()),
         set: |of, to| of.clock.told_max = time(to),
-        allowed: POSITIVE,
+        range: SECONDS,
+        limit: None,
         why: "",
     },
     Row {
@@ -249,10 +276,25 @@ pub const TABLE: [Row; 19] = [
         about: "budget: bound of the difference of any two clocks, s",
         get: |of| Some(of.clock.error.as_secs_f64()),
         set: |of, to| of.clock.error = time(to),
-        allowed: NOT_NEGATIVE,
+        range: Allowed::Closed(0.0, 3_600.0),
+        limit: None,
         why: "",
     },
 ];
+
+impl Row {
+    /// What it may be among the others, or without them if it has no limit.
+    #[must_use]
+    pub fn allowed(&self, of: &Parts<'_>) -> Allowed {
+        self.limit.map_or(self.range, |limit| limit(of))
+    }
+
+    /// The table that it stands in, and its key there.
+    #[must_use]
+    pub fn place(&self) -> (&'static str, &'static str) {
+        self.name.split_once('.').unwrap_or(("", self.name))
+    }
+}
 
 impl Field {
     /// Its row; `None` for the corners of the input box, which are lists.

@@ -150,7 +150,7 @@ impl<const D: usize> Settings<D> {
         let parts = self.parts(limit_m);
         for row in &TABLE {
             let Some(value) = (row.get)(&parts) else { continue };
-            let allowed = (row.allowed)(&parts);
+            let allowed = row.allowed(&parts);
             if !allowed.holds(value) {
                 return Err(ParamsError { field: row.field, value, allowed });
             }

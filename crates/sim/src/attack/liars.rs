@@ -30,7 +30,7 @@ impl Liars {
     /// The liars of `scenario`.
     #[must_use]
     pub fn new(scenario: &Scenario) -> Self {
-        let (robots, seed, tick_s) = (usize::from(scenario.robots), scenario.seed, scenario.tick_s());
+        let (robots, seed, tick_s) = (usize::from(scenario.team.robots), scenario.seed, scenario.tick_s());
         Self {
             level: LevelLiar::new(scenario.attack.level, seed, robots, tick_s),
             value: ValueLiar::new(scenario.attack.value, seed, robots),

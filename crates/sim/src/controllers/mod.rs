@@ -154,7 +154,7 @@ controllers! {
         counted: Counted::Covered,
         expects: &Law::PROMISED,
         inside: Inside::Margins,
-        make: Make::Local(|scenario| settings::Controller::Budget(scenario.budget_settings())),
+        make: Make::Local(|scenario| settings::Controller::Budget(scenario.budget)),
     },
     /// The paper's (eq:split, seq:qp).
     Composed: Row {
@@ -166,7 +166,7 @@ controllers! {
         counted: Counted::Covered,
         expects: &Law::EXPECTED,
         inside: Inside::Shares,
-        make: Make::Local(|scenario| settings::Controller::Composed(scenario.composed_settings())),
+        make: Make::Local(|scenario| settings::Controller::Composed(scenario.composed)),
     },
     /// None: the desired velocity, cut to the box. What the paper's robots would do unfiltered.
     None: Row {

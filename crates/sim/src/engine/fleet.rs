@@ -45,7 +45,7 @@ pub struct Fleet<const D: usize, T = FaultyNetwork<InMemory>> {
 impl<const D: usize> Fleet<D> {
     /// The robots of `scenario` with initial `values`, over the network of `scenario`.
     pub fn new(scenario: &Scenario, params: Params<D>, values: &[f64]) -> Result<Self, RobotError> {
-        let (network, seed, robots) = (scenario.trouble.network, scenario.seed, scenario.robots);
+        let (network, seed, robots) = (scenario.faults.network, scenario.seed, scenario.team.robots);
         // Every robot may send twice to every other one in a tick, and everything that is late may arrive in one.
         let capacity = 2 * values.len() * values.len() + LATE_MAX;
         let perfect = InMemory::new(capacity);
@@ -69,7 +69,7 @@ impl<const D: usize, T: Transport> Fleet<D, T> {
         Ok(Self {
             robots: robots.collect::<Result<_, _>>()?,
             memory: Memory::new(&params, others),
-            composed: scenario.composed(),
+            composed: scenario.composition(),
             params,
             values: values.to_vec(),
             malicious: scenario.malicious_mask(),

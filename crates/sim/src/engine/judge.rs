@@ -34,7 +34,7 @@ impl Judge {
     /// For the robots of `scenario`.
     pub(crate) fn new<const D: usize>(scenario: &Scenario, params: &Params<D>) -> Self {
         let settings = params.settings();
-        let obedient = scenario.assume == Assume::Obedient;
+        let obedient = scenario.budget.assume == Assume::Obedient;
         let disobedient = scenario.attack.motion != MotionAttack::Obedient && !scenario.malicious.is_empty();
         Self {
             malicious: scenario.malicious_mask(),

@@ -248,8 +248,8 @@ fn glimpse<'a, const D: usize, Told>(frame: &Frame<D>, told: &'a [Told], other: 
 
 impl Phi {
     fn new(scenario: &Scenario) -> Self {
-        let radius_m2 = scenario.radius_m * scenario.radius_m;
-        Self { composed: scenario.composed(), terms: Vec::new(), sums: Vec::new(), radius_m2 }
+        let radius_m2 = scenario.link.radius_m * scenario.link.radius_m;
+        Self { composed: scenario.composition(), terms: Vec::new(), sums: Vec::new(), radius_m2 }
     }
 
     /// φ_i of every robot, from what all told and all distances.

@@ -22,9 +22,9 @@ impl<const D: usize> Edges<D> {
     /// Those of `scenario`.
     #[must_use]
     pub fn new(scenario: &Scenario) -> Self {
-        let (faults, seed, robots) = (&scenario.trouble, scenario.seed, scenario.robots);
+        let (faults, seed, robots) = (&scenario.faults, scenario.seed, scenario.team.robots);
         Self {
-            clocks: Shown::new(faults.clocks, seed, robots, scenario.tau_1),
+            clocks: Shown::new(faults.clocks, seed, robots, scenario.clock.level_period),
             senses: Senses::new(faults.sensing, seed, robots),
             downtime: Downtime::new(faults.outages, seed, robots),
         }

@@ -48,7 +48,7 @@ impl<const D: usize> Carry<D> {
             params,
             before: None,
             broken: None,
-            kept: vec![false; usize::from(scenario.robots)],
+            kept: vec![false; usize::from(scenario.team.robots)],
             ticks: [0; 2],
         }
     }

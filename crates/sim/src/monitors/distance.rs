@@ -180,6 +180,8 @@ fn nearest_m2<const D: usize>(start: &Vector<D>, end: &Vector<D>) -> f64 {
 
 #[cfg(test)]
 mod tests {
+    use closeranks_core::settings::{Errors, Team};
+
     use super::*;
     use crate::random::{Random, Stream};
     use crate::scenario;
@@ -214,7 +216,7 @@ mod tests {
         let random = &mut Random::new(seed, Stream::Start);
         let noise_m = [0.0, 1e-3, 0.2][usize::try_from(random.below(3)).unwrap_or(0)];
         let move_m = [0.0, 0.01, 0.1, 0.5, 1.0][usize::try_from(random.below(5)).unwrap_or(0)];
-        let then = drawn(random, scenario.robots, noise_m);
+        let then = drawn(random, scenario.team.robots, noise_m);
         let now = moved(random, &then, move_m, noise_m);
         let (params, malicious) = (scenario.params().unwrap(), scenario.malicious_mask());
         let [was, is] = [&then, &now].map(|frame| {
@@ -238,12 +240,11 @@ mod tests {
     #[test]
     fn pairs_that_are_left_out_break_nothing() {
         let plain = Scenario {
-            robots: 5,
-            faults: 1,
             controller: scenario::Controller::Budget,
+            team: Team { robots: 5, faults: 1 },
             ..Scenario::default()
         };
-        let margins = Scenario { tracking_error_m: 0.05, position_error_m: 0.02, ..plain.clone() };
+        let margins = Scenario { errors: Errors { tracking_m: 0.05, position_m: 0.02 }, ..plain.clone() };
         let free = Scenario { attack: MotionAttack::Flee.into(), ..plain.clone() };
         let mut broken = [0; 3];
         for scenario in [plain, margins, free] {

@@ -22,8 +22,10 @@ pub(crate) struct Heard {
 /// True if no value of a round can be taken for one of the next: it is told up to `hold_max` late, with a level up to τ₁ older,
 /// and clocks may differ.
 fn in_time(scenario: &Scenario) -> bool {
-    let late = scenario.hold_max.unwrap_or(scenario.tau_1) + scenario.tau_1 + scenario.clock_error;
-    scenario.trouble.network.delay_max_s == 0.0 || late <= scenario.tau_2
+    let late = scenario.clock.hold_max.unwrap_or(scenario.clock.level_period)
+        + scenario.clock.level_period
+        + scenario.clock.error;
+    scenario.faults.network.delay_max_s == 0.0 || late <= scenario.clock.value_period
 }
 
 impl Heard {
@@ -33,11 +35,11 @@ impl Heard {
         let malicious = u16::try_from(scenario.malicious.len()).unwrap_or(u16::MAX);
         Self {
             one_voice: scenario.attack.has_one_voice(),
-            same_time: scenario.trouble.clocks == Clocks::default() && in_time(scenario),
+            same_time: scenario.faults.clocks == Clocks::default() && in_time(scenario),
             steady: false,
             heard: Vec::new(),
-            required: scenario.faults + scenario.robots / 2,
-            required_normal: scenario.faults + scenario.robots.saturating_sub(malicious) / 2,
+            required: scenario.team.faults + scenario.team.robots / 2,
+            required_normal: scenario.team.faults + scenario.team.robots.saturating_sub(malicious) / 2,
         }
     }
 

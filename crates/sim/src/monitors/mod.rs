@@ -73,13 +73,13 @@ impl<const D: usize> Monitors<D> {
     #[must_use]
     pub fn new(scenario: &Scenario, params: Params<D>) -> Self {
         Self {
-            composed: scenario.composed(),
-            required_degree: scenario.composed().required,
+            composed: scenario.composition(),
+            required_degree: scenario.composition().required,
             params,
             malicious: scenario.malicious_mask(),
             ticks_per_round: scenario.ticks_per_round(),
             plain: scenario.is_plain() && !params.controller().promises(),
-            few_lie: scenario.malicious.len() <= usize::from(scenario.faults),
+            few_lie: scenario.malicious.len() <= usize::from(scenario.team.faults),
             truth: Truth::default(),
             carry: Carry::new(scenario, params),
             verdicts: Verdicts::default(),

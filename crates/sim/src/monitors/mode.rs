@@ -37,14 +37,14 @@ pub(crate) struct ModeWatch<const D: usize> {
 impl<const D: usize> ModeWatch<D> {
     /// For the robots of `scenario`, who may use a level for `told_ticks`.
     pub(crate) fn new(scenario: &Scenario, params: Params<D>, told_ticks: u64) -> Self {
-        let (steady, errors) = (scenario.trouble.clocks == Clocks::default(), params.kept().errors);
+        let (steady, errors) = (scenario.faults.clocks == Clocks::default(), params.kept().errors);
         let fall_max = params.budget().map_or(0.0, |budget| budget.curvature.fall_max());
         Self {
             malicious: scenario.malicious_mask(),
             free: scenario.attack.motion != MotionAttack::Obedient,
             exact: errors.offset_m == 0.0 && steady,
             told_ticks,
-            blur: 4.0 * errors.offset_m * fall_max * f64::from(scenario.robots),
+            blur: 4.0 * errors.offset_m * fall_max * f64::from(scenario.team.robots),
             params,
             unwell: None,
             counted: [0; 3],

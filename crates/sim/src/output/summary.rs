@@ -157,7 +157,7 @@ fn start<const D: usize>(scenario: &Scenario, frame: &Frame<D>, monitors: &Monit
     let normal = frame.h.iter().zip(monitors.malicious()).filter(|(_, malicious)| !**malicious);
     let h_min = normal.map(|(h, _)| *h).fold(f64::INFINITY, f64::min);
     let inside = match scenario.controller.row().inside {
-        Inside::Margins => h_min >= 0.0 && distance_min_m >= scenario.distance_min_m,
+        Inside::Margins => h_min >= 0.0 && distance_min_m >= scenario.limits.distance_min_m,
         Inside::Shares => inside_from.is_some(),
     };
     let degree_min = frame.degrees.iter().copied().min().unwrap_or(0);

@@ -2,7 +2,7 @@
 
 use closeranks_core::settings::field::Field;
 use closeranks_core::settings::params::Params;
-use closeranks_core::settings::range::ParamsError;
+use closeranks_core::settings::range::{Allowed, ParamsError};
 
 use super::reader::Reader;
 use crate::geometry::squared_distance;
@@ -50,19 +50,19 @@ const ONE_BY_ONE_MAX: u16 = 1_000;
 
 fn one_by_one<const D: usize>(reader: &mut Reader, scenario: &Scenario, params: &Params<D>) {
     let at_once = scenario.is_plain() && params.controller().can_be_computed_at_once();
-    if !at_once && scenario.robots > ONE_BY_ONE_MAX {
+    if !at_once && scenario.team.robots > ONE_BY_ONE_MAX {
         let allowed = format!(
             "at most {ONE_BY_ONE_MAX} where robots run one by one: wherever something goes wrong, liars have faces, fall \
              silent, send garbage or disobey, and with controller.kind = \"budget\" under assume = \"free\" or stated errors"
         );
-        reader.refuse("team.robots", scenario.robots.to_string(), allowed);
+        reader.refuse("team.robots", scenario.team.robots.to_string(), allowed);
     }
 }
 
 fn boxes(reader: &mut Reader, scenario: &Scenario) {
     let corners = [
-        ("controller.input_min_m_s", &scenario.input_min_m_s),
-        ("controller.input_max_m_s", &scenario.input_max_m_s),
+        ("controller.input_min_m_s", &scenario.limits.input_min_m_s),
+        ("controller.input_max_m_s", &scenario.limits.input_max_m_s),
     ];
     for (field, corner) in corners {
         if corner.len() != scenario.dimension {
@@ -76,34 +76,38 @@ fn boxes(reader: &mut Reader, scenario: &Scenario) {
 }
 
 fn clocks(reader: &mut Reader, scenario: &Scenario) {
-    let (tau_1, tau_2) = (scenario.tau_1.as_nanos(), scenario.tau_2.as_nanos());
+    let (tau_1, tau_2) = (scenario.clock.level_period.as_nanos(), scenario.clock.value_period.as_nanos());
     if tau_2 < tau_1 || !tau_2.is_multiple_of(tau_1) {
-        let allowed = format!("a whole multiple of clock.tau_1_s = {}", scenario.tau_1.as_secs_f64());
-        reader.refuse("clock.tau_2_s", scenario.tau_2.as_secs_f64().to_string(), allowed);
+        let allowed =
+            format!("a whole multiple of clock.tau_1_s = {}", scenario.clock.level_period.as_secs_f64());
+        reader.refuse("clock.tau_2_s", scenario.clock.value_period.as_secs_f64().to_string(), allowed);
     }
-    let rows = (scenario.duration_s / scenario.tick_s() + 1.0) * f64::from(scenario.robots);
+    let rows = (scenario.duration_s / scenario.tick_s() + 1.0) * f64::from(scenario.team.robots);
     #[expect(clippy::cast_precision_loss, reason = "far below 2^53")]
     let limit = ROWS_MAX as f64;
     if rows > limit {
-        let most = (limit / f64::from(scenario.robots) - 1.0) * scenario.tick_s();
-        let allowed = format!("at most {most:.1} with {} robots and this tick", scenario.robots);
+        let most = (limit / f64::from(scenario.team.robots) - 1.0) * scenario.tick_s();
+        let allowed = format!("at most {most:.1} with {} robots and this tick", scenario.team.robots);
         reader.refuse("duration_s", scenario.duration_s.to_string(), allowed);
     }
 }
 
 fn values(reader: &mut Reader, scenario: &Scenario) {
     if let Values::Listed(values) = &scenario.values
-        && values.len() != usize::from(scenario.robots)
+        && values.len() != usize::from(scenario.team.robots)
     {
-        let allowed = format!("{} numbers, one a robot", scenario.robots);
+        let allowed = format!("{} numbers, one a robot", scenario.team.robots);
         reader.refuse("values.values", format!("a list of {}", values.len()), allowed);
     }
 }
 
 fn refuse_parameter(reader: &mut Reader, scenario: &Scenario, error: &ParamsError) {
     let why = match error.field {
-        Field::Faults => format!(" (2F + 1 <= n = {})", scenario.robots),
-        Field::Epsilon => format!(" (below 1/(n-1), n = {})", scenario.robots),
+        Field::Faults => format!(" (2F + 1 <= n = {})", scenario.team.robots),
+        Field::Epsilon => format!(" (below 1/(n-1), n = {})", scenario.team.robots),
+        Field::DistanceMinM if error.allowed != Allowed::Open(0.0, scenario.link.radius_m) => {
+            " (below link.radius_m by two longest moves of a tick and what stated errors cost)".to_owned()
+        }
         field if field.why().is_empty() => String::new(),
         field => format!(" ({})", field.why()),
     };
@@ -136,7 +140,7 @@ fn start<const D: usize>(reader: &mut Reader, scenario: &Scenario) {
 fn refuse_start(reader: &mut Reader, scenario: &Scenario, error: &StartError) {
     match (error, &scenario.start) {
         (StartError::Count { found, .. }, _) => {
-            let allowed = format!("{} positions, one a robot", scenario.robots);
+            let allowed = format!("{} positions, one a robot", scenario.team.robots);
             reader.refuse("start.positions_m", format!("a list of {found}"), allowed);
         }
         (StartError::Full { placed, robots, .. }, Start::Random { half_side_m, .. }) => {

@@ -12,8 +12,6 @@ pub(crate) const ANY: Allowed = Allowed::Closed(-MAGNITUDE_MAX, MAGNITUDE_MAX);
 pub(crate) const POSITIVE: Allowed = Allowed::LeftOpen(0.0, MAGNITUDE_MAX);
 /// A positive number or 0.
 pub(crate) const NOT_NEGATIVE: Allowed = Allowed::Closed(0.0, MAGNITUDE_MAX);
-/// A time between two events, s.
-pub(crate) const SECONDS: Allowed = Allowed::Closed(1e-6, 3_600.0);
 /// A probability, or a part of a whole.
 pub(crate) const FRACTION: Allowed = Allowed::Closed(0.0, 1.0);
 /// A delay, s; a message that takes longer is lost.

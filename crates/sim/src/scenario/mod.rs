@@ -4,18 +4,14 @@ pub mod desired;
 mod scatter;
 pub mod start;
 
-use core::time::Duration;
-
-use closeranks_core::controller::budget::knowledge::{Assume, Trust};
 use closeranks_core::equations::barrier::required_degree;
-use closeranks_core::equations::composition::{Composed, PhiSplit};
+use closeranks_core::equations::composition::Composed;
 use closeranks_core::num::Vector;
 use closeranks_core::program::InputBox;
+use closeranks_core::settings::field::Parts;
 use closeranks_core::settings::params::{Params, Settings};
 use closeranks_core::settings::range::ParamsError;
-use closeranks_core::settings::{
-    BudgetSettings, Clock, ComposedSettings, Errors, Limits, LinkSettings, Team,
-};
+use closeranks_core::settings::{self, BudgetSettings, Clock, ComposedSettings, Errors, LinkSettings, Team};
 
 use crate::attack::Attack;
 pub use crate::controllers::Controller;
@@ -36,58 +32,25 @@ pub struct Scenario {
     pub seed: u64,
     /// 2 or 3.
     pub dimension: usize,
-    /// n.
-    pub robots: u16,
-    /// F.
-    pub faults: u16,
+    /// n and F.
+    pub team: Team,
     /// Malicious robots by number, from 1, ascending.
     pub malicious: Vec<u16>,
-    /// R, m.
-    pub radius_m: f64,
-    /// ε, or the default for n.
-    pub epsilon: Option<f64>,
-    /// q₂, 1/m⁴.
-    pub q2: f64,
-    /// Which filter stands between desired and applied velocity.
+    /// What a link is.
+    pub link: LinkSettings,
+    /// What no controller may exceed.
+    pub limits: Limits,
+    /// Which controller stands between desired and applied velocity.
     pub controller: Controller,
-    /// Which φ_i of `composed`.
-    pub share: PhiSplit,
-    /// w_r.
-    pub w_r: f64,
-    /// w_c, 1/m².
-    pub w_c: f64,
-    /// α(s) = alpha·s, 1/s.
-    pub alpha: f64,
-    /// γ of `budget`, or the share of a rate of 2/s.
-    pub gamma: Option<f64>,
-    /// κ of `budget`: by how much the share rises with h.
-    pub rise: f64,
-    /// γ_c of `budget`.
-    pub gamma_c: f64,
-    /// What `budget` believes of levels.
-    pub trust: Trust,
-    /// What `budget` assumes of malicious robots.
-    pub assume: Assume,
-    /// Δ_d, m.
-    pub distance_min_m: f64,
-    /// Lower corner of U_i, m/s, one number a dimension.
-    pub input_min_m_s: Vec<f64>,
-    /// Upper corner of U_i, m/s.
-    pub input_max_m_s: Vec<f64>,
-    /// τ₁, the tick.
-    pub tau_1: Duration,
-    /// τ₂, a multiple of τ₁.
-    pub tau_2: Duration,
-    /// How long a velocity may be held, or τ₁.
-    pub hold_max: Option<Duration>,
-    /// How old a told level may be.
-    pub told_max: Duration,
-    /// Stated bound of the difference of clocks.
-    pub clock_error: Duration,
-    /// Stated bound of the error of sensed positions, m.
-    pub position_error_m: f64,
-    /// Stated bound of how far robots are from where their velocities take them, m.
-    pub tracking_error_m: f64,
+    /// Parameters of `composed`. They are there for every controller: the same scenario can be run under another one, and φ
+    /// of any run can be recorded.
+    pub composed: ComposedSettings,
+    /// Parameters of `budget`.
+    pub budget: BudgetSettings,
+    /// τ₁, the tick, τ₂, a multiple of it, and ages.
+    pub clock: Clock,
+    /// Stated bounds of errors.
+    pub errors: Errors,
     /// Where robots start.
     pub start: Start,
     /// y_i(t₀).
@@ -99,7 +62,7 @@ pub struct Scenario {
     /// How robots follow their velocities.
     pub plant: Plant,
     /// What goes wrong.
-    pub trouble: Faults,
+    pub faults: Faults,
     /// Laws that the run must not break.
     pub expect: Vec<Law>,
 }
@@ -118,47 +81,47 @@ pub enum Values {
     Listed(Vec<f64>),
 }
 
+/// What no controller may exceed, in a number of dimensions that is known when the scenario is read.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Limits {
+    /// Δ_d, m.
+    pub distance_min_m: f64,
+    /// Lower corner of U_i, m/s, one number a dimension.
+    pub input_min_m_s: Vec<f64>,
+    /// Upper corner of U_i, m/s.
+    pub input_max_m_s: Vec<f64>,
+}
+
+impl Default for Limits {
+    fn default() -> Self {
+        let settings::Limits { distance_min_m, input } = settings::Limits::<2>::default();
+        let (low, high) = (input.min_m_s.to_vec(), input.max_m_s.to_vec());
+        Self { distance_min_m, input_min_m_s: low, input_max_m_s: high }
+    }
+}
+
 impl Default for Scenario {
     fn default() -> Self {
-        let settings = Settings::<2>::default();
-        let (composed, budget) = (ComposedSettings::default(), BudgetSettings::default());
         Self {
             name: "scenario".into(),
             duration_s: 10.0,
             seed: 1,
             dimension: 2,
-            robots: settings.team.robots,
-            faults: settings.team.faults,
+            team: Team::default(),
             malicious: vec![1, 2],
-            radius_m: settings.link.radius_m,
-            epsilon: None,
-            q2: settings.link.q2,
+            link: LinkSettings::default(),
+            limits: Limits::default(),
             controller: Controller::Composed,
-            share: composed.phi_split,
-            w_r: composed.w_r,
-            w_c: composed.w_c,
-            alpha: composed.alpha,
-            gamma: budget.gamma,
-            rise: budget.gain_slope,
-            gamma_c: budget.gamma_c,
-            trust: budget.trust,
-            assume: budget.assume,
-            distance_min_m: settings.limits.distance_min_m,
-            input_min_m_s: settings.limits.input.min_m_s.to_vec(),
-            input_max_m_s: settings.limits.input.max_m_s.to_vec(),
-            tau_1: settings.clock.level_period,
-            tau_2: settings.clock.value_period,
-            hold_max: settings.clock.hold_max,
-            told_max: settings.clock.told_max,
-            clock_error: settings.clock.error,
-            position_error_m: settings.errors.position_m,
-            tracking_error_m: settings.errors.tracking_m,
+            composed: ComposedSettings::default(),
+            budget: BudgetSettings::default(),
+            clock: Clock::default(),
+            errors: Errors::default(),
             start: Start::Inside,
             values: Values::Random { min: -500.0, max: 500.0 },
             desired: Desired::Paper,
             attack: Attack::default(),
             plant: Plant::Single,
-            trouble: Faults::default(),
+            faults: Faults::default(),
             expect: Law::EXPECTED.to_vec(),
         }
     }
@@ -173,14 +136,14 @@ impl Scenario {
             clippy::cast_sign_loss,
             reason = "saturates, and is checked in parse"
         )]
-        let ticks = (self.duration_s / self.tau_1.as_secs_f64()).round() as u32;
+        let ticks = (self.duration_s / self.clock.level_period.as_secs_f64()).round() as u32;
         ticks
     }
 
     /// Ticks between consensus rounds, at least 1.
     #[must_use]
     pub fn ticks_per_round(&self) -> u32 {
-        let ratio = self.tau_2.as_nanos() / self.tau_1.as_nanos().max(1);
+        let ratio = self.clock.value_period.as_nanos() / self.clock.level_period.as_nanos().max(1);
         u32::try_from(ratio).unwrap_or(u32::MAX).max(1)
     }
 
@@ -192,7 +155,7 @@ impl Scenario {
     #[must_use]
     pub fn is_plain(&self) -> bool {
         let followed = self.plant == Plant::Single || self.controller != Controller::Budget;
-        self.trouble.is_none() && self.attack.is_plain() && followed
+        self.faults.is_none() && self.attack.is_plain() && followed
     }
 
     /// The same under another controller, with what is usually expected of it unless the scenario expects something else.
@@ -206,66 +169,55 @@ impl Scenario {
     /// τ₁ in seconds.
     #[must_use]
     pub fn tick_s(&self) -> f64 {
-        self.tau_1.as_secs_f64()
+        self.clock.level_period.as_secs_f64()
     }
 
     /// Where the robots start, m.
     pub fn positions<const D: usize>(&self) -> Result<Vec<Vector<D>>, StartError> {
-        self.start.positions(self.robots, self.seed)
+        self.start.positions(self.team.robots, self.seed)
     }
 
     /// Which robots are malicious, by index from 0.
     #[must_use]
     pub fn malicious_mask(&self) -> Vec<bool> {
-        (1..=self.robots).map(|robot| self.malicious.contains(&robot)).collect()
+        (1..=self.team.robots).map(|robot| self.malicious.contains(&robot)).collect()
     }
 
     /// The robot's own parameters; an error names the field.
     pub fn params<const D: usize>(&self) -> Result<Params<D>, ParamsError> {
         let corner = |numbers: &[f64]| core::array::from_fn(|d| numbers.get(d).copied().unwrap_or(f64::NAN));
-        let input = InputBox { min_m_s: corner(&self.input_min_m_s), max_m_s: corner(&self.input_max_m_s) };
+        let Limits { distance_min_m, input_min_m_s, input_max_m_s } = &self.limits;
+        let input = InputBox { min_m_s: corner(input_min_m_s), max_m_s: corner(input_max_m_s) };
         Params::new(Settings {
-            team: Team { robots: self.robots, faults: self.faults },
-            link: LinkSettings { radius_m: self.radius_m, epsilon: self.epsilon, q2: self.q2 },
-            limits: Limits { distance_min_m: self.distance_min_m, input },
+            team: self.team,
+            link: self.link,
+            limits: settings::Limits { distance_min_m: *distance_min_m, input },
             controller: self.controller.settings(self),
-            clock: Clock {
-                level_period: self.tau_1,
-                value_period: self.tau_2,
-                hold_max: self.hold_max,
-                told_max: self.told_max,
-                error: self.clock_error,
-            },
-            errors: Errors { position_m: self.position_error_m, tracking_m: self.tracking_error_m },
+            clock: self.clock,
+            errors: self.errors,
         })
     }
 
-    pub(crate) fn composed_settings(&self) -> ComposedSettings {
-        ComposedSettings { phi_split: self.share, w_r: self.w_r, w_c: self.w_c, alpha: self.alpha }
-    }
-
-    pub(crate) fn budget_settings(&self) -> BudgetSettings {
-        BudgetSettings {
-            gamma: self.gamma,
-            gain_slope: self.rise,
-            gamma_c: self.gamma_c,
-            trust: self.trust,
-            assume: self.assume,
+    /// Every number of the settings, by the table of [`settings::field`], whatever the controller.
+    pub(crate) fn parts(&mut self) -> Parts<'_> {
+        Parts {
+            team: &mut self.team,
+            link: &mut self.link,
+            distance_min_m: &mut self.limits.distance_min_m,
+            composed: Some(&mut self.composed),
+            budget: Some(&mut self.budget),
+            clock: &mut self.clock,
+            errors: &mut self.errors,
+            distance_limit_m: f64::INFINITY,
         }
     }
 
     /// The paper's composition, for whoever wants to know φ and φ_i, whatever the controller.
     #[must_use]
-    pub fn composed(&self) -> Composed {
-        let of = self.composed_settings();
-        Composed {
-            split: of.phi_split,
-            w_r: of.w_r,
-            w_c: of.w_c,
-            alpha: of.alpha,
-            robots: self.robots,
-            required: required_degree(self.robots, self.faults),
-            distance_min_m: self.distance_min_m,
-        }
+    pub fn composition(&self) -> Composed {
+        let ComposedSettings { phi_split, w_r, w_c, alpha } = self.composed;
+        let (robots, distance_min_m) = (self.team.robots, self.limits.distance_min_m);
+        let required = required_degree(robots, self.team.faults);
+        Composed { split: phi_split, w_r, w_c, alpha, robots, required, distance_min_m }
     }
 }
