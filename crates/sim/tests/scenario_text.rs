@@ -123,7 +123,7 @@ fn budget_has_limits_of_its_own() {
     refused(
         "[controller]\nkind = \"budget\"\ngamma = 1.5",
         "1.5",
-        "`controller.gamma` is 1.5, allowed is more than 0 and at most 1",
+        "`controller.gamma` is 1.5, allowed is a number, more than 0 and at most 1",
     );
     let fast = problems("[controller]\nkind = \"budget\"\ninput_max_m_s = [300, 300]");
     assert!(fast[0].to_string().contains("two longest moves"), "{}", fast[0]);
