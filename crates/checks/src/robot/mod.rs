@@ -39,7 +39,7 @@ fn play<const D: usize>(params: Params<D>, source: &mut Source<'_>) {
         16..=31 => source.below(enough + 1),
         _ => enough,
     };
-    let wide = if source.byte() & 1 == 0 { 3 * slots } else { slots * (slots + 1) };
+    let wide = if source.byte() & 1 == 0 { 3 * slots } else { slots * slots.max(3) };
     let numbers = short(source, wide);
     let mut memory = (vec![Slot::default(); slots], vec![0.0; numbers]);
     let mut sightings = vec![Sighting::NOBODY; short(source, slots)];

@@ -111,8 +111,8 @@ impl<'memory, const D: usize> Robot<'memory, D> {
     }
 
     /// Lends what [`Controller::Budget`] needs besides: as many `sightings` as slots, and `2·D + 2·N + 1` `rows` for N of
-    /// them, with errors of positions `2·D + 2ᴰ (2·N + 1)`. It needs 3·N `values`; with free liars it is faster with
-    /// N·(N + 1) of them. With too little memory the robot stands still.
+    /// them, with errors of positions `2·D + 2ᴰ (2·N + 1)`. It needs 3·N `values`; with free liars it needs
+    /// N and is faster with N². With too little memory the robot stands still.
     #[must_use]
     pub fn with_budget_memory(
         mut self,
