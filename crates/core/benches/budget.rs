@@ -63,7 +63,7 @@ fn scene<const D: usize>(period_s: f64, assume: Assume, form: Form) -> (Budget, 
 
 fn whole<const D: usize>(bencher: Bencher<'_, '_>, period_s: f64, assume: Assume, form: Form) {
     let (budget, reach, sightings) = scene::<D>(period_s, assume, form);
-    let (mut rows, mut weights) = ([Row::default(); 27], [0.0; 110]);
+    let (mut rows, mut weights) = ([Row::default(); 27], [0.0; 100]);
     let mut desired = [0.0; D];
     desired[0] = -period_s;
     bencher.bench_local(|| {
@@ -95,7 +95,7 @@ fn levels_of_ten_neighbours_in_3d(bencher: Bencher<'_, '_>, period_s: f64) {
 #[divan::bench(args = PERIODS_S)]
 fn closest_of_ten_neighbours(bencher: Bencher<'_, '_>, period_s: f64) {
     let (budget, reach, sightings) = scene::<2>(period_s, Assume::Obedient, Form::Level);
-    let (mut rows, mut weights) = ([Row::default(); 27], [0.0; 110]);
+    let (mut rows, mut weights) = ([Row::default(); 27], [0.0; 100]);
     let memory = Memory { rows: &mut rows, weights: &mut weights };
     let mut rows = budget.rows(RobotId(1), &sightings, &[-period_s, 0.0], reach, memory);
     bencher.bench_local(|| black_box(&mut rows).closest());

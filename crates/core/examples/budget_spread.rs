@@ -110,7 +110,7 @@ fn tick(budget: &Budget, period_s: f64, positions: &[Vector<2>; ROBOTS]) -> [Vec
                 ..*sighting
             })
             .collect();
-        let memory = Memory { rows: &mut [Row::default(); 25], weights: &mut [0.0; 110] };
+        let memory = Memory { rows: &mut [Row::default(); 25], weights: &mut [0.0; 100] };
         let desired_m = desired(i, &positions[i], period_s);
         let mut rows = budget.rows(id(i), &heard, &desired_m, reach(period_s), memory);
         assert!(rows.h >= -1e-12, "h is {}", rows.h);

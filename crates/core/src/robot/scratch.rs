@@ -38,7 +38,7 @@ impl Needs {
         match &params.settings().controller {
             Controller::Composed(_) | Controller::None => Self { values: neighbors, sightings: 0, rows: 0 },
             Controller::Budget(budget) => Self {
-                values: Budget::survey_len_min(budget.assume, neighbors),
+                values: Budget::survey_len(budget.assume, neighbors),
                 sightings: neighbors,
                 rows: rows(D, params.settings().error_bounds().offset_m > 0.0, neighbors),
             },

@@ -35,7 +35,7 @@ pub(crate) fn crate_rows<const D: usize>(
     reach: Reach<D>,
 ) -> Vec<Row<D>> {
     // every other time with so little memory that trimmed sums compute each weight twice: the answer must be the same
-    let scratch = if sightings.len().is_multiple_of(2) { 156 } else { 3 * sightings.len() };
+    let scratch = if sightings.len().is_multiple_of(2) { 144 } else { 3 * sightings.len() };
     let memory = Memory { rows: &mut [Row::default(); ROWS_MAX], weights: &mut vec![0.0; scratch] };
     budget.rows(own, sightings, &[0.0; D], reach, memory).program.rows().to_vec()
 }

@@ -1,7 +1,6 @@
 //! Scratch for a whole team: one piece, because robots take turns.
 
 use closeranks_core::controller::budget::knowledge::Sighting;
-use closeranks_core::controller::budget::settings::Budget;
 use closeranks_core::program::balls::row::Row;
 use closeranks_core::robot::scratch::{Needs, Scratch};
 use closeranks_core::settings::params::Params;
@@ -21,12 +20,10 @@ impl<const D: usize> Memory<D> {
     #[must_use]
     pub fn new(params: &Params<D>, robots: usize) -> Self {
         let needs = Needs::new(params, robots);
-        // With this much, every pair of neighbours is weighed once.
-        let survey = params.budget().map_or(0, |budget| Budget::survey_len(budget.assume, robots));
         Self {
             params: *params,
             robots,
-            values: vec![0.0; needs.values.max(survey)],
+            values: vec![0.0; needs.values],
             sightings: vec![Sighting::NOBODY; needs.sightings],
             rows: vec![Row::default(); needs.rows],
         }

@@ -217,6 +217,7 @@ impl Budget {
     /// remain. If offsets are known to 2E, every weight in `low` is that at `distance + 2E`, and `high` has room for weights
     /// at `distance − 2E`.
     //= theory eq:interval
+    #[inline]
     #[must_use]
     pub fn high(&self, seen: &Seen<'_>, distance_m: f64) -> f64 {
         let blur = if self.is_exact() { 0.0 } else { seen.degree * self.weight_error() };
@@ -231,6 +232,7 @@ impl Budget {
     }
 
     /// A number that is never more than [`high`](Self::high), without an exponential.
+    #[inline]
     fn high_lower_bound(&self, seen: &Seen<'_>, distance_m: f64) -> f64 {
         let near = self.nearest_out_of_sight_m(distance_m) <= 0.5 * self.curvature.link().radius_m;
         let least = if near { self.curvature.least_within_half() } else { 0.0 };
@@ -240,6 +242,7 @@ impl Budget {
         }
     }
 
+    #[inline]
     fn weight_out_of_sight(&self, distance_m: f64) -> f64 {
         self.weight_at(self.nearest_out_of_sight_m(distance_m))
     }
@@ -251,6 +254,7 @@ impl Budget {
 
     /// The sum of the positive ones of `weights`, which ascend, and of `copies` more of size `extra`, without the F largest.
     //= theory thm:free
+    #[inline(never)]
     pub(super) fn trimmed(&self, weights: &[f64], extra: f64, copies: usize) -> f64 {
         let (mut kept, mut copies) = (weights, copies);
         for _ in 0..self.faults {

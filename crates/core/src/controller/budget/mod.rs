@@ -101,11 +101,13 @@ impl Budget {
         };
         let mut own = self.own(own, survey.level(), self.degree(own, sightings));
         rows.h = own.h;
-        for (index, &Sighting { id, offset_m, .. }) in sightings.iter().enumerate() {
+        for (index, sighting) in sightings.iter().enumerate() {
+            let Sighting { id, offset_m, .. } = *sighting;
             if !self.in_range(&offset_m) {
                 continue;
             }
-            let pair = self.pair(&offset_m, survey.slopes[index], &rows.program.reach);
+            let slope = self.slope(index, sighting, &survey);
+            let pair = self.pair(&offset_m, slope, &rows.program.reach);
             let Some(seen) = self.seen(index, sightings, &mut survey) else { continue };
             let known = self.known(&seen, pair.distance_m);
             self.push_neighbor(&mut own, &Neighbor { id, offset_m, pair, known }, &mut rows);

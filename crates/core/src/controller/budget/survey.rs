@@ -14,19 +14,18 @@ pub struct Survey<'memory> {
     pub(super) own: RobotId,
     /// Its own level, or its trimmed level under [`Assume::Free`].
     pub(super) level: f64,
-    /// For each sighting the slope of its link to the robot; 0 without a link.
-    pub(super) slopes: &'memory mut [f64],
     links: Links<'memory>,
 }
 
 /// The links of each sighting.
 #[derive(Debug)]
 enum Links<'memory> {
-    /// For each sighting the sum of the weights and how many they are; enough if nothing is trimmed.
-    Sums { lows: &'memory mut [f64], degrees: &'memory mut [f64] },
+    /// For each sighting the sum of the weights, how many they are, and the slope of its link to the robot itself. This is enough
+    /// if nothing is trimmed.
+    Sums { lows: &'memory mut [f64], degrees: &'memory mut [f64], slopes: &'memory mut [f64] },
     /// For each sighting j a line with the weights of its links to all sightings, and in place j to the robot itself; −1 where
     /// there is no link. Trimming needs them one by one.
-    Table(&'memory mut [f64]),
+    Table { weights: &'memory mut [f64], robots: usize },
     /// One line of such a table, computed when it is needed.
     Line(&'memory mut [f64]),
 }
@@ -37,21 +36,12 @@ impl Budget {
     pub const fn survey_len(assume: Assume, sightings: usize) -> usize {
         match assume {
             Assume::Obedient => sightings.saturating_mul(3),
-            Assume::Free => sightings.saturating_mul(sightings.saturating_add(1)),
-        }
-    }
-
-    /// With how many numbers a survey of `sightings` robots can do.
-    #[must_use]
-    pub const fn survey_len_min(assume: Assume, sightings: usize) -> usize {
-        match assume {
-            Assume::Obedient => sightings.saturating_mul(3),
-            Assume::Free => sightings.saturating_mul(2),
+            Assume::Free => sightings.saturating_mul(sightings),
         }
     }
 
     /// The survey of the `sightings` of robot `own`. `None` if one of them is not finite, or if `memory` is too short: 3·N
-    /// numbers are needed for N sightings, 2·N under [`Assume::Free`].
+    /// numbers are needed for N sightings, N under [`Assume::Free`].
     ///
     /// Under [`Assume::Free`] each pair is computed once with [`survey_len`](Self::survey_len) numbers and twice with fewer.
     #[must_use]
@@ -61,8 +51,6 @@ impl Budget {
         sightings: &[Sighting<D>],
         memory: &'memory mut [f64],
     ) -> Option<Survey<'memory>> {
-        let robots = sightings.len();
-        let (slopes, rest) = memory.split_at_mut_checked(robots)?;
         let whole = sightings.iter().all(|sighting| is_finite(&sighting.offset_m));
         if !whole {
             return None;
@@ -70,10 +58,10 @@ impl Budget {
         // a trimmed level needs all weights at once; a plain one is added up with the links
         let level = match self.assume {
             Assume::Obedient => 0.0,
-            Assume::Free => self.level(own, sightings, rest),
+            Assume::Free => self.level(own, sightings, memory),
         };
-        let links = Links::new(self.assume, robots, rest)?;
-        let mut survey = Survey { own, level, slopes, links };
+        let links = Links::new(self.assume, sightings.len(), memory)?;
+        let mut survey = Survey { own, level, links };
         self.add_all(sightings, &mut survey);
         Some(survey)
     }
@@ -98,7 +86,6 @@ impl Budget {
     /// Adds the robot's own link to a sighting.
     fn add_own<const D: usize>(&self, index: usize, sighting: &Sighting<D>, survey: &mut Survey<'_>) {
         let link = self.link(&sighting.offset_m);
-        survey.slopes[index] = link.map_or(0.0, |link| link.slope);
         let weight = match link {
             Some(link) if self.is_exact() => link.weight,
             _ => self.weight_lower_bound(&sighting.offset_m),
@@ -106,7 +93,8 @@ impl Budget {
         if self.assume == Assume::Obedient && self.need.counts(survey.own, sighting.id) {
             survey.level += weight.max(0.0);
         }
-        survey.add_own(index, self.counted(sighting.id, survey.own, weight));
+        let slope = link.map_or(0.0, |link| link.slope);
+        survey.add_own(index, self.counted(sighting.id, survey.own, weight), slope);
     }
 
     /// Adds the links of one sighting to later ones.
@@ -119,7 +107,7 @@ impl Budget {
     ) {
         let (robots, one) = (sightings.len(), &sightings[first]);
         match &mut survey.links {
-            Links::Sums { lows, degrees } => {
+            Links::Sums { lows, degrees, .. } => {
                 let (mut low, mut degree) = (lows[first], degrees[first]);
                 let sums = lows[later.clone()].iter_mut().zip(&mut degrees[later.clone()]);
                 for (other, (other_low, other_degree)) in sightings[later].iter().zip(sums) {
@@ -137,12 +125,12 @@ impl Budget {
                 }
                 (lows[first], degrees[first]) = (low, degree);
             }
-            Links::Table(table) => {
+            Links::Table { weights, .. } => {
                 for index in later {
                     let other = &sightings[index];
                     let weight = self.weight_between(one, other);
-                    table[first * robots + index] = self.counted(one.id, other.id, weight);
-                    table[index * robots + first] = self.counted(other.id, one.id, weight);
+                    weights[first * robots + index] = self.counted(one.id, other.id, weight);
+                    weights[index * robots + first] = self.counted(other.id, one.id, weight);
                 }
             }
             Links::Line(_) => {}
@@ -162,11 +150,11 @@ impl Budget {
         let unseen = self.unseen(index, own, sightings);
         let discounted_claim = self.discounted_claim(robot, claim);
         let weights = match &mut survey.links {
-            Links::Sums { lows, degrees } => {
+            Links::Sums { lows, degrees, .. } => {
                 let (low, degree) = (*lows.get(index)?, count(unseen) + *degrees.get(index)?);
                 return Some(Seen { robot, low, degree, unseen, discounted_claim, weights: &[] });
             }
-            Links::Table(table) => table.get_mut(index * robots..)?.get_mut(..robots)?,
+            Links::Table { weights, .. } => weights.get_mut(index * robots..)?.get_mut(..robots)?,
             Links::Line(line) => {
                 self.fill_line(index, own, sightings, line);
                 &mut line[..]
@@ -176,6 +164,19 @@ impl Budget {
         let links = weights.iter().filter(|weight| **weight >= 0.0).count();
         let (low, degree) = (self.trimmed(weights, 0.0, 0), count(unseen) + count(links));
         Some(Seen { robot, low, degree, unseen, discounted_claim, weights })
+    }
+
+    /// The slope of the link of `sightings[index]` to the robot itself, 1/m²; 0 without a link.
+    pub(super) fn slope<const D: usize>(
+        &self,
+        index: usize,
+        sighting: &Sighting<D>,
+        survey: &Survey<'_>,
+    ) -> f64 {
+        match &survey.links {
+            Links::Sums { slopes, .. } => slopes[index],
+            _ => self.link(&sighting.offset_m).map_or(0.0, |link| link.slope),
+        }
     }
 
     /// Fills the line of one sighting, as it would stand in the table.
@@ -237,13 +238,14 @@ impl<'memory> Links<'memory> {
         match (assume, robots.checked_mul(robots)) {
             (Assume::Obedient, _) => {
                 let (lows, rest) = memory.split_at_mut_checked(robots)?;
-                let degrees = rest.get_mut(..robots)?;
+                let (degrees, rest) = rest.split_at_mut_checked(robots)?;
+                let slopes = rest.get_mut(..robots)?;
                 lows.fill(0.0);
                 degrees.fill(0.0);
-                Some(Self::Sums { lows, degrees })
+                Some(Self::Sums { lows, degrees, slopes })
             }
             (Assume::Free, Some(square)) if square <= memory.len() => {
-                Some(Self::Table(&mut memory[..square]))
+                Some(Self::Table { weights: &mut memory[..square], robots })
             }
             (Assume::Free, _) => Some(Self::Line(memory.get_mut(..robots)?)),
         }
@@ -258,14 +260,17 @@ impl Survey<'_> {
     }
 
     /// Adds the link of a sighting with the robot itself.
-    fn add_own(&mut self, index: usize, weight: f64) {
+    fn add_own(&mut self, index: usize, weight: f64, slope: f64) {
         match &mut self.links {
-            Links::Sums { lows, degrees } if weight >= 0.0 => {
-                lows[index] += weight;
-                degrees[index] += 1.0;
+            Links::Sums { lows, degrees, slopes } => {
+                slopes[index] = slope;
+                if weight >= 0.0 {
+                    lows[index] += weight;
+                    degrees[index] += 1.0;
+                }
             }
-            Links::Table(table) => table[index * self.slopes.len() + index] = weight,
-            Links::Sums { .. } | Links::Line(_) => {}
+            Links::Table { weights, robots } => weights[index * *robots + index] = weight,
+            Links::Line(_) => {}
         }
     }
 }
