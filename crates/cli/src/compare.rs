@@ -12,7 +12,7 @@ use closeranks_sim::world::{self, Options, Run};
 use rayon::prelude::*;
 
 use crate::folder::Folder;
-use crate::{json, output, progress, source, story};
+use crate::{json, output, progress, sentences, source};
 
 /// A controller by its name in scenario files.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
@@ -94,11 +94,11 @@ fn tell(arguments: &crate::Compare, runs: &[Done]) {
     } else if !arguments.speech.quiet {
         output::say(&text(&table(&lines(runs))));
         for done in runs {
-            let laws = story::laws(&done.scenario, &done.run.summary);
+            let laws = sentences::laws(&done.scenario, &done.run.summary);
             output::say(&format!(
                 "\n{}\n{}\n{laws}",
                 done.scenario.name,
-                story::start(&done.scenario, &done.run.summary)
+                sentences::start(&done.scenario, &done.run.summary)
             ));
         }
     }

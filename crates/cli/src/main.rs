@@ -10,9 +10,9 @@ mod maker;
 mod output;
 mod paper;
 mod progress;
-mod single;
+mod run;
+mod sentences;
 mod source;
-mod story;
 mod sweep;
 
 use std::path::PathBuf;
@@ -149,7 +149,7 @@ struct Compare {
 fn main() -> ExitCode {
     let done = match Arguments::parse().command {
         Command::Paper(arguments) => paper::paper(&arguments),
-        Command::Run(arguments) => single::run(&arguments),
+        Command::Run(arguments) => run::run(&arguments),
         Command::Compare(arguments) => compare::compare(&arguments),
         Command::Sweep(arguments) => sweep::sweep(&arguments),
         Command::Check(arguments) => check::check(&arguments),

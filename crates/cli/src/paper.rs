@@ -9,7 +9,8 @@ use closeranks_report::figure::{Case, figure1, figure2};
 use closeranks_report::html::html;
 use closeranks_report::parquet::{Metadata, write};
 use closeranks_report::png::{SCALE_200_DPI, png};
-use closeranks_report::robustness::{Survey, points, robustness, write_rounds};
+use closeranks_report::recording::rounds::write_rounds;
+use closeranks_report::robustness::{RobustnessSeries, points, robustness};
 use closeranks_report::table::{Line, table, text};
 use closeranks_sim::output::summary::Summary;
 use closeranks_sim::parse;
@@ -19,7 +20,7 @@ use indicatif::ProgressBar;
 use rayon::prelude::*;
 
 use crate::folder::Folder;
-use crate::{json, output, progress, story};
+use crate::{json, output, progress, sentences};
 
 const TITLES: [&str; 3] = ["nominal updating", "understating", "overstating"];
 
@@ -117,7 +118,7 @@ fn figures(starts: &[Start], folder: &mut Folder, bar: &ProgressBar) -> Result<V
             Some(Case { title, scenario: &done.scenario, record: done.run.record.as_ref()? })
         });
         let cases: Vec<Case<'_>> = cases.collect();
-        [figure1(&cases), figure2(&cases), robustness(&surveys(start))]
+        [figure1(&cases), figure2(&cases), robustness(&robustness_series(start))]
     });
     let drawn: Vec<[String; 3]> = drawn.collect();
     let named = starts.iter().zip(&drawn).flat_map(|(start, pair)| {
@@ -142,12 +143,16 @@ fn figure_name(number: u32) -> String {
     if number < 3 { format!("figure{number}") } else { "robustness".to_owned() }
 }
 
-fn surveys(start: &Start) -> Vec<Survey<'_>> {
-    start.runs.iter().zip(TITLES).map(|(done, title)| survey(done, title)).collect()
+fn robustness_series(start: &Start) -> Vec<RobustnessSeries<'_>> {
+    start.runs.iter().zip(TITLES).map(|(done, title)| robustness_of(done, title)).collect()
 }
 
-fn survey<'a>(done: &'a Done, title: &'a str) -> Survey<'a> {
-    Survey { title, faults: done.scenario.faults, points: points(&done.run.rounds, done.scenario.tick_s()) }
+fn robustness_of<'a>(done: &'a Done, title: &'a str) -> RobustnessSeries<'a> {
+    RobustnessSeries {
+        title,
+        faults: done.scenario.faults,
+        points: points(&done.run.rounds, done.scenario.tick_s()),
+    }
 }
 
 fn data(starts: &[Start], seed: u64, folder: &mut Folder, bar: &ProgressBar) -> Result<()> {
@@ -180,7 +185,7 @@ fn lines<'a>(starts: impl Iterator<Item = &'a Start>) -> Vec<Line<'a>> {
 fn told(starts: &[Start]) -> String {
     let mut out = text(&table(&lines(starts.iter())));
     for start in starts {
-        let _ = writeln!(out, "\nSection V from the start `{}`\n{}", start.name, start_story(start));
+        let _ = writeln!(out, "\nSection V from the start `{}`\n{}", start.name, start_sentence(start));
         for claim in &start.claims {
             let verdict = if claim.holds { "holds              " } else { "does not hold here " };
             let _ = writeln!(out, "  {verdict} {}\n  {:19} {}", claim.sentence, "", claim.numbers);
@@ -188,16 +193,16 @@ fn told(starts: &[Start]) -> String {
     }
     for done in starts.iter().flat_map(|start| &start.runs) {
         for verdict in done.run.summary.failures(&done.scenario) {
-            let what = story::violation(&done.scenario, verdict);
+            let what = sentences::violation(&done.scenario, verdict);
             let _ = writeln!(out, "\n{}: {}: BROKEN: {what}", done.scenario.name, verdict.law.name());
         }
     }
     out
 }
 
-fn start_story(start: &Start) -> String {
+fn start_sentence(start: &Start) -> String {
     let summary: &Summary = &start.runs[0].run.summary;
-    story::start(&start.runs[0].scenario, summary)
+    sentences::start(&start.runs[0].scenario, summary)
 }
 
 fn numbers(starts: &[Start]) -> serde_json::Value {
@@ -251,7 +256,7 @@ fn section(start: &Start, pictures: [String; 3]) -> Section {
     let figures = pictures.into_iter().zip(captions);
     Section {
         title: format!("From the start “{}”", start.name),
-        paragraphs: vec![start_story(start)],
+        paragraphs: vec![start_sentence(start)],
         tables: Vec::new(),
         claims: start.claims.clone(),
         figures: figures.map(|(svg, caption)| Figure { caption: caption.to_owned(), svg }).collect(),

@@ -1,10 +1,10 @@
 //! `closeranks sweep FILE`: many runs drawn from one file, resumable, in shards, one row each.
 
 mod manifest;
+mod report;
 mod save;
 mod shard;
 mod store;
-mod tell;
 mod work;
 
 use std::path::PathBuf;
@@ -13,9 +13,9 @@ use anyhow::Result;
 use clap::Args;
 
 use self::manifest::Manifest;
+use self::report::{Outcome, laws};
 use self::shard::Shard;
 use self::store::{PAGES, Store};
-use self::tell::{Outcome, laws};
 use self::work::Work;
 use crate::{Speech, json, output, source};
 

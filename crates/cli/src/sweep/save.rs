@@ -9,8 +9,8 @@ use closeranks_report::sweep::figure::{gyrations, shares};
 use closeranks_report::sweep::spread::Spread;
 use closeranks_report::sweep::tables::{controllers, values};
 
+use super::report::Outcome;
 use super::store::Store;
-use super::tell::Outcome;
 
 /// Writes [`super::store::PAGES`].
 pub(crate) fn save(store: &Store, outcome: &Outcome<'_>, spread: &Spread) -> Result<()> {

@@ -4,8 +4,8 @@ use std::collections::BTreeSet;
 
 use super::confidence::upper_95;
 use super::tally::{Share, Tally, promises};
-use crate::content::Table;
-use crate::table::number;
+use crate::page::content::Table;
+use crate::page::table::number;
 
 /// One line a controller: runs, violating runs, their share with its upper bound at 95 %, runs in which each of `laws` was
 /// violated, mean radius of gyration.

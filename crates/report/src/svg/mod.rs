@@ -2,6 +2,12 @@
 //!
 //! The same calls give the same bytes. Lengths are in user units, 1/96 inch at scale 1.
 
+pub mod png;
+
+pub(crate) mod palette;
+pub(crate) mod path;
+pub(crate) mod text;
+
 use core::fmt::Write as _;
 
 /// Fonts of every figure; the PNG is drawn with the first.

@@ -1,7 +1,7 @@
 //! Titles of panels: a letter, a name, a time; on one line if there is room.
 
-use crate::palette::TITLE;
-use crate::text::width;
+use crate::svg::palette::TITLE;
+use crate::svg::text::width;
 
 /// A title before it has a letter.
 #[derive(Clone, Debug, PartialEq, Eq)]

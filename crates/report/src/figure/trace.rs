@@ -23,6 +23,20 @@ pub(crate) fn thin(points: &[[f64; 2]], column: f64) -> Vec<[f64; 2]> {
     straighten(&kept.into_iter().filter_map(|index| points.get(index).copied()).collect::<Vec<_>>())
 }
 
+/// A line that holds each height until the next: only its corners.
+pub(crate) fn steps(points: &[[f64; 2]]) -> Vec<[f64; 2]> {
+    let mut corners: Vec<[f64; 2]> = Vec::new();
+    for point in points {
+        match corners.last() {
+            Some(last) if last[1].to_bits() == point[1].to_bits() => {}
+            Some(last) => corners.extend([[point[0], last[1]], *point]),
+            None => corners.push(*point),
+        }
+    }
+    corners.extend(points.last());
+    corners
+}
+
 /// The first index whose y is `better` than all others.
 fn first_with(group: &[[f64; 2]], better: impl Fn(f64, f64) -> bool) -> usize {
     (0..group.len()).fold(0, |best, index| if better(group[index][1], group[best][1]) { index } else { best })

@@ -2,13 +2,13 @@
 
 use closeranks_sim::output::record::Record;
 
-use crate::axes::Axes;
 use crate::figure::Case;
-use crate::palette::{INK, MALICIOUS, NORMAL_LINES, SHADE};
-use crate::path::PathData;
+use crate::figure::panel::axes::Axes;
+use crate::figure::panel::ticks::{Range, drawable};
+use crate::figure::trace::{steps, thin};
+use crate::svg::palette::{INK, MALICIOUS, NORMAL_LINES, SHADE};
+use crate::svg::path::PathData;
 use crate::svg::{Element, Piece, Svg};
-use crate::ticks::{Range, drawable};
-use crate::trace::thin;
 
 /// Width of the columns in which lines keep their extremes.
 const COLUMN: f64 = 0.75;
@@ -122,20 +122,6 @@ fn finite(number: f64) -> f64 {
     if drawable(number) { number } else { f64::NAN }
 }
 
-/// A line that holds each height until the next: only its corners.
-pub(crate) fn steps(points: &[[f64; 2]]) -> Vec<[f64; 2]> {
-    let mut corners: Vec<[f64; 2]> = Vec::new();
-    for point in points {
-        match corners.last() {
-            Some(last) if last[1].to_bits() == point[1].to_bits() => {}
-            Some(last) => corners.extend([[point[0], last[1]], *point]),
-            None => corners.push(*point),
-        }
-    }
-    corners.extend(points.last());
-    corners
-}
-
 /// A run of a single tick has no lines.
 fn draw_dot(svg: &mut Svg, record: &Record, index: usize, points: &[[f64; 2]]) {
     for point in points.iter().filter(|point| point[0].is_finite()) {
@@ -162,7 +148,8 @@ pub(crate) fn malicious_style(element: Element, width: f64) -> Element {
 /// Below zero a robot may have fewer than F′ neighbours.
 fn draw_shade(svg: &mut Svg, axes: &Axes) {
     let [_, zero] = axes.at([axes.x.min, 0.0]);
-    let place = crate::axes::Place { top: zero, height: axes.place.bottom() - zero, ..axes.place };
+    let place =
+        crate::figure::panel::axes::Place { top: zero, height: axes.place.bottom() - zero, ..axes.place };
     svg.add(place.element().text("fill", SHADE));
 }
 

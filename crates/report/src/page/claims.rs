@@ -3,8 +3,8 @@
 use closeranks_sim::law::Law;
 use closeranks_sim::output::summary::Summary;
 
-use crate::content::Claim;
-use crate::table::number;
+use crate::page::content::Claim;
+use crate::page::table::number;
 
 /// The runs that the paper's section V speaks of, from one start.
 #[derive(Clone, Copy, Debug)]

@@ -1,10 +1,10 @@
 //! A panel: a frame with two axes, and the way from data to the page.
 
-use crate::palette::{FRAME, INK, LABEL, NUMBER, TITLE};
-use crate::path::PathData;
+use crate::figure::panel::ticks::{Range, Tick, drawable, ticks};
+use crate::svg::palette::{FRAME, INK, LABEL, NUMBER, TITLE};
+use crate::svg::path::PathData;
+use crate::svg::text;
 use crate::svg::{Element, Piece, Svg};
-use crate::text;
-use crate::ticks::{Range, Tick, drawable, ticks};
 
 /// A rectangle on the page.
 #[derive(Clone, Copy, Debug, PartialEq)]

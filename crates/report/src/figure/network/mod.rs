@@ -1,14 +1,17 @@
 //! A picture of a graph in which two sets of nodes and a third one are marked.
 
+mod layout;
+mod mark;
+
 use closeranks_graph::graph::Graph;
 use closeranks_graph::set::NodeSet;
 
-use crate::network_layout::positions;
-use crate::network_mark::{Kind, Mark};
-use crate::palette::{INK, LABEL, TITLE};
-use crate::path::PathData;
+use self::layout::positions;
+use self::mark::{Kind, Mark};
+use crate::svg::palette::{INK, LABEL, TITLE};
+use crate::svg::path::PathData;
+use crate::svg::text::{shorten, width};
 use crate::svg::{Element, Piece, Svg};
-use crate::text::{shorten, width};
 
 /// A graph to be shown.
 #[derive(Clone, Copy, Debug)]

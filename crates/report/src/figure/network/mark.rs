@@ -1,9 +1,9 @@
 //! Markers of nodes: colour and shape say the same.
 
-use crate::palette::{FRAME, INK, LINK, MALICIOUS, NORMAL};
-use crate::path::PathData;
+use crate::svg::palette::{FRAME, INK, LINK, MALICIOUS, NORMAL};
+use crate::svg::path::PathData;
+use crate::svg::text::{shorten, width};
 use crate::svg::{Element, Piece, Svg};
-use crate::text::{shorten, width};
 
 /// Orange of Okabe and Ito, light in grey print where the blue is dark.
 const SECOND: &str = "#E69F00";

@@ -21,7 +21,7 @@ use ::parquet::file::writer::SerializedFileWriter;
 use ::parquet::schema::types::{Type, TypePtr};
 use closeranks_sim::output::record::Record;
 
-use crate::columns::{AXES, Column, columns};
+use crate::recording::columns::{AXES, Column, columns};
 
 /// What a file says about itself.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]

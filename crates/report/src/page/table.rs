@@ -8,7 +8,7 @@ use closeranks_sim::monitors::robustness::{Round, weakest};
 use closeranks_sim::output::summary::Summary;
 use closeranks_sim::scenario::Scenario;
 
-use crate::content::Table;
+use crate::page::content::Table;
 
 /// One line of the table.
 #[derive(Clone, Copy, Debug)]

@@ -1,4 +1,4 @@
-//! Positions of a recorded run, read back from the Parquet file that [`crate::parquet`] writes.
+//! Positions of a recorded run, read back from the Parquet file that [`crate::recording::write`] writes.
 
 use ::parquet::column::reader::{ColumnReader, ColumnReaderImpl};
 use ::parquet::data_type::DataType;
@@ -9,7 +9,7 @@ use bytes::Bytes;
 use closeranks_graph::set::NODE_LIMIT;
 use closeranks_sim::parse::ROWS_MAX;
 
-use crate::columns::AXES;
+use crate::recording::columns::AXES;
 
 /// What is needed to know who heard whom.
 #[derive(Clone, Debug, Default, PartialEq)]

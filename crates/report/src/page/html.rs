@@ -1,6 +1,6 @@
 //! One self-contained page: no script, no network, figures inline.
 
-use crate::content::{Claim, Figure, Page, Section, Table};
+use crate::page::content::{Claim, Figure, Page, Section, Table};
 use crate::svg::escape;
 
 /// Look of the page, in light, dark and print.

@@ -2,14 +2,14 @@
 
 use closeranks_sim::output::record::Record;
 
-use crate::axes::{Axes, Place};
 use crate::figure::Case;
-use crate::links::{Link, links, position};
-use crate::palette::{FRAME, LINK, MALICIOUS, NORMAL};
-use crate::path::PathData;
+use crate::figure::links::{Link, links, position};
+use crate::figure::panel::axes::{Axes, Place};
+use crate::figure::panel::ticks::{Range, plain};
+use crate::figure::panel::title::Title;
+use crate::svg::palette::{FRAME, LINK, MALICIOUS, NORMAL};
+use crate::svg::path::PathData;
 use crate::svg::{Element, Piece, Svg};
-use crate::ticks::{Range, plain};
-use crate::title::Title;
 
 /// Up to so many robots have numbers in them.
 const NUMBERED: u16 = 40;

@@ -63,7 +63,7 @@ fn options() -> Options<'static> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::text::width;
+    use crate::svg::text::width;
 
     const SMALL: &str = "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"30\" height=\"20\" \
         font-family=\"DejaVu Sans\" font-size=\"16\"><text x=\"2\" y=\"16\">(b) overstating, WAVE</text></svg>";

@@ -1,12 +1,12 @@
 //! One row that says what shapes and lines mean.
 
-use crate::formation::{Marker, link_style, robots_group, shape};
-use crate::palette::{INK, LABEL, LINK, MALICIOUS, NORMAL, SHADE};
-use crate::path::PathData;
-use crate::robustness::{largest_f, largest_r, needed};
-use crate::series::malicious_style;
+use crate::figure::formation::{Marker, link_style, robots_group, shape};
+use crate::figure::robustness::{largest_f, largest_r, needed};
+use crate::figure::series::malicious_style;
+use crate::svg::palette::{INK, LABEL, LINK, MALICIOUS, NORMAL, SHADE};
+use crate::svg::path::PathData;
+use crate::svg::text;
 use crate::svg::{Element, Piece, Svg};
-use crate::text;
 
 /// Something a legend explains.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -111,7 +111,12 @@ impl Entry {
             Self::LargestF => svg.add(largest_f(line(left, right, y))),
             Self::Needed => svg.add(needed(line(left, right, y))),
             Self::Below => {
-                let place = crate::axes::Place { left, top: y - 5.0, width: right - left, height: 10.0 };
+                let place = crate::figure::panel::axes::Place {
+                    left,
+                    top: y - 5.0,
+                    width: right - left,
+                    height: 10.0,
+                };
                 svg.add(place.element().text("fill", SHADE));
             }
         }

@@ -1,16 +1,26 @@
 //! The figures of the paper's section V, and one for a single run.
 
+pub mod network;
+pub mod robustness;
+
+mod formation;
+mod links;
+mod series;
+pub(crate) mod trace;
+
+pub(crate) mod panel;
+
 use closeranks_sim::output::record::Record;
 use closeranks_sim::scenario::Scenario;
 
-use crate::axes::{Axes, Decoration};
-use crate::formation::{Look, Moment};
-use crate::layout::{Grid, Row, panel_width};
-use crate::legend;
-use crate::series::{Quantity, time_range};
+use crate::figure::formation::{Look, Moment};
+use crate::figure::panel::axes::{Axes, Decoration};
+use crate::figure::panel::layout::{Grid, Row, panel_width};
+use crate::figure::panel::legend;
+use crate::figure::panel::ticks::Range;
+use crate::figure::panel::title::{Title, fold};
+use crate::figure::series::{Quantity, time_range};
 use crate::svg::{Piece, Svg};
-use crate::ticks::Range;
-use crate::title::{Title, fold};
 
 /// A run to be shown.
 #[derive(Clone, Copy, Debug)]

@@ -6,14 +6,15 @@ use closeranks_report::figure::{Case, overview};
 use closeranks_report::html::html;
 use closeranks_report::parquet::{Metadata, write};
 use closeranks_report::png::{SCALE_200_DPI, png};
-use closeranks_report::robustness::{Survey, points, robustness, write_rounds};
+use closeranks_report::recording::rounds::write_rounds;
+use closeranks_report::robustness::{RobustnessSeries, points, robustness};
 use closeranks_report::table::{Line, table, text};
 use closeranks_sim::scenario::Scenario;
 use closeranks_sim::world::{self, Options, Run};
 
 use crate::compare::Name;
 use crate::folder::Folder;
-use crate::{json, output, progress, source, story};
+use crate::{json, output, progress, sentences, source};
 
 /// Runs one scenario; false when a law that it expects was broken.
 pub(crate) fn run(arguments: &crate::Run) -> Result<bool> {
@@ -72,9 +73,9 @@ fn scenario(arguments: &crate::Run) -> Result<(Scenario, String)> {
 
 fn told(scenario: &Scenario, run: &Run, time_s: f64) -> String {
     let line = Line { scenario, summary: &run.summary, rounds: &run.rounds, time_s: Some(time_s) };
-    let start = story::start(scenario, &run.summary);
-    let laws = story::laws(scenario, &run.summary);
-    let warning = story::warning(scenario).map(|warning| warning + "\n").unwrap_or_default();
+    let start = sentences::start(scenario, &run.summary);
+    let laws = sentences::laws(scenario, &run.summary);
+    let warning = sentences::warning(scenario).map(|warning| warning + "\n").unwrap_or_default();
     format!("{}\n{start}\n{warning}{laws}", text(&table(&[line])))
 }
 
@@ -94,7 +95,7 @@ fn save(mut folder: Folder, scenario: &Scenario, source: &str, run: &Run, time_s
     let mut rounds = Vec::new();
     write_rounds(&run.rounds, scenario.tick_s(), &metadata, &mut rounds)?;
     folder.add("rounds.parquet", rounds);
-    folder.add("robustness.svg", robustness(&[survey(scenario, run)]));
+    folder.add("robustness.svg", robustness(&[robustness_of(scenario, run)]));
     folder.add("report.html", html(&page(scenario, source, run, time_s, svg.clone())));
     folder.add("overview.svg", svg);
     folder.write()
@@ -104,15 +105,19 @@ fn figure(caption: &str, svg: String) -> Figure {
     Figure { caption: caption.to_owned(), svg }
 }
 
-fn survey<'a>(scenario: &'a Scenario, run: &'a Run) -> Survey<'a> {
-    Survey { title: &scenario.name, faults: scenario.faults, points: points(&run.rounds, scenario.tick_s()) }
+fn robustness_of<'a>(scenario: &'a Scenario, run: &'a Run) -> RobustnessSeries<'a> {
+    RobustnessSeries {
+        title: &scenario.name,
+        faults: scenario.faults,
+        points: points(&run.rounds, scenario.tick_s()),
+    }
 }
 
 fn page(scenario: &Scenario, source: &str, run: &Run, time_s: f64, svg: String) -> Page {
     let line = Line { scenario, summary: &run.summary, rounds: &run.rounds, time_s: Some(time_s) };
-    let mut paragraphs = vec![story::start(scenario, &run.summary)];
-    paragraphs.extend(story::warning(scenario));
-    paragraphs.extend(story::laws(scenario, &run.summary).lines().map(str::to_owned));
+    let mut paragraphs = vec![sentences::start(scenario, &run.summary)];
+    paragraphs.extend(sentences::warning(scenario));
+    paragraphs.extend(sentences::laws(scenario, &run.summary).lines().map(str::to_owned));
     let outcome = Section {
         title: "What it came to".to_owned(),
         paragraphs,
@@ -122,7 +127,10 @@ fn page(scenario: &Scenario, source: &str, run: &Run, time_s: f64, svg: String) 
         )],
         figures: vec![
             figure("Formation at the start and at the end; degree barriers and values over time.", svg),
-            figure("Exact robustness of the network in every round.", robustness(&[survey(scenario, run)])),
+            figure(
+                "Exact robustness of the network in every round.",
+                robustness(&[robustness_of(scenario, run)]),
+            ),
         ],
         ..Section::default()
     };

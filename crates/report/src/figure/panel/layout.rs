@@ -1,6 +1,6 @@
 //! Where panels, titles and legends stand on the page.
 
-use crate::axes::{Place, TITLE_LINE};
+use crate::figure::panel::axes::{Place, TITLE_LINE};
 use crate::svg::Svg;
 
 /// Room for numbers and label to the left of a panel.
