@@ -40,10 +40,10 @@ impl Name {
 struct Done {
     scenario: Scenario,
     run: Run,
-    time_s: f64,
+    wall_s: f64,
 }
 
-/// Runs the scenario once a controller. Broken laws are shown and do not fail the comparison.
+/// Runs the scenario once a controller; false when a law that it expects was broken under one of them.
 pub(crate) fn compare(arguments: &crate::Compare) -> Result<bool> {
     let (scenario, _) = source::scenario(&arguments.file)?;
     let scenario = Scenario { seed: arguments.seed.unwrap_or(scenario.seed), ..scenario };
@@ -65,7 +65,7 @@ pub(crate) fn compare(arguments: &crate::Compare) -> Result<bool> {
     if let Some(folder) = folder {
         save(folder, &scenario, arguments, &runs)?;
     }
-    Ok(true)
+    Ok(runs.iter().all(|done| done.run.summary.failures(&done.scenario).next().is_none()))
 }
 
 fn done(scenario: &Scenario, name: Name, record: bool) -> Result<Done> {
@@ -73,13 +73,13 @@ fn done(scenario: &Scenario, name: Name, record: bool) -> Result<Done> {
     let scenario = named.under(name.controller());
     let options = Options { record, robustness: true, ..Options::default() };
     let (run, time) = progress::timed(|| world::run(&scenario, options, &mut |_| ()));
-    Ok(Done { run: run?, scenario, time_s: time.as_secs_f64() })
+    Ok(Done { run: run?, scenario, wall_s: time.as_secs_f64() })
 }
 
 impl Done {
     fn line(&self) -> Line<'_> {
-        let Self { scenario, run, time_s } = self;
-        Line { scenario, summary: &run.summary, rounds: &run.rounds, time_s: Some(*time_s) }
+        let Self { scenario, run, wall_s } = self;
+        Line { scenario, summary: &run.summary, rounds: &run.rounds, wall_s: Some(*wall_s) }
     }
 }
 
@@ -89,7 +89,7 @@ fn lines(runs: &[Done]) -> Vec<Line<'_>> {
 
 fn tell(arguments: &crate::Compare, runs: &[Done]) {
     if arguments.speech.json {
-        let all: Vec<_> = runs.iter().map(|done| json::run(&done.scenario, &done.run, done.time_s)).collect();
+        let all: Vec<_> = runs.iter().map(|done| json::run(&done.scenario, &done.run, done.wall_s)).collect();
         output::say(&json::text(&serde_json::json!({ "runs": all })));
     } else if !arguments.speech.quiet {
         output::say(&text(&table(&lines(runs))));

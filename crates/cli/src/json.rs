@@ -8,7 +8,7 @@ use closeranks_sim::world::Run;
 use serde_json::{Map, Value, json};
 
 /// One run. Numbers that do not exist are null.
-pub(crate) fn run(scenario: &Scenario, run: &Run, time_s: f64) -> Value {
+pub(crate) fn run(scenario: &Scenario, run: &Run, wall_s: f64) -> Value {
     let summary = &run.summary;
     let weakest = weakest(&run.rounds);
     let extremes = &summary.extremes;
@@ -47,9 +47,10 @@ pub(crate) fn run(scenario: &Scenario, run: &Run, time_s: f64) -> Value {
         "negative_share": summary.negative_share,
         "recovery_s": summary.recovery_s,
         "violations": summary.violations(scenario).map(|verdict| verdict.count).sum::<u64>(),
+        "duration_s": f64::from(summary.ticks) * scenario.tick_s(),
         "ticks": summary.ticks,
         "rounds": summary.rounds,
-        "time_s": time_s,
+        "wall_time_s": wall_s,
         "laws": laws.collect::<Map<_, _>>(),
         "ok": summary.failures(scenario).next().is_none(),
     })

@@ -49,7 +49,7 @@ struct Done {
     scenario: Scenario,
     text: &'static str,
     run: Run,
-    time_s: f64,
+    wall_s: f64,
 }
 
 /// The finished scenarios of one start.
@@ -107,7 +107,7 @@ fn done(scenario: Scenario, text: &'static str, bar: &ProgressBar) -> Result<Don
     let options = Options { record: true, robustness: true, ..Options::default() };
     let (run, time) = progress::timed(|| world::run(&scenario, options, &mut |_| ()));
     bar.inc(1);
-    Ok(Done { run: run?, scenario, text, time_s: time.as_secs_f64() })
+    Ok(Done { run: run?, scenario, text, wall_s: time.as_secs_f64() })
 }
 
 /// The figures of each start, as SVG; SVG and PNG go to the folder.
@@ -177,7 +177,7 @@ fn lines<'a>(starts: impl Iterator<Item = &'a Start>) -> Vec<Line<'a>> {
         scenario: &done.scenario,
         summary: &done.run.summary,
         rounds: &done.run.rounds,
-        time_s: Some(done.time_s),
+        wall_s: Some(done.wall_s),
     })
     .collect()
 }
@@ -208,7 +208,7 @@ fn start_sentence(start: &Start) -> String {
 fn numbers(starts: &[Start]) -> serde_json::Value {
     let start = |start: &Start| {
         let runs: Vec<_> =
-            start.runs.iter().map(|done| json::run(&done.scenario, &done.run, done.time_s)).collect();
+            start.runs.iter().map(|done| json::run(&done.scenario, &done.run, done.wall_s)).collect();
         serde_json::json!({ "start": start.name, "runs": runs, "claims": json::claims(&start.claims) })
     };
     serde_json::json!({ "starts": starts.iter().map(start).collect::<Vec<_>>() })

@@ -31,14 +31,14 @@ pub(crate) fn run(arguments: &crate::Run) -> Result<bool> {
         progress::timed(|| world::run(&scenario, options, &mut |tick| bar.set_position(u64::from(tick))));
     bar.finish_and_clear();
     let run = run?;
-    let time_s = time.as_secs_f64();
+    let wall_s = time.as_secs_f64();
     if arguments.speech.json {
-        output::say(&json::text(&json::run(&scenario, &run, time_s)));
+        output::say(&json::text(&json::run(&scenario, &run, wall_s)));
     } else if !arguments.speech.quiet {
-        output::say(&told(&scenario, &run, time_s));
+        output::say(&told(&scenario, &run, wall_s));
     }
     if let (Some(folder), Some(target)) = (folder, &arguments.output) {
-        save(folder, &scenario, &source, &run, time_s)?;
+        save(folder, &scenario, &source, &run, wall_s)?;
         if !arguments.speech.quiet && !arguments.speech.json {
             output::say(&format!(
                 "written to {}: report.html, overview.svg, overview.png, robustness.svg, run.parquet, rounds.parquet\n",
@@ -71,15 +71,15 @@ fn scenario(arguments: &crate::Run) -> Result<(Scenario, String)> {
     source::read(&name, drawn.under(controller))
 }
 
-fn told(scenario: &Scenario, run: &Run, time_s: f64) -> String {
-    let line = Line { scenario, summary: &run.summary, rounds: &run.rounds, time_s: Some(time_s) };
+fn told(scenario: &Scenario, run: &Run, wall_s: f64) -> String {
+    let line = Line { scenario, summary: &run.summary, rounds: &run.rounds, wall_s: Some(wall_s) };
     let start = sentences::start(scenario, &run.summary);
     let laws = sentences::laws(scenario, &run.summary);
     let warning = sentences::warning(scenario).map(|warning| warning + "\n").unwrap_or_default();
     format!("{}\n{start}\n{warning}{laws}", text(&table(&[line])))
 }
 
-fn save(mut folder: Folder, scenario: &Scenario, source: &str, run: &Run, time_s: f64) -> Result<()> {
+fn save(mut folder: Folder, scenario: &Scenario, source: &str, run: &Run, wall_s: f64) -> Result<()> {
     let Some(record) = &run.record else { return Ok(()) };
     let svg = overview(Case { title: &scenario.name, scenario, record });
     folder.add("overview.png", png(&svg, SCALE_200_DPI)?);
@@ -96,7 +96,7 @@ fn save(mut folder: Folder, scenario: &Scenario, source: &str, run: &Run, time_s
     write_rounds(&run.rounds, scenario.tick_s(), &metadata, &mut rounds)?;
     folder.add("rounds.parquet", rounds);
     folder.add("robustness.svg", robustness(&[robustness_of(scenario, run)]));
-    folder.add("report.html", html(&page(scenario, source, run, time_s, svg.clone())));
+    folder.add("report.html", html(&page(scenario, source, run, wall_s, svg.clone())));
     folder.add("overview.svg", svg);
     folder.write()
 }
@@ -113,8 +113,8 @@ fn robustness_of<'a>(scenario: &'a Scenario, run: &'a Run) -> RobustnessSeries<'
     }
 }
 
-fn page(scenario: &Scenario, source: &str, run: &Run, time_s: f64, svg: String) -> Page {
-    let line = Line { scenario, summary: &run.summary, rounds: &run.rounds, time_s: Some(time_s) };
+fn page(scenario: &Scenario, source: &str, run: &Run, wall_s: f64, svg: String) -> Page {
+    let line = Line { scenario, summary: &run.summary, rounds: &run.rounds, wall_s: Some(wall_s) };
     let mut paragraphs = vec![sentences::start(scenario, &run.summary)];
     paragraphs.extend(sentences::warning(scenario));
     paragraphs.extend(sentences::laws(scenario, &run.summary).lines().map(str::to_owned));

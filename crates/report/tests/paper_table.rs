@@ -37,7 +37,7 @@ fn the_table_of_the_paper() {
         .collect();
     let lines: Vec<Line<'_>> = runs
         .iter()
-        .map(|(scenario, run)| Line { scenario, summary: &run.summary, rounds: &run.rounds, time_s: None })
+        .map(|(scenario, run)| Line { scenario, summary: &run.summary, rounds: &run.rounds, wall_s: None })
         .collect();
     let told = text(&table(&lines));
     assert_eq!(told, include_str!("golden/paper_table.txt"), "now:\n{told}");

@@ -17,7 +17,7 @@ use self::report::{Outcome, laws};
 use self::shard::Shard;
 use self::store::{PAGES, Store};
 use self::work::Work;
-use crate::{Speech, json, output, source};
+use crate::{Speech, invocation, json, output, source};
 
 /// Seed of a sweep that names none.
 pub(crate) const SEED: u64 = 1;
@@ -64,7 +64,7 @@ pub(crate) struct Sweep {
     #[arg(long, value_name = "I/M", default_value = "1/1")]
     shard: Shard,
     /// Seed of all draws.
-    #[arg(long, value_name = "S", default_value_t = SEED)]
+    #[arg(long, value_name = "S", default_value_t = SEED, value_parser = invocation::seed, allow_negative_numbers = true)]
     seed: u64,
     /// Folder to write to; a folder where the same command was killed is gone on with.
     #[arg(short, long, value_name = "DIR")]

@@ -11,6 +11,7 @@ use closeranks_sim::law::Law;
 use serde_json::{Map, Value, json};
 
 use super::manifest::Manifest;
+use crate::invocation::quoted;
 
 /// A counted sweep.
 #[derive(Clone, Copy)]
@@ -159,10 +160,4 @@ fn who(robots: &[i64]) -> String {
         [robot] => format!(", robot {robot}"),
         [robot, other, ..] => format!(", robots {robot} and {other}"),
     }
-}
-
-/// A name as a shell takes it.
-fn quoted(name: &str) -> String {
-    let plain = |c: char| c.is_ascii_alphanumeric() || "._-/+:@%,=".contains(c);
-    if name.chars().all(plain) { name.to_owned() } else { format!("'{}'", name.replace('\'', "'\\''")) }
 }

@@ -20,7 +20,7 @@ pub struct Line<'a> {
     /// Exact robustness of its rounds, if it was searched.
     pub rounds: &'a [Round],
     /// Wall time of the run, s, if it was measured.
-    pub time_s: Option<f64>,
+    pub wall_s: Option<f64>,
 }
 
 /// Heads of the table; the second line of each is the unit or the kind of robot.
@@ -68,7 +68,7 @@ fn row(line: &Line<'_>) -> Vec<String> {
         summary.broken(Law::Shares).to_string(),
         number(extremes.phi_global_min, 3),
         weakest(line.rounds).map_or("-".to_owned(), |round| proved(round.f_max)),
-        line.time_s.map_or("-".to_owned(), |time| number(time * 1e3, 1)),
+        line.wall_s.map_or("-".to_owned(), |time| number(time * 1e3, 1)),
     ]
 }
 

@@ -40,10 +40,11 @@ pub enum ReadError {
     /// Too long or empty.
     #[error("{0} rows, allowed are 1 to {ROWS_MAX}")]
     Rows(i64),
+    /// More robots than graphs can have nodes.
+    #[error("{0} robots, allowed are 1 to {NODE_LIMIT}")]
+    Robots(usize),
     /// A row is not where it should be.
-    #[error(
-        "row {row} is not of tick {tick}, robot {robot}: rows go by ticks, then robots from 1 to at most 128"
-    )]
+    #[error("row {row} is not of tick {tick}, robot {robot}: rows go by ticks, then robots from 1 on")]
     Order {
         /// Place, from 0.
         row: usize,
@@ -117,11 +118,11 @@ fn is_inside(reader: &SerializedFileReader<Bytes>, length: usize) -> bool {
 fn robots_of(ticks: &[i32], robots: &[i32]) -> Result<usize, ReadError> {
     let count = ticks.iter().take_while(|tick| **tick == 0).count();
     let wrong = |row: usize| {
-        let n = count.clamp(1, NODE_LIMIT);
+        let n = count.max(1);
         ReadError::Order { row, tick: row / n, robot: row % n + 1 }
     };
-    if count == 0 || count > NODE_LIMIT {
-        return Err(wrong(count));
+    if count == 0 {
+        return Err(wrong(0));
     }
     let is = |number: i32, wanted: usize| usize::try_from(number) == Ok(wanted);
     let stray =
@@ -129,6 +130,7 @@ fn robots_of(ticks: &[i32], robots: &[i32]) -> Result<usize, ReadError> {
     match stray {
         Some(row) => Err(wrong(row)),
         None if !ticks.len().is_multiple_of(count) => Err(wrong(ticks.len())),
+        None if count > NODE_LIMIT => Err(ReadError::Robots(count)),
         None => Ok(count),
     }
 }
@@ -198,4 +200,23 @@ fn drain<T: DataType>(
         }
     }
     Ok(())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Row 200 used to be called "not of tick 1" where the trouble was that there were 200 robots.
+    #[test]
+    fn too_many_robots_are_called_so() {
+        let ticks: Vec<i32> = (0..2).flat_map(|tick| [tick; 200]).collect();
+        let robots: Vec<i32> = (0..2).flat_map(|_| 1..=200).collect();
+        let told =
+            |ticks: &[i32], robots: &[i32]| robots_of(ticks, robots).map_err(|error| error.to_string());
+        assert_eq!(told(&ticks, &robots), Err("200 robots, allowed are 1 to 128".to_owned()));
+        assert_eq!(told(&[0, 0, 1, 1], &[1, 2, 1, 2]), Ok(2));
+        let stray = "row 3 is not of tick 1, robot 2: rows go by ticks, then robots from 1 on";
+        assert_eq!(told(&[0, 0, 1, 1], &[1, 2, 1, 3]), Err(stray.to_owned()));
+        assert_eq!(told(&[0, 0, 1], &[1, 2, 1]), Err(stray.to_owned()));
+    }
 }
