@@ -7,7 +7,7 @@ use crate::figure::links::{Link, links, position};
 use crate::figure::panel::axes::{Axes, Place};
 use crate::figure::panel::ticks::{Range, plain};
 use crate::figure::panel::title::Title;
-use crate::svg::palette::{FRAME, LINK, MALICIOUS, NORMAL};
+use crate::svg::palette::{CLOSE, FRAME, LINK, MALICIOUS, NORMAL};
 use crate::svg::path::PathData;
 use crate::svg::{Element, Piece, Svg};
 
@@ -21,6 +21,41 @@ const DOTS: &str = "1.2 1.9";
 /// Their sum.
 const PERIOD: f64 = 3.1;
 
+/// A direction from which robots are seen.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct View {
+    /// Axis from left to right.
+    across: usize,
+    /// Axis from bottom to top.
+    up: usize,
+    /// What a panel says in three dimensions.
+    note: &'static str,
+    /// Label of the axis to the left.
+    pub(crate) up_label: &'static [Piece<'static>],
+}
+
+/// Views of robots in space: from above, and from the front. In the plane the first is all.
+const VIEWS: [View; 2] = [
+    View {
+        across: 0,
+        up: 1,
+        note: "3D, seen along z",
+        up_label: &[Piece::Italic("y"), Piece::Plain(" (m)")],
+    },
+    View {
+        across: 0,
+        up: 2,
+        note: "3D, seen along y",
+        up_label: &[Piece::Italic("z"), Piece::Plain(" (m)")],
+    },
+];
+
+/// The views that show all coordinates of `cases`.
+#[must_use]
+pub(crate) fn views(cases: &[Case<'_>]) -> &'static [View] {
+    if cases.iter().any(|case| case.record.dimension > 2) { &VIEWS } else { &VIEWS[..1] }
+}
+
 /// One tick of a case.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Moment<'a> {
@@ -30,6 +65,8 @@ pub(crate) struct Moment<'a> {
     pub(crate) tick: usize,
     /// It is shown as the start of all cases.
     pub(crate) start: bool,
+    /// From where.
+    pub(crate) view: View,
 }
 
 /// How robots are drawn.
@@ -52,6 +89,22 @@ pub(crate) struct Look {
     pub(crate) marker: Marker,
     /// Height of a panel over its width.
     pub(crate) aspect: f64,
+}
+
+impl View {
+    /// Where robot `index` is seen at `tick`, m.
+    #[must_use]
+    pub(crate) fn point(self, record: &Record, tick: usize, index: usize) -> [f64; 2] {
+        let position = position(record, tick, index);
+        [position[self.across], position[self.up]]
+    }
+
+    /// Says in the panel from where robots are seen, if there is more than one way.
+    pub(crate) fn draw_note(self, svg: &mut Svg, place: Place, record: &Record) {
+        if record.dimension > 2 {
+            note(svg, place, self.note);
+        }
+    }
 }
 
 impl Look {
@@ -101,24 +154,24 @@ fn coordinates<'a>(moments: &'a [Moment<'_>], axis: usize) -> impl Iterator<Item
 impl<'a> Moment<'a> {
     /// The first tick of a case.
     #[must_use]
-    pub(crate) fn start(case: Case<'a>) -> Self {
-        Self { case, tick: 0, start: true }
+    pub(crate) fn start(case: Case<'a>, view: View) -> Self {
+        Self { case, tick: 0, start: true, view }
     }
 
     /// The last tick of a case.
     #[must_use]
-    pub(crate) fn end(case: Case<'a>) -> Self {
-        Self { case, tick: case.record.last_tick(), start: false }
+    pub(crate) fn end(case: Case<'a>, view: View) -> Self {
+        Self { case, tick: case.record.last_tick(), start: false, view }
     }
 
     fn record(&self) -> &'a Record {
         self.case.record
     }
 
-    /// Where robots are in the plane of the first two axes, m.
+    /// Where robots are in the plane of the view, m.
     fn points(&self) -> Vec<[f64; 2]> {
         let robots = 0..usize::from(self.record().robots);
-        robots.map(|index| position(self.record(), self.tick, index)).map(|[x, y, _]| [x, y]).collect()
+        robots.map(|index| self.view.point(self.record(), self.tick, index)).collect()
     }
 
     /// What its panel is called: the start, or the case and the time.
@@ -139,9 +192,26 @@ impl<'a> Moment<'a> {
             draw_links(svg, &points, &some, colour, links.len() <= DOTTED);
         }
         self.draw_robots(svg, &points, marker);
-        if self.record().dimension > 2 {
-            note(svg, axes.place, "3D, seen along z");
+        for index in self.too_close().into_iter().filter(|index| points[*index][0].is_finite()) {
+            svg.add(ring(points[index], marker.radius));
         }
+        self.view.draw_note(svg, axes.place, self.record());
+    }
+
+    /// Robots that are closer to another one than the scenario demands, by index.
+    #[must_use]
+    pub(crate) fn too_close(&self) -> Vec<usize> {
+        let close = links(self.record(), self.case.scenario.distance_min_m, self.tick);
+        let mut robots: Vec<usize> = close.iter().flat_map(|pair| [pair.first, pair.second]).collect();
+        robots.sort_unstable();
+        robots.dedup();
+        robots
+    }
+
+    /// Draws the robots alone, where they are seen at this tick.
+    pub(crate) fn draw_only_robots(&self, svg: &mut Svg, axes: &Axes, marker: Marker) {
+        let points: Vec<[f64; 2]> = self.points().into_iter().map(|point| axes.at(point)).collect();
+        self.draw_robots(svg, &points, marker);
     }
 
     fn draw_robots(&self, svg: &mut Svg, points: &[[f64; 2]], marker: Marker) {
@@ -215,6 +285,12 @@ pub(crate) fn robots_group(malicious: bool, marker: Marker) -> Element {
     let edge = if marker.numbered { 0.9 } else { 0.4 };
     let group = Element::group().text("fill", colour).text("stroke", "#ffffff").number("stroke-width", edge);
     group.text("text-anchor", "middle").text("font-weight", "bold")
+}
+
+/// Around a robot that is closer to another one than it may be.
+pub(crate) fn ring(point: [f64; 2], radius: f64) -> Element {
+    let ring = Element::new("circle").point(["cx", "cy"], point).number("r", radius + 2.6);
+    ring.text("fill", "none").text("stroke", CLOSE).number("stroke-width", 1.8)
 }
 
 /// A circle, or for malicious robots a square of the same area.

@@ -3,7 +3,7 @@
 use closeranks_sim::monitors::robustness::Round;
 
 use crate::figure::panel::axes::{Axes, Decoration};
-use crate::figure::panel::layout::{Grid, Row, panel_width};
+use crate::figure::panel::layout::{Grid, Row, legend_room, panel_width};
 use crate::figure::panel::legend;
 use crate::figure::panel::ticks::Range;
 use crate::figure::panel::title::{Title, fold};
@@ -59,7 +59,8 @@ pub fn robustness(series: &[RobustnessSeries<'_>]) -> String {
     let titles: Vec<Title> = series.iter().map(|one| Title::of(one.title)).collect();
     let width = panel_width(series.len(), GAP, 420.0);
     let titles = fold(&titles, 0, width);
-    let row = Row { title_lines: 1, height: 120.0, axis: true, legend: true };
+    let entries = legend::folded(&legend::ROBUSTNESS, legend_room(series.len(), width, GAP));
+    let row = Row { title_lines: 1, height: 120.0, axis: true, legend: entries.len() };
     let grid = Grid { columns: series.len().max(1), width, gap: GAP, rows: vec![row] };
     let mut svg = grid.document("Exact robustness of the network in every consensus round");
     for (column, one) in series.iter().enumerate() {
@@ -77,7 +78,7 @@ pub fn robustness(series: &[RobustnessSeries<'_>]) -> String {
             },
         );
     }
-    legend::draw(&mut svg, &legend::ROBUSTNESS, grid.legend(0));
+    legend::draw(&mut svg, &entries, grid.legend(0));
     svg.finish()
 }
 

@@ -3,6 +3,8 @@
 use closeranks_sim::output::record::Record;
 
 use crate::figure::Case;
+use crate::figure::inset;
+use crate::figure::line_numbers::{self, End};
 use crate::figure::panel::axes::Axes;
 use crate::figure::panel::ticks::{Range, drawable};
 use crate::figure::trace::{steps, thin};
@@ -76,9 +78,39 @@ impl Quantity {
             }
             svg.end();
         }
-        if self == Self::Barrier {
-            draw_zero(svg, axes);
+        match self {
+            Self::Barrier => draw_zero(svg, axes),
+            Self::Value => self.draw_inset(svg, axes, record),
         }
+    }
+
+    /// Numbers of robots beside the panel, so that each line can be told. Values agree: they need none.
+    pub(crate) fn draw_numbers(self, svg: &mut Svg, axes: &Axes, record: &Record) {
+        if self == Self::Barrier && record.last_tick() > 0 {
+            let last = [record.last_tick()];
+            let end = |index: usize| End {
+                y: self
+                    .points_at(axes, record, index, last.into_iter())
+                    .first()
+                    .map_or(f64::NAN, |point| point[1]),
+                robot: index + 1,
+                colour: colour(record, index),
+                malicious: record.malicious[index],
+            };
+            line_numbers::draw(svg, axes, (0..record.malicious.len()).map(end).collect());
+        }
+    }
+
+    /// The time in which normal values come to agree, drawn larger.
+    fn draw_inset(self, svg: &mut Svg, axes: &Axes, record: &Record) {
+        let Some(inset) = inset::axes(axes, record) else { return };
+        inset::clear(svg, &inset);
+        svg.begin(&self.lines_group(false, record.robots));
+        for (index, _) in record.malicious.iter().enumerate().filter(|(_, malicious)| !**malicious) {
+            self.draw_line(svg, &inset, record, index);
+        }
+        svg.end();
+        inset::frame(svg, &inset);
     }
 
     /// What all lines of a kind share.
@@ -110,9 +142,19 @@ impl Quantity {
 
     /// The line of a robot on the page; not finite where it cannot be drawn.
     fn points(self, axes: &Axes, record: &Record, index: usize) -> Vec<[f64; 2]> {
+        let ticks = (0..=record.last_tick()).take_while(|tick| record.time_s(*tick) <= axes.x.max);
+        self.points_at(axes, record, index, ticks)
+    }
+
+    fn points_at(
+        self,
+        axes: &Axes,
+        record: &Record,
+        index: usize,
+        ticks: impl Iterator<Item = usize>,
+    ) -> Vec<[f64; 2]> {
         let column = self.column(record);
         let number = |tick| column.get(record.row(tick, index)).copied().unwrap_or(f64::NAN);
-        let ticks = 0..=record.last_tick();
         ticks.map(|tick| axes.at_cut([record.time_s(tick), finite(number(tick))])).collect()
     }
 }
@@ -130,12 +172,20 @@ fn draw_dot(svg: &mut Svg, record: &Record, index: usize, points: &[[f64; 2]]) {
     }
 }
 
-/// Blues in turn for normal robots; malicious ones have the colour of their group.
+/// Malicious robots have the colour of their group.
 fn coloured(element: Element, record: &Record, index: usize) -> Element {
+    match record.malicious.get(index) {
+        Some(false) => element.text("stroke", colour(record, index)),
+        _ => element,
+    }
+}
+
+/// Blues in turn for normal robots.
+fn colour(record: &Record, index: usize) -> &'static str {
     let before = record.malicious.iter().take(index).filter(|malicious| !**malicious).count();
     match record.malicious.get(index) {
-        Some(false) => element.text("stroke", NORMAL_LINES[before % NORMAL_LINES.len()]),
-        _ => element,
+        Some(false) => NORMAL_LINES[before % NORMAL_LINES.len()],
+        _ => MALICIOUS,
     }
 }
 

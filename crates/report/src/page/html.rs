@@ -1,6 +1,7 @@
 //! One self-contained page: no script, no network, figures inline.
 
-use crate::page::content::{Claim, Figure, Page, Section, Table};
+use super::content::{Claim, Figure, LawLine, Link, Listing, Mark, Page, Section};
+use super::html_table::table;
 use crate::svg::escape;
 
 /// Look of the page, in light, dark and print.
@@ -65,75 +66,81 @@ fn section(index: usize, section: &Section) -> String {
     let mut text = format!("<section id=\"part-{}\">\n", index + 1);
     text += &element("h2", &section.title);
     text.extend(section.paragraphs.iter().map(|words| paragraph("", words)));
+    text += &marked(section.laws.iter().map(law).collect());
     text.extend(section.tables.iter().map(|(caption, content)| table(caption, content)));
     text.extend(section.figures.iter().map(figure));
-    text += &claims(&section.claims);
+    text += &marked(section.claims.iter().map(claim).collect());
+    text.extend(section.listings.iter().map(listing));
+    text += &files(&section.files);
     text + "</section>\n"
 }
 
-/// A table that scrolls sideways where it is too wide, also by keyboard. The first column names the rows.
-fn table(caption: &str, table: &Table) -> String {
-    let heads: String = (0..table.heads.len()).map(|column| head(column, table)).collect();
-    let rows: String = table.rows.iter().map(|cells| row(cells, table.heads.len())).collect();
-    let label = escape(caption);
-    format!(
-        "<div class=\"scroll\" role=\"region\" aria-label=\"{label}\" tabindex=\"0\">\n<table>\n\
-         <caption>{label}</caption>\n<thead>\n<tr>{heads}</tr>\n</thead>\n<tbody>\n{rows}</tbody>\n</table>\n</div>\n"
-    )
-}
-
-/// The head of a column, aligned as what is below it.
-fn head(column: usize, table: &Table) -> String {
-    let mut cells = table.rows.iter().filter_map(|row| row.get(column)).filter(|text| !text.is_empty());
-    let class = if column > 0 && cells.all(|text| is_number(text)) { " class=\"number\"" } else { "" };
-    format!("<th scope=\"col\"{class}>{}</th>", escape(&table.heads[column]))
-}
-
-/// A row; short ones are filled up.
-fn row(cells: &[String], columns: usize) -> String {
-    let blank = String::new();
-    let width = columns.max(cells.len());
-    let cells = cells.iter().chain(core::iter::repeat(&blank)).take(width).enumerate();
-    let cells: String = cells.map(|(column, text)| cell(column, text)).collect();
-    format!("<tr>{cells}</tr>\n")
-}
-
-fn cell(column: usize, text: &str) -> String {
-    match (column, is_number(text)) {
-        (0, _) => format!("<th scope=\"row\">{}</th>", escape(text)),
-        (_, true) => format!("<td class=\"number\">{}</td>", escape(text)),
-        (_, false) => format!("<td>{}</td>", escape(text)),
-    }
-}
-
-/// Numbers are aligned to the right.
-fn is_number(text: &str) -> bool {
-    text.trim_start_matches(['-', '\u{2212}', '+']).starts_with(|first: char| first.is_ascii_digit())
-}
-
 /// Sentences with a mark each: a word, a symbol and a colour say the same.
-fn claims(claims: &[Claim]) -> String {
-    if claims.is_empty() {
+fn marked(sentences: Vec<String>) -> String {
+    if sentences.is_empty() {
         return String::new();
     }
-    format!("<ul class=\"claims\">\n{}</ul>\n", claims.iter().map(claim).collect::<String>())
+    format!("<ul class=\"claims\">\n{}</ul>\n", sentences.concat())
+}
+
+/// One of them: `sentence` is markup, `numbers` is text.
+fn sentence([class, symbol, word]: [&str; 3], sentence: &str, numbers: &str) -> String {
+    format!(
+        "<li class=\"{class}\">\n<p><strong class=\"mark\"><span aria-hidden=\"true\">{symbol}</span> {word}</strong> \
+         {sentence}</p>\n{}</li>\n",
+        paragraph("numbers", numbers)
+    )
 }
 
 fn claim(claim: &Claim) -> String {
-    let (class, symbol, word) =
-        if claim.holds { ("holds", "✓", "holds") } else { ("fails", "✗", "does not hold here") };
-    format!(
-        "<li class=\"{class}\">\n<p><strong class=\"mark\"><span aria-hidden=\"true\">{symbol}</span> {word}</strong> \
-         <q>{}</q></p>\n{}</li>\n",
-        escape(&claim.sentence),
-        paragraph("numbers", &claim.numbers)
-    )
+    let mark = if claim.holds { ["holds", "✓", "holds"] } else { ["fails", "✗", "does not hold here"] };
+    let words = escape(&claim.sentence);
+    let words = if claim.is_quotation { format!("<q>{words}</q>") } else { words };
+    sentence(mark, &words, &claim.numbers)
 }
+
+fn law(line: &LawLine) -> String {
+    let mark = match line.mark {
+        Mark::Held => ["holds", "✓", "held"],
+        Mark::Broken => ["fails", "✗", "broken"],
+        Mark::NotExpected => ["apart", "–", "broken, not expected to hold"],
+    };
+    let words = format!("<b>{}</b>: {}", escape(&line.law), escape(&line.demand));
+    sentence(mark, &words, &line.detail)
+}
+
+/// A text as it is, to be copied.
+fn listing(listing: &Listing) -> String {
+    let (caption, text) = (paragraph("", &listing.caption), escape(&listing.text));
+    format!("{caption}<pre tabindex=\"0\"><code>{text}</code></pre>\n")
+}
+
+fn files(files: &[Link]) -> String {
+    if files.is_empty() {
+        return String::new();
+    }
+    let link = |link: &Link| {
+        let file = escape(&link.file);
+        format!("<li><a href=\"{file}\">{file}</a> {}</li>\n", escape(&link.what))
+    };
+    format!("<ul class=\"files\">\n{}</ul>\n", files.iter().map(link).collect::<String>())
+}
+
+/// Wide figures scroll sideways on a phone; their words would be too small to read.
+const WIDE: f64 = 600.0;
 
 fn figure(figure: &Figure) -> String {
     let root = figure.svg.find("<svg").map_or("", |start| &figure.svg[start..]);
+    let class = if width_of(root) > WIDE { "card wide" } else { "card" };
     format!(
-        "<figure>\n<div class=\"card\">\n{root}</div>\n<figcaption>{}</figcaption>\n</figure>\n",
+        "<figure>\n<div class=\"{class}\">\n{root}</div>\n<figcaption>{}</figcaption>\n</figure>\n",
         escape(&figure.caption)
     )
+}
+
+/// The width that an SVG document gives itself; 0 if it gives none.
+fn width_of(root: &str) -> f64 {
+    let head = root.split('>').next().unwrap_or_default();
+    let width = head.split(" width=\"").nth(1).and_then(|rest| rest.split('"').next());
+    width.and_then(|width| width.parse().ok()).unwrap_or(0.0)
 }

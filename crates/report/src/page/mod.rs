@@ -4,3 +4,6 @@ pub mod claims;
 pub mod content;
 pub mod html;
 pub mod table;
+
+mod html_table;
+mod text_table;

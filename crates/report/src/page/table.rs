@@ -1,14 +1,13 @@
 //! The table of runs: one line a scenario.
 
-use core::fmt::Write as _;
-
 use closeranks_graph::verdict::Interval;
 use closeranks_sim::law::Law;
 use closeranks_sim::monitors::robustness::{Round, weakest};
 use closeranks_sim::output::summary::Summary;
-use closeranks_sim::scenario::Scenario;
+use closeranks_sim::scenario::{Controller, Scenario};
 
-use crate::page::content::Table;
+use super::content::Table;
+pub use super::text_table::text;
 
 /// One line of the table.
 #[derive(Clone, Copy, Debug)]
@@ -45,15 +44,32 @@ const HEADS: [&str; 14] = [
 /// radius of gyration and number of links at the end, mean distance from normal to malicious robots at the end, rounds
 /// until the spread of normal values is below 1, infeasible programs, negative φ_i, least global φ, least F for which the
 /// network was (F+1, F+1)-robust in every round (all robots counted, malicious ones too), time.
+///
+/// φ is a matter of `composed` alone: others have a dash there, and where there are only others no such column.
 #[must_use]
 pub fn table(lines: &[Line<'_>]) -> Table {
+    let phi = lines.iter().any(|line| uses_phi(line.scenario));
+    let is_shown = |column: &usize| phi || !PHI.contains(column);
+    let shown = |cells: Vec<String>| {
+        cells.into_iter().enumerate().filter(|(column, _)| is_shown(column)).map(|(_, cell)| cell).collect()
+    };
     let heads = HEADS.map(str::to_owned).to_vec();
-    Table { heads, rows: lines.iter().map(row).collect() }
+    Table { heads: shown(heads), rows: lines.iter().map(|line| shown(row(line))).collect() }
+}
+
+/// Columns about φ.
+const PHI: [usize; 2] = [10, 11];
+
+/// True if the controller of `scenario` uses φ and φ_i.
+#[must_use]
+pub fn uses_phi(scenario: &Scenario) -> bool {
+    scenario.controller == Controller::Composed
 }
 
 fn row(line: &Line<'_>) -> Vec<String> {
     let (summary, extremes) = (line.summary, &line.summary.extremes);
     let degree = |least: Option<u16>| least.map_or("-".to_owned(), |degree| degree.to_string());
+    let phi = |text: String| if uses_phi(line.scenario) { text } else { "-".to_owned() };
     vec![
         line.scenario.name.clone(),
         degree(extremes.degree_min),
@@ -65,8 +81,8 @@ fn row(line: &Line<'_>) -> Vec<String> {
         summary.liar_distance_m.map_or("-".to_owned(), |distance| number(distance, 3)),
         extremes.rounds_to_agree.map_or("never".to_owned(), |rounds| rounds.to_string()),
         summary.broken(Law::Feasible).to_string(),
-        summary.broken(Law::Shares).to_string(),
-        number(extremes.phi_global_min, 3),
+        phi(summary.broken(Law::Shares).to_string()),
+        phi(number(extremes.phi_global_min, 3)),
         weakest(line.rounds).map_or("-".to_owned(), |round| proved(round.f_max)),
         line.wall_s.map_or("-".to_owned(), |time| number(time * 1e3, 1)),
     ]
@@ -98,54 +114,6 @@ pub fn number(value: f64, digits: usize) -> String {
     if plain.parse() == Ok(0.0) { format!("{:.digits$}", 0.0) } else { plain }
 }
 
-/// The table as text for a terminal: columns aligned, the first to the left, others to the right; the last to the left if it
-/// has words only.
-#[must_use]
-pub fn text(table: &Table) -> String {
-    let heads: Vec<Vec<&str>> = table.heads.iter().map(|head| head.split('\n').collect()).collect();
-    let height = heads.iter().map(Vec::len).max().unwrap_or(0);
-    let head_lines =
-        (0..height).map(|line| heads.iter().map(|head| head.get(line).copied().unwrap_or("")).collect());
-    let body = table.rows.iter().map(|row| row.iter().map(String::as_str).collect());
-    let lines: Vec<Vec<&str>> = head_lines.chain(body).collect();
-    let widths: Vec<usize> = (0..heads.len())
-        .map(|column| {
-            lines
-                .iter()
-                .filter_map(|line| line.get(column))
-                .map(|cell| cell.chars().count())
-                .max()
-                .unwrap_or(0)
-        })
-        .collect();
-    let is_number =
-        |cell: &str| cell.starts_with(|first: char| first.is_ascii_digit() || "+-".contains(first));
-    let words = heads.len() > 1
-        && !lines.iter().filter_map(|line| line.get(heads.len() - 1)).any(|cell| is_number(cell));
-    let mut out = String::new();
-    for (index, line) in lines.iter().enumerate() {
-        push_line(&mut out, line, &widths, words);
-        if index + 1 == height {
-            out.push_str(&"-".repeat(widths.iter().sum::<usize>() + 2 * widths.len().saturating_sub(1)));
-            out.push('\n');
-        }
-    }
-    out
-}
-
-fn push_line(out: &mut String, cells: &[&str], widths: &[usize], words: bool) {
-    let mut line = String::new();
-    for (column, (cell, width)) in cells.iter().zip(widths).enumerate() {
-        let gap = if column == 0 { "" } else { "  " };
-        let left = column == 0 || (words && column + 1 == widths.len());
-        let written =
-            if left { write!(line, "{gap}{cell:<width$}") } else { write!(line, "{gap}{cell:>width$}") };
-        debug_assert!(written.is_ok(), "writing to a string does not fail");
-    }
-    out.push_str(line.trim_end());
-    out.push('\n');
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -159,17 +127,5 @@ mod tests {
         assert_eq!(telling(-0.000_031, 4), "-3.1e-5");
         assert_eq!(telling(0.0, 4), "0.0000");
         assert_eq!(number(10.0, 1), "10.0");
-    }
-
-    #[test]
-    fn columns_line_up() {
-        let table = Table {
-            heads: vec!["name".into(), "degree\nleast".into()],
-            rows: vec![vec!["nominal".into(), "7".into()], vec!["x".into(), "10".into()]],
-        };
-        assert_eq!(
-            text(&table),
-            "name     degree\n          least\n---------------\nnominal       7\nx            10\n"
-        );
     }
 }

@@ -11,6 +11,8 @@ pub(crate) const NORMAL_LINES: [&str; 3] = ["#0072B2", "#4FA3D8", "#004C78"];
 pub(crate) const MALICIOUS: &str = "#D55E00";
 /// Links between normal robots.
 pub(crate) const LINK: &str = "#A0A0A0";
+/// What is closer than it may be: the purple of Okabe and Ito.
+pub(crate) const CLOSE: &str = "#CC79A7";
 /// Frames and ticks.
 pub(crate) const FRAME: &str = "#4D4D4D";
 /// Texts.

@@ -129,7 +129,7 @@ fn percent(power: i32) -> String {
 /// document.
 #[must_use]
 pub fn gyrations(tally: &Tally, spread: &Spread) -> String {
-    let rows = vec![Row { title_lines: 0, height: 250.0, axis: true, legend: true }];
+    let rows = vec![Row { title_lines: 0, height: 250.0, axis: true, legend: 1 }];
     let grid = Grid { columns: 1, width: WIDTH, gap: 0.0, rows };
     let mut svg = grid.document("Distribution of the radius of gyration at the end of the runs");
     let x = Range::of(spread.range_m());

@@ -13,8 +13,10 @@ const TOP: f64 = 4.0;
 const AXIS: f64 = 38.0;
 /// Room below a row without.
 const NO_AXIS: f64 = 10.0;
-/// Height of a legend.
+/// Height of a legend of one line.
 const LEGEND: f64 = 26.0;
+/// Height of every further line.
+pub(crate) const LEGEND_LINE: f64 = 17.0;
 
 /// A row of panels.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -25,8 +27,8 @@ pub(crate) struct Row {
     pub(crate) height: f64,
     /// With numbers and a label below.
     pub(crate) axis: bool,
-    /// With a legend below.
-    pub(crate) legend: bool,
+    /// Lines of the legend below; 0 for none.
+    pub(crate) legend: usize,
 }
 
 /// Panels of one width in rows and columns.
@@ -48,7 +50,14 @@ impl Row {
     }
 
     fn below(&self) -> f64 {
-        (if self.axis { AXIS } else { NO_AXIS }) + if self.legend { LEGEND } else { 0.0 }
+        (if self.axis { AXIS } else { NO_AXIS }) + self.legend_height()
+    }
+
+    fn legend_height(&self) -> f64 {
+        match self.legend {
+            0 => 0.0,
+            lines => LEGEND + LEGEND_LINE * count(lines - 1),
+        }
     }
 
     fn total(&self) -> f64 {
@@ -71,10 +80,10 @@ impl Grid {
         Place { left, top, width: self.width, height: self.rows[row].height }
     }
 
-    /// Middle of the panels from left to right, and the height of the legend of `row`.
+    /// Middle of the page from left to right, and the height of the first line of the legend of `row`.
     #[must_use]
     pub(crate) fn legend(&self, row: usize) -> [f64; 2] {
-        [0.5 * (LEFT + self.right()), self.top(row + 1) - 0.55 * LEGEND]
+        [0.5 * (self.right() + RIGHT), self.top(row + 1) - self.rows[row].legend_height() + 0.45 * LEGEND]
     }
 
     fn top(&self, row: usize) -> f64 {
@@ -84,6 +93,12 @@ impl Grid {
     fn right(&self) -> f64 {
         LEFT + count(self.columns) * (self.width + self.gap) - self.gap
     }
+}
+
+/// Room for a legend below `columns` panels of `width` with `gap` between them.
+#[must_use]
+pub(crate) fn legend_room(columns: usize, width: f64, gap: f64) -> f64 {
+    LEFT + count(columns.max(1)) * (width + gap) - gap
 }
 
 /// Width of each of `columns` panels with `gap` between them on a page of the usual width, at most `most`.

@@ -1,6 +1,9 @@
-//! One row that says what shapes and lines mean.
+//! Lines that say what shapes and lines mean.
 
-use crate::figure::formation::{Marker, link_style, robots_group, shape};
+use crate::figure::distance::{least_style, limit_style};
+use crate::figure::formation::{Marker, link_style, ring, robots_group, shape};
+use crate::figure::panel::layout::LEGEND_LINE;
+use crate::figure::paths::start_mark;
 use crate::figure::robustness::{largest_f, largest_r, needed};
 use crate::figure::series::malicious_style;
 use crate::svg::palette::{INK, LABEL, LINK, MALICIOUS, NORMAL, SHADE};
@@ -26,6 +29,14 @@ pub(crate) enum Entry {
         /// Of which kind.
         malicious: bool,
     },
+    /// Two robots that are closer than they may be.
+    TooClose,
+    /// Where a robot started.
+    Start,
+    /// The least distance of all pairs.
+    Least,
+    /// The distance that is demanded.
+    Limit,
     /// The region below zero.
     Below,
     /// The largest r.
@@ -42,6 +53,15 @@ pub(crate) const FORMATION: [Entry; 4] = [
     Entry::Robot { malicious: true },
     Entry::Link { malicious: false },
     Entry::Link { malicious: true },
+];
+
+/// Of paths, above distances over time.
+pub(crate) const PATHS: [Entry; 5] = [
+    Entry::Start,
+    Entry::Robot { malicious: false },
+    Entry::Robot { malicious: true },
+    Entry::Least,
+    Entry::Limit,
 ];
 
 /// Of lines over time.
@@ -67,6 +87,10 @@ impl Entry {
             }
             Self::Link { malicious: false } => &[Piece::Plain("link between normal robots")],
             Self::Link { malicious: true } => &[Piece::Plain("link with a malicious robot")],
+            Self::TooClose => &[Piece::Plain("closer than allowed")],
+            Self::Start => &[Piece::Plain("start")],
+            Self::Least => &[Piece::Plain("least distance of two robots")],
+            Self::Limit => &[Piece::Plain("demanded")],
             Self::LargestR => &[Piece::Plain("largest "), Piece::Italic("r"), Piece::Plain(": r-robust")],
             Self::LargestF => {
                 &[Piece::Plain("largest "), Piece::Italic("F"), Piece::Plain(": (F+1, F+1)-robust")]
@@ -77,7 +101,11 @@ impl Entry {
     }
 
     fn sample_width(self) -> f64 {
-        if matches!(self, Self::Robot { .. }) { 12.0 } else { 26.0 }
+        match self {
+            Self::Start => 8.0,
+            Self::Robot { .. } | Self::TooClose => 14.0,
+            _ => 26.0,
+        }
     }
 
     fn text_width(self) -> f64 {
@@ -107,6 +135,10 @@ impl Entry {
             Self::Line { malicious: false } => {
                 svg.add(line(left, right, y).text("stroke", NORMAL).number("stroke-width", 1.3));
             }
+            Self::TooClose => svg.add(ring([0.5 * (left + right), y], 3.0)),
+            Self::Start => svg.add(start_mark([0.5 * (left + right), y]).text("stroke", NORMAL)),
+            Self::Least => svg.add(least_style(line(left, right, y))),
+            Self::Limit => svg.add(limit_style(line(left, right, y))),
             Self::LargestR => svg.add(largest_r(line(left, right, y))),
             Self::LargestF => svg.add(largest_f(line(left, right, y))),
             Self::Needed => svg.add(needed(line(left, right, y))),
@@ -130,16 +162,60 @@ fn line(left: f64, right: f64, y: f64) -> Element {
     path.element()
 }
 
-/// Draws `entries` in one row around `middle`.
-pub(crate) fn draw(svg: &mut Svg, entries: &[Entry], [middle, y]: [f64; 2]) {
+/// Entries in lines that are at most `room` wide.
+#[must_use]
+pub(crate) fn folded(entries: &[Entry], room: f64) -> Vec<&[Entry]> {
+    let mut lines = Vec::new();
+    let mut rest = entries;
+    while !rest.is_empty() {
+        let fits = (1..=rest.len()).rev().find(|count| width(&rest[..*count]) <= room).unwrap_or(1);
+        let (line, more) = rest.split_at(fits);
+        lines.push(line);
+        rest = more;
+    }
+    lines
+}
+
+/// Width of entries side by side.
+fn width(entries: &[Entry]) -> f64 {
     #[expect(clippy::cast_precision_loss, reason = "a handful of entries")]
     let gaps = GAP * entries.len().saturating_sub(1) as f64;
-    let mut left = middle - 0.5 * (entries.iter().map(|entry| entry.width()).sum::<f64>() + gaps);
+    entries.iter().map(|entry| entry.width()).sum::<f64>() + gaps
+}
+
+/// Draws lines of entries around `middle`, the first at height `y`.
+pub(crate) fn draw(svg: &mut Svg, lines: &[&[Entry]], [middle, mut y]: [f64; 2]) {
+    for entries in lines {
+        draw_line(svg, entries, [middle, y]);
+        y += LEGEND_LINE;
+    }
+}
+
+fn draw_line(svg: &mut Svg, entries: &[Entry], [middle, y]: [f64; 2]) {
+    let mut left = middle - 0.5 * width(entries);
     for entry in entries {
         entry.draw_sample(svg, left, y);
         let at = [left + entry.sample_width() + SAMPLE_GAP, y + 0.36 * LABEL];
         let text = Element::new("text").point(["x", "y"], at).number("font-size", LABEL).text("fill", INK);
         svg.add(text.label(entry.pieces()));
         left += entry.width() + GAP;
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The legend of a single panel used to be wider than the figure, and its last words were cut off.
+    #[test]
+    fn a_legend_that_is_too_wide_has_more_lines() {
+        for room in [10.0, 300.0, 420.0, 2_000.0] {
+            let lines = folded(&ROBUSTNESS, room);
+            assert_eq!(lines.concat(), ROBUSTNESS);
+            assert!(lines.iter().all(|line| line.len() == 1 || width(line) <= room));
+        }
+        assert_eq!(folded(&ROBUSTNESS, 2_000.0).len(), 1);
+        assert_eq!(folded(&ROBUSTNESS, 420.0).len(), 2);
+        assert!(folded(&[], 10.0).is_empty());
     }
 }
