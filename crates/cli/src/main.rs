@@ -2,6 +2,7 @@
 //!
 //! Exit codes: 0 fine, 1 a law that was expected to hold was broken, 2 bad input.
 
+mod as_run;
 mod check;
 mod compare;
 mod folder;
@@ -9,6 +10,7 @@ mod invocation;
 mod json;
 mod maker;
 mod output;
+mod pages;
 mod paper;
 mod progress;
 mod run;
@@ -62,7 +64,7 @@ Exit codes: 0 fine, 1 a law that the scenario expects was broken, 2 bad input.";
 enum Command {
     /// Run the paper's section V: three scenarios from two starts, table, claims, figures, data.
     ///
-    /// Writes figure1 and figure2 (SVG, PNG) for each start, every tick as Parquet and report.html.
+    /// Writes figures (SVG, PNG) for each start, every tick and round as Parquet, the scenarios and report.html.
     Paper(Paper),
     /// Run one scenario from a TOML file.
     #[command(after_long_help = RUN_HELP)]
@@ -93,7 +95,7 @@ struct Speech {
 
 #[derive(Args, Debug)]
 struct Paper {
-    /// Folder to write to; if it exists, it may hold only what an earlier run of closeranks wrote.
+    /// Folder to write to; what the same command wrote there is replaced.
     #[arg(short, long, value_name = "DIR", default_value = "closeranks-out")]
     output: PathBuf,
     /// Seed of initial values and of what liars say.
@@ -138,7 +140,7 @@ struct Compare {
     /// Which controllers, separated by commas.
     #[arg(long, value_enum, value_delimiter = ',', default_value = "composed,budget")]
     controllers: Vec<compare::Name>,
-    /// Folder for figures and page; without it only the table is printed.
+    /// Folder for figures, data and page; without it only the table is printed.
     #[arg(short, long, value_name = "DIR")]
     output: Option<PathBuf>,
     /// Use this seed instead of the file's.

@@ -1,20 +1,28 @@
 //! `closeranks run FILE`.
 
 use anyhow::{Result, bail};
-use closeranks_report::content::{Figure, Page, Section};
+use closeranks_graph::set::NODE_LIMIT;
+use closeranks_report::content::{Link, Page, Section};
 use closeranks_report::figure::{Case, overview};
 use closeranks_report::html::html;
-use closeranks_report::parquet::{Metadata, write};
-use closeranks_report::png::{SCALE_200_DPI, png};
-use closeranks_report::recording::rounds::write_rounds;
-use closeranks_report::robustness::{RobustnessSeries, points, robustness};
+use closeranks_report::robustness::robustness;
 use closeranks_report::table::{Line, table, text};
 use closeranks_sim::scenario::Scenario;
 use closeranks_sim::world::{self, Options, Run};
 
+use crate::as_run::as_run;
 use crate::compare::Name;
 use crate::folder::Folder;
-use crate::{json, output, progress, sentences, source};
+use crate::{json, output, pages, progress, sentences, source};
+
+/// A finished run.
+struct Done {
+    scenario: Scenario,
+    /// The scenario as it was run, TOML.
+    source: String,
+    run: Run,
+    wall_s: f64,
+}
 
 /// Runs one scenario; false when a law that it expects was broken.
 pub(crate) fn run(arguments: &crate::Run) -> Result<bool> {
@@ -30,23 +38,19 @@ pub(crate) fn run(arguments: &crate::Run) -> Result<bool> {
     let (run, time) =
         progress::timed(|| world::run(&scenario, options, &mut |tick| bar.set_position(u64::from(tick))));
     bar.finish_and_clear();
-    let run = run?;
-    let wall_s = time.as_secs_f64();
+    let done = Done { source: as_run(&source, &scenario), run: run?, scenario, wall_s: time.as_secs_f64() };
     if arguments.speech.json {
-        output::say(&json::text(&json::run(&scenario, &run, wall_s)));
+        output::say(&json::text(&json::run(&done.scenario, &done.run, done.wall_s)));
     } else if !arguments.speech.quiet {
-        output::say(&told(&scenario, &run, wall_s));
+        output::say(&told(&done.scenario, &done.run, done.wall_s));
     }
     if let (Some(folder), Some(target)) = (folder, &arguments.output) {
-        save(folder, &scenario, &source, &run, wall_s)?;
+        let files = save(folder, &done)?;
         if !arguments.speech.quiet && !arguments.speech.json {
-            output::say(&format!(
-                "written to {}: report.html, overview.svg, overview.png, robustness.svg, run.parquet, rounds.parquet\n",
-                target.display()
-            ));
+            output::say(&format!("written to {}: {files}\n", target.display()));
         }
     }
-    Ok(run.summary.failures(&scenario).next().is_none())
+    Ok(done.run.summary.failures(&done.scenario).next().is_none())
 }
 
 /// The scenario of the file, or one that is drawn from it.
@@ -79,70 +83,66 @@ fn told(scenario: &Scenario, run: &Run, wall_s: f64) -> String {
     format!("{}\n{start}\n{warning}{laws}", text(&table(&[line])))
 }
 
-fn save(mut folder: Folder, scenario: &Scenario, source: &str, run: &Run, wall_s: f64) -> Result<()> {
-    let Some(record) = &run.record else { return Ok(()) };
+/// Writes everything; says which files.
+fn save(mut folder: Folder, done: &Done) -> Result<String> {
+    let Done { scenario, source, run, .. } = done;
+    let Some(record) = &run.record else { return Ok(String::new()) };
     let svg = overview(Case { title: &scenario.name, scenario, record });
-    folder.add("overview.png", png(&svg, SCALE_200_DPI)?);
-    let metadata = Metadata {
-        scenario: source,
-        seed: scenario.seed,
-        version: env!("CARGO_PKG_VERSION"),
-        commit: env!("CLOSERANKS_COMMIT"),
-    };
-    let mut parquet = Vec::new();
-    write(record, &metadata, &mut parquet)?;
-    folder.add("run.parquet", parquet);
-    let mut rounds = Vec::new();
-    write_rounds(&run.rounds, scenario.tick_s(), &metadata, &mut rounds)?;
-    folder.add("rounds.parquet", rounds);
-    folder.add("robustness.svg", robustness(&[robustness_of(scenario, run)]));
-    folder.add("report.html", html(&page(scenario, source, run, wall_s, svg.clone())));
-    folder.add("overview.svg", svg);
-    folder.write()
+    let robustness = pages::robustness_of(&scenario.name, scenario, run).map(|series| robustness(&[series]));
+    let mut figures = vec![("overview", svg.as_str())];
+    figures.extend(robustness.as_deref().map(|svg| ("robustness", svg)));
+    let mut files = pages::add_data(
+        &mut folder,
+        ["scenario.toml", "run.parquet", "rounds.parquet"],
+        source,
+        scenario,
+        run,
+    )?;
+    files.extend(pages::add_figures(&mut folder, &figures, &|| ())?);
+    let names = pages::names(&files);
+    folder.add("report.html", html(&page(done, svg.clone(), robustness, files)));
+    folder.write()?;
+    Ok(format!("report.html, {names}"))
 }
 
-fn figure(caption: &str, svg: String) -> Figure {
-    Figure { caption: caption.to_owned(), svg }
-}
-
-fn robustness_of<'a>(scenario: &'a Scenario, run: &'a Run) -> RobustnessSeries<'a> {
-    RobustnessSeries {
-        title: &scenario.name,
-        faults: scenario.faults,
-        points: points(&run.rounds, scenario.tick_s()),
-    }
-}
-
-fn page(scenario: &Scenario, source: &str, run: &Run, wall_s: f64, svg: String) -> Page {
-    let line = Line { scenario, summary: &run.summary, rounds: &run.rounds, wall_s: Some(wall_s) };
+fn page(done: &Done, overview: String, robustness: Option<String>, files: Vec<Link>) -> Page {
+    let Done { scenario, source, run, wall_s } = done;
+    let line = Line { scenario, summary: &run.summary, rounds: &run.rounds, wall_s: Some(*wall_s) };
     let mut paragraphs = vec![sentences::start(scenario, &run.summary)];
     paragraphs.extend(sentences::warning(scenario));
-    paragraphs.extend(sentences::laws(scenario, &run.summary).lines().map(str::to_owned));
+    let mut figures =
+        vec![pages::figure(&format!("{} {} {}", pages::FORMATIONS, pages::PATHS, pages::SERIES), overview)];
+    match robustness {
+        Some(svg) => figures.push(pages::figure(pages::ROBUSTNESS, svg)),
+        None => {
+            paragraphs.push(format!("Exact robustness is searched in teams of up to {NODE_LIMIT} robots."))
+        }
+    }
     let outcome = Section {
         title: "What it came to".to_owned(),
         paragraphs,
+        laws: sentences::law_lines(scenario, &run.summary),
         tables: vec![(
             "Least and greatest over the run; heads as in the terminal.".to_owned(),
             table(&[line]),
         )],
-        figures: vec![
-            figure("Formation at the start and at the end; degree barriers and values over time.", svg),
-            figure(
-                "Exact robustness of the network in every round.",
-                robustness(&[robustness_of(scenario, run)]),
-            ),
-        ],
+        figures,
         ..Section::default()
     };
-    let text = Section {
-        title: "Scenario".to_owned(),
-        paragraphs: source.lines().map(str::to_owned).collect(),
+    let data = Section {
+        title: "Scenario and data".to_owned(),
+        listings: vec![pages::scenario("As it was run, with its seed and controller:", source)],
+        files,
         ..Section::default()
     };
     Page {
         title: scenario.name.clone(),
-        lead: format!("One run of closeranks, seed {}.", scenario.seed),
-        sections: vec![outcome, text],
-        footer: format!("closeranks {}, commit {}", env!("CARGO_PKG_VERSION"), env!("CLOSERANKS_COMMIT")),
+        lead: format!(
+            "One run of closeranks under the controller {}, seed {}.",
+            scenario.controller.name(),
+            scenario.seed
+        ),
+        sections: vec![outcome, data],
+        footer: pages::footer("run"),
     }
 }

@@ -2,7 +2,8 @@
 
 use core::fmt::Write as _;
 
-use closeranks_report::table::{number, telling};
+use closeranks_report::content::{LawLine, Mark};
+use closeranks_report::table::{number, telling, uses_phi};
 use closeranks_sim::law::{Law, Verdict};
 use closeranks_sim::output::summary::Summary;
 use closeranks_sim::scenario::{Controller, Scenario};
@@ -11,14 +12,17 @@ use closeranks_sim::scenario::{Controller, Scenario};
 pub(crate) fn start(scenario: &Scenario, summary: &Summary) -> String {
     let start = &summary.start;
     let measure = match scenario.controller {
-        Controller::Budget => format!("least h {}", number(start.h_min, 3)),
-        Controller::Composed | Controller::None => format!("least phi_i {}", telling(start.phi_min, 4)),
+        Controller::Composed => format!("least phi_i {}", telling(start.phi_min, 4)),
+        _ => format!("least h {}", number(start.h_min, 3)),
     };
     let place = format!(
         "{measure}, least degree {}, least distance {} m",
         start.degree_min,
         number(start.distance_min_m, 3)
     );
+    if scenario.controller == Controller::None {
+        return format!("start: {place}; no controller keeps any of it");
+    }
     if start.inside {
         return format!("start: inside the safe set ({place})");
     }
@@ -45,24 +49,50 @@ pub(crate) fn warning(scenario: &Scenario) -> Option<String> {
     })
 }
 
-/// One line for each law that was broken; those that were expected to hold are marked.
-pub(crate) fn laws(scenario: &Scenario, summary: &Summary) -> String {
-    let mut out = String::new();
-    for verdict in &summary.verdicts {
-        let expected = scenario.expect.contains(&verdict.law);
-        // phi belongs to the paper's controller; beside another one it says nothing.
-        let about_phi = matches!(verdict.law, Law::Composition | Law::Shares);
-        let foreign = about_phi && scenario.controller == Controller::Budget;
-        if verdict.count > 0 && (expected || !foreign) {
-            let mark = if expected { "BROKEN" } else { "broken, not expected to hold" };
-            let _ = writeln!(out, "{}: {mark}: {}", verdict.law.name(), violation(scenario, verdict));
-            if scenario.controller == Controller::Budget && Law::PROMISED.contains(&verdict.law) {
-                let _ = writeln!(out, "    {}", covered(scenario, verdict));
-            }
+/// What became of each law that is expected, or that was broken.
+pub(crate) fn law_lines(scenario: &Scenario, summary: &Summary) -> Vec<LawLine> {
+    summary.verdicts.iter().filter_map(|verdict| law_line(scenario, verdict)).collect()
+}
+
+fn law_line(scenario: &Scenario, verdict: &Verdict) -> Option<LawLine> {
+    let expected = scenario.expect.contains(&verdict.law);
+    // φ belongs to the paper's controller; beside another one it says nothing.
+    let is_foreign = verdict.law.is_about_phi() && !uses_phi(scenario);
+    let mark = match (verdict.count > 0, expected) {
+        (false, true) => Mark::Held,
+        (true, true) => Mark::Broken,
+        (true, false) if !is_foreign => Mark::NotExpected,
+        _ => return None,
+    };
+    let mut detail = String::new();
+    if verdict.count > 0 {
+        detail = violation(scenario, verdict);
+        if scenario.controller == Controller::Budget && Law::PROMISED.contains(&verdict.law) {
+            detail = format!("{detail}; {}", covered(scenario, verdict));
         }
     }
-    let held: Vec<&str> =
-        scenario.expect.iter().filter(|law| summary.broken(**law) == 0).map(|law| law.name()).collect();
+    let (law, demand) = (verdict.law.name().to_owned(), verdict.law.demand().to_owned());
+    Some(LawLine { law, demand, mark, detail })
+}
+
+/// One line for each law that was broken; those that were expected to hold are marked. Then those that held.
+pub(crate) fn laws(scenario: &Scenario, summary: &Summary) -> String {
+    let mut out = String::new();
+    let lines = law_lines(scenario, summary);
+    for LawLine { law, demand, mark, detail } in &lines {
+        let mark = match mark {
+            Mark::Held => continue,
+            Mark::Broken => "BROKEN",
+            Mark::NotExpected => "broken, not expected to hold",
+        };
+        let (first, more) = detail.split_once("; ").unwrap_or((detail, ""));
+        let _ = writeln!(out, "{law}: {mark}: {first} ({demand})");
+        if !more.is_empty() {
+            let _ = writeln!(out, "    {more}");
+        }
+    }
+    let held = lines.iter().filter(|line| line.mark == Mark::Held).map(|line| line.law.as_str());
+    let held: Vec<&str> = held.collect();
     if !held.is_empty() {
         let _ = writeln!(out, "held at every tick: {}", held.join(", "));
     }
@@ -96,7 +126,7 @@ pub(crate) fn violation(scenario: &Scenario, verdict: &Verdict) -> String {
         _ => format!("{}, demanded {}", telling(first.seen, 4), number(first.demanded, 4)),
     };
     let times = if verdict.count == 1 { "once".to_owned() } else { format!("{} times", verdict.count) };
-    format!("{times}, first at t = {}{who}: {amount} ({})", time(scenario, first.tick), verdict.law.demand())
+    format!("{times}, first at t = {}{who}: {amount}", time(scenario, first.tick))
 }
 
 fn time(scenario: &Scenario, tick: u32) -> String {

@@ -156,8 +156,8 @@ fn the_paper_in_one_command() {
     let output = closeranks(folder.path(), &["paper"]);
     assert!(output.status.success(), "{}", text(&output.stderr));
     let told = text(&output.stdout);
-    assert_eq!(told.matches("  holds  ").count(), 10 + 13, "{told}");
-    assert_eq!(told.matches("  does not hold here  ").count(), 5 + 2, "{told}");
+    assert_eq!(told.matches("  holds  ").count(), 11 + 13, "{told}");
+    assert_eq!(told.matches("  does not hold here  ").count(), 5 + 3, "{told}");
     for start in ["published", "inside"] {
         for file in ["figure1.svg", "figure1.png", "figure2.svg", "figure2.png"] {
             assert!(folder.path().join(format!("closeranks-out/{start}-{file}")).is_file());
