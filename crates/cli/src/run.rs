@@ -115,7 +115,7 @@ fn page(done: &Done, overview: String, robustness: Option<String>, files: Vec<Li
     match robustness {
         Some(svg) => figures.push(pages::figure(pages::ROBUSTNESS, svg)),
         None => {
-            paragraphs.push(format!("Exact robustness is searched in teams of up to {NODE_LIMIT} robots."))
+            paragraphs.push(format!("Exact robustness is searched in teams of up to {NODE_LIMIT} robots."));
         }
     }
     let outcome = Section {

@@ -32,7 +32,7 @@ fn page(outcome: &Outcome<'_>, rows: &str, laws: String, gyration: String) -> Pa
         ..Section::default()
     };
     Page {
-        title: format!("Sweep of {}", outcome.file),
+        title: format!("Sweep of {}", outcome.file.rsplit('/').next().unwrap_or(outcome.file)),
         lead: format!("{}.", outcome.head()),
         sections: vec![came_to(outcome, laws, gyration), by_value(outcome), violations(outcome), text],
         footer: pages::footer("sweep"),

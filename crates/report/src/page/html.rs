@@ -66,17 +66,17 @@ fn section(index: usize, section: &Section) -> String {
     let mut text = format!("<section id=\"part-{}\">\n", index + 1);
     text += &element("h2", &section.title);
     text.extend(section.paragraphs.iter().map(|words| paragraph("", words)));
-    text += &marked(section.laws.iter().map(law).collect());
+    text += &marked(&section.laws.iter().map(law).collect::<Vec<_>>());
     text.extend(section.tables.iter().map(|(caption, content)| table(caption, content)));
     text.extend(section.figures.iter().map(figure));
-    text += &marked(section.claims.iter().map(claim).collect());
+    text += &marked(&section.claims.iter().map(claim).collect::<Vec<_>>());
     text.extend(section.listings.iter().map(listing));
     text += &files(&section.files);
     text + "</section>\n"
 }
 
 /// Sentences with a mark each: a word, a symbol and a colour say the same.
-fn marked(sentences: Vec<String>) -> String {
+fn marked(sentences: &[String]) -> String {
     if sentences.is_empty() {
         return String::new();
     }
@@ -127,7 +127,7 @@ fn files(files: &[Link]) -> String {
 }
 
 /// Wide figures scroll sideways on a phone; their words would be too small to read.
-const WIDE: f64 = 600.0;
+const WIDE: f64 = 660.0;
 
 fn figure(figure: &Figure) -> String {
     let root = figure.svg.find("<svg").map_or("", |start| &figure.svg[start..]);

@@ -3,6 +3,9 @@
 use super::content::Table;
 use crate::svg::escape;
 
+/// A phone has room for so many columns.
+const FEW: usize = 5;
+
 /// A table that scrolls sideways where it is too wide, also by keyboard. The first column names the rows.
 pub(super) fn table(caption: &str, table: &Table) -> String {
     let heads: String = (0..table.heads.len()).map(|column| head(column, table)).collect();
@@ -14,8 +17,9 @@ pub(super) fn table(caption: &str, table: &Table) -> String {
         rows += &row(cells, &table.heads, name);
     }
     let label = escape(caption);
+    let class = if table.heads.len() > FEW { " class=\"many\"" } else { "" };
     format!(
-        "<div class=\"scroll\" role=\"region\" aria-label=\"{label}\" tabindex=\"0\">\n<table>\n\
+        "<div class=\"scroll\" role=\"region\" aria-label=\"{label}\" tabindex=\"0\">\n<table{class}>\n\
          <caption>{label}</caption>\n<thead>\n<tr>{heads}</tr>\n</thead>\n<tbody>\n{rows}</tbody>\n</table>\n</div>\n"
     )
 }
@@ -49,7 +53,8 @@ fn cell(label: &str, text: &str) -> String {
     format!("<td{class} data-label=\"{}\">{}</td>", escape(label), escape(text))
 }
 
-/// Numbers are aligned to the right.
+/// Numbers are aligned to the right, and a dash where there is none.
 fn is_number(text: &str) -> bool {
-    text.trim_start_matches(['-', '\u{2212}', '+']).starts_with(|first: char| first.is_ascii_digit())
+    text == "-"
+        || text.trim_start_matches(['-', '\u{2212}', '+']).starts_with(|first: char| first.is_ascii_digit())
 }

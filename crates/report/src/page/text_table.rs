@@ -7,7 +7,7 @@ use super::content::Table;
 /// What every terminal, mail and README has room for.
 const WIDTH: usize = 80;
 /// Words longer than this go on in the next line where a table is too wide.
-const CELL: usize = 26;
+const CELL: usize = 22;
 /// Space between columns.
 const GAP: usize = 2;
 
@@ -28,7 +28,7 @@ pub fn text(table: &Table) -> String {
 /// Cells of a table line by line, heads first.
 struct Lines {
     heads: usize,
-    lines: Vec<Vec<String>>,
+    cells: Vec<Vec<String>>,
     widths: Vec<usize>,
     /// Columns that hold no number.
     words: Vec<bool>,
@@ -51,7 +51,7 @@ impl Lines {
         let lines: Vec<Vec<String>> = heads.into_iter().chain(body).collect();
         let longest =
             |column: usize| lines.iter().map(|line| line[column].chars().count()).max().unwrap_or(0);
-        Self { heads: count, widths: (0..columns).map(longest).collect(), words, lines }
+        Self { heads: count, widths: (0..columns).map(longest).collect(), words, cells: lines }
     }
 
     /// Width of some columns side by side.
@@ -59,27 +59,29 @@ impl Lines {
         self.widths[columns.clone()].iter().sum::<usize>() + GAP * columns.len().saturating_sub(1)
     }
 
-    /// Columns after the first `names`, cut where a block would be too wide; as even as the first fit makes them.
+    /// Columns after the first `names` in blocks, each with as many as there is room for beside the names.
     fn blocks(&self, names: usize) -> Vec<Range<usize>> {
         let all = self.widths.len();
         let names = names.min(all);
         let room = WIDTH.saturating_sub(self.width(0..names) + GAP);
         let mut blocks = Vec::new();
         let mut start = names;
-        while start < all {
+        loop {
             let fits =
                 (start + 1..=all).rev().find(|end| self.width(start..*end) <= room).unwrap_or(start + 1);
-            blocks.push(start..fits);
+            blocks.push(start..fits.min(all));
             start = fits;
+            if start >= all {
+                return blocks;
+            }
         }
-        if blocks.is_empty() { vec![names..names] } else { blocks }
     }
 
     /// Some columns as text, with a rule below the heads.
     fn block(&self, columns: impl Iterator<Item = usize>) -> String {
         let columns: Vec<usize> = columns.filter(|column| *column < self.widths.len()).collect();
         let mut out = String::new();
-        for (index, line) in self.lines.iter().enumerate() {
+        for (index, line) in self.cells.iter().enumerate() {
             out.push_str(self.line(line, &columns).trim_end());
             out.push('\n');
             if index + 1 == self.heads {
