@@ -46,7 +46,7 @@ const DISTANCE_LABEL: &[Piece<'_>] = &[Piece::Plain("distance (m)")];
 /// Space between columns that share the axis to their left.
 const SHARED_GAP: f64 = 20.0;
 /// Space between columns with an axis each.
-const OWN_GAP: f64 = 64.0;
+const OWN_GAP: f64 = 70.0;
 
 /// The start of the first case and the end of all, from each side that is needed.
 fn moments<'a>(cases: &[Case<'a>]) -> Vec<Vec<Moment<'a>>> {

@@ -18,6 +18,9 @@ const COLUMN: f64 = 0.75;
 /// More robots than this have thinner lines.
 const CROWD: u16 = 40;
 
+/// More robots than this have no numbers beside their lines: three digits have no room there.
+const NUMBERED: u16 = 99;
+
 /// What is drawn.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Quantity {
@@ -86,7 +89,7 @@ impl Quantity {
 
     /// Numbers of robots beside the panel, so that each line can be told. Values agree: they need none.
     pub(crate) fn draw_numbers(self, svg: &mut Svg, axes: &Axes, record: &Record) {
-        if self == Self::Barrier && record.last_tick() > 0 {
+        if self == Self::Barrier && record.last_tick() > 0 && record.robots <= NUMBERED {
             let last = [record.last_tick()];
             let end = |index: usize| End {
                 y: self

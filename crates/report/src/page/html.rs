@@ -127,7 +127,7 @@ fn files(files: &[Link]) -> String {
 }
 
 /// Wide figures scroll sideways on a phone; their words would be too small to read.
-const WIDE: f64 = 660.0;
+const WIDE: f64 = 500.0;
 
 fn figure(figure: &Figure) -> String {
     let root = figure.svg.find("<svg").map_or("", |start| &figure.svg[start..]);

@@ -1,7 +1,7 @@
 //! SVG to PNG, with the fonts that this crate brings along.
 
 use core::error::Error;
-use std::sync::Arc;
+use std::sync::{Arc, OnceLock};
 
 use ::png::{BitDepth, ColorType, Compression, Encoder, EncodingError};
 use dejavu::sans;
@@ -70,11 +70,16 @@ fn canvas(width: f32, height: f32) -> Result<Pixmap, PngError> {
 }
 
 fn options() -> Options<'static> {
-    let mut fonts = fontdb::Database::new();
-    for font in [sans::regular(), sans::bold(), sans::oblique()] {
-        fonts.load_font_source(fontdb::Source::Binary(Arc::new(font)));
-    }
-    Options { fontdb: Arc::new(fonts), font_family: "DejaVu Sans".into(), ..Options::default() }
+    // Read once for all figures.
+    static FONTS: OnceLock<Arc<fontdb::Database>> = OnceLock::new();
+    let fonts = FONTS.get_or_init(|| {
+        let mut fonts = fontdb::Database::new();
+        for font in [sans::regular(), sans::bold(), sans::oblique()] {
+            fonts.load_font_source(fontdb::Source::Binary(Arc::new(font)));
+        }
+        Arc::new(fonts)
+    });
+    Options { fontdb: fonts.clone(), font_family: "DejaVu Sans".into(), ..Options::default() }
 }
 
 #[cfg(test)]
