@@ -203,6 +203,14 @@ impl Controller {
         self.row().promises.contains(&law)
     }
 
+    /// True if monitors look at `law` under it: laws about φ_i where it uses φ_i, laws about what a controller says of itself
+    /// where it promises them.
+    #[must_use]
+    pub fn watches(self, law: Law) -> bool {
+        let about_phi = law.is_about_phi();
+        (!about_phi || self.row().uses_phi) && (!law.is_own() || self.promises(law))
+    }
+
     /// What every robot runs: the controller itself, or none beside one with global state.
     pub(crate) fn settings(self, scenario: &Scenario) -> settings::Controller {
         match self.row().make {
