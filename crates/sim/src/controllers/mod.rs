@@ -5,6 +5,8 @@
 //! implements [`Velocities`] in a file beside this one; robots then run without a controller of their own and are asked
 //! for the velocities that it finds, while links, levels, consensus, liars and monitors are those of the engine.
 
+pub mod orca;
+
 use closeranks_core::num::Vector;
 use closeranks_core::program::Outcome;
 use closeranks_core::settings;
@@ -131,7 +133,6 @@ macro_rules! controllers {
             $(#[expect(missing_docs, reason = "its file says what it is")] $global($type),)*
         }
 
-        #[allow(unused_variables, reason = "there may be no such controller")]
         impl Velocities for Global {
             fn velocities<const D: usize>(&mut self, view: &TeamView<'_, D>, answers: &mut [Answer<D>]) {
                 match *self {
@@ -180,8 +181,20 @@ controllers! {
             inside: Inside::Margins,
             make: Make::Local(|_| settings::Controller::None),
         },
+        /// Collision avoidance alone ([`orca`]).
+        Orca: Row {
+            name: "orca",
+            about: "collision avoidance alone, by reciprocal half-planes",
+            knows: Knows::Global,
+            uses_phi: false,
+            promises: &[Law::Interval, Law::Input],
+            counted: Counted::Covered,
+            expects: &[Law::Interval, Law::Input],
+            inside: Inside::Margins,
+            make: Make::Global(|_| Global::Orca(orca::Orca::default())),
+        },
     }
-    global {}
+    global { Orca: orca::Orca, }
 }
 
 impl Controller {
@@ -220,7 +233,6 @@ impl Controller {
     }
 
     /// The controller of the whole team, if it is one.
-    #[allow(unreachable_code, reason = "there may be no such controller")]
     pub(crate) fn global(self, scenario: &Scenario) -> Option<Global> {
         match self.row().make {
             Make::Local(_) => None,
