@@ -37,13 +37,14 @@ struct Grid {
 }
 
 impl Near {
-    /// Gets ready for robots at `positions_m`.
-    pub(crate) fn look<const D: usize>(&mut self, positions_m: &[Vector<D>], radius_m: f64) {
+    /// Gets ready for robots at `positions_m`; true if a grid of cells is in use.
+    pub(crate) fn look<const D: usize>(&mut self, positions_m: &[Vector<D>], radius_m: f64) -> bool {
         let sparse = positions_m.len() > FEW && self.grid.fill(positions_m, radius_m);
         if sparse != self.sparse {
             self.candidates.clear();
         }
         self.sparse = sparse;
+        sparse
     }
 
     /// Robots before `second` within the radius, in order, and their squared distances, m².

@@ -1,5 +1,7 @@
 //! Distances of pairs of robots.
 
+pub(crate) mod near;
+
 use closeranks_core::num::{Vector, dot, subtract};
 
 /// `‖x − y‖²`, m².
