@@ -54,7 +54,7 @@ fn is_runnable(scenario: &Scenario) {
         3 => is_ready::<3>(scenario),
         other => panic!("dimension {other}"),
     }
-    if scenario.robots <= ROBOTS {
+    if scenario.team.robots <= ROBOTS {
         let short =
             Scenario { duration_s: scenario.duration_s.min(TICKS * scenario.tick_s()), ..scenario.clone() };
         runs(&short);
@@ -63,8 +63,8 @@ fn is_runnable(scenario: &Scenario) {
 
 fn is_ready<const D: usize>(scenario: &Scenario) {
     scenario.params::<D>().unwrap_or_else(|error| panic!("{error}"));
-    let start = scenario.start.positions::<D>(scenario).unwrap_or_else(|error| panic!("{error}"));
-    assert_eq!(start.len(), usize::from(scenario.robots));
+    let start = scenario.positions::<D>().unwrap_or_else(|error| panic!("{error}"));
+    assert_eq!(start.len(), usize::from(scenario.team.robots));
     assert!(start.iter().flatten().all(|component| component.is_finite()));
 }
 

@@ -1,7 +1,5 @@
 //! Bytes as a source of choices and numbers.
 
-use core::time::Duration;
-
 use closeranks_core::num::Vector;
 
 /// Where arithmetic ends, and where settings do.
@@ -82,17 +80,6 @@ impl Source<'_> {
             core::array::from_fn(|_| self.near() / 2.0)
         } else {
             core::array::from_fn(|_| self.number())
-        }
-    }
-
-    /// A period: ordinary, odd or without end.
-    pub(crate) fn period(&mut self) -> Duration {
-        match self.byte() {
-            0..=99 => Duration::from_millis(u64::from(self.byte())),
-            100..=199 => Duration::from_nanos(u64::from_le_bytes(self.take())),
-            200..=227 => Duration::from_nanos(u64::from(self.byte())),
-            228..=254 => Duration::from_secs(u64::from(u32::from_le_bytes(self.take()))),
-            255 => Duration::MAX,
         }
     }
 }

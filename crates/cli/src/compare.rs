@@ -1,7 +1,7 @@
 //! `closeranks compare FILE`: the same scenario and seed under several controllers, side by side.
 
 use anyhow::{Result, bail};
-use clap::ValueEnum;
+use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 use closeranks_report::content::{Figure, Link, Page, Section};
 use closeranks_report::figure::{Case, figure1, figure2, figure3};
 use closeranks_report::html::html;
@@ -15,26 +15,13 @@ use crate::as_run::as_run;
 use crate::folder::Folder;
 use crate::{json, output, pages, progress, sentences, source};
 
-/// A controller by its name in scenario files.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub(crate) enum Name {
-    /// The paper's.
-    Composed,
-    /// Ours.
-    Budget,
-    /// The desired velocity, cut to the box.
-    None,
-}
-
-impl Name {
-    /// What it names.
-    pub(crate) fn controller(self) -> Controller {
-        match self {
-            Self::Composed => Controller::Composed,
-            Self::Budget => Controller::Budget,
-            Self::None => Controller::None,
-        }
-    }
+/// Reads a controller by its name in scenario files.
+pub(crate) fn controller() -> impl TypedValueParser<Value = Controller> {
+    let names = Controller::ALL
+        .iter()
+        .map(|controller| PossibleValue::new(controller.name()).help(controller.row().about));
+    PossibleValuesParser::new(names)
+        .try_map(|name| Controller::named(&name).ok_or("no controller has that name"))
 }
 
 /// A finished run.
@@ -53,7 +40,8 @@ pub(crate) fn compare(arguments: &crate::Compare) -> Result<bool> {
     let scenario = Scenario { seed: arguments.seed.unwrap_or(scenario.seed), ..scenario };
     let repeated = |index: usize| arguments.controllers[..index].contains(&arguments.controllers[index]);
     if (0..arguments.controllers.len()).any(repeated) {
-        bail!("`--controllers` names one twice; allowed is each of composed, budget, none once");
+        let names: Vec<&str> = Controller::ALL.iter().map(|controller| controller.name()).collect();
+        bail!("`--controllers` names one twice; allowed is each of {} once", names.join(", "));
     }
     let folder = arguments.output.as_deref().map(Folder::new).transpose()?;
     let bar =
@@ -75,10 +63,10 @@ pub(crate) fn compare(arguments: &crate::Compare) -> Result<bool> {
     Ok(runs.iter().all(|done| done.run.summary.failures(&done.scenario).next().is_none()))
 }
 
-fn done(scenario: &Scenario, source: &str, name: Name, record: bool) -> Result<Done> {
-    let source = as_run(source, &scenario.clone().under(name.controller()));
-    let named = Scenario { name: name.controller().name().to_owned(), ..scenario.clone() };
-    let scenario = named.under(name.controller());
+fn done(scenario: &Scenario, source: &str, controller: Controller, record: bool) -> Result<Done> {
+    let source = as_run(source, &scenario.clone().under(controller));
+    let named = Scenario { name: controller.name().to_owned(), ..scenario.clone() };
+    let scenario = named.under(controller);
     let options = Options { record, robustness: true, ..Options::default() };
     let (run, time) = progress::timed(|| world::run(&scenario, options, &mut |_| ()));
     Ok(Done { run: run?, source, scenario, wall_s: time.as_secs_f64() })

@@ -20,6 +20,7 @@ use std::process::ExitCode;
 
 use anyhow::Result;
 use clap::{Args, CommandFactory as _, FromArgMatches as _, Parser, Subcommand};
+use closeranks_sim::scenario::Controller;
 use results::{as_run, json, pages, sentences};
 
 /// Keeps a team of robots agreeing while some of them lie.
@@ -115,8 +116,8 @@ struct Run {
     #[arg(long, conflicts_with = "draw", value_parser = invocation::seed, allow_negative_numbers = true)]
     seed: Option<u64>,
     /// Use this controller instead of the file's.
-    #[arg(long, value_enum, value_name = "NAME")]
-    controller: Option<compare::Name>,
+    #[arg(long, value_parser = compare::controller(), value_name = "NAME")]
+    controller: Option<Controller>,
     /// Of a file that draws values, run number K of the sweep (from 0).
     #[arg(long, value_name = "K", value_parser = invocation::seed, allow_negative_numbers = true)]
     draw: Option<u64>,
@@ -136,8 +137,8 @@ struct Compare {
     #[arg(value_name = "FILE")]
     file: PathBuf,
     /// Which controllers, separated by commas.
-    #[arg(long, value_enum, value_delimiter = ',', default_value = "composed,budget")]
-    controllers: Vec<compare::Name>,
+    #[arg(long, value_parser = compare::controller(), value_delimiter = ',', default_value = "composed,budget")]
+    controllers: Vec<Controller>,
     /// Folder for figures, data and page; without it only the table is printed.
     #[arg(short, long, value_name = "DIR")]
     output: Option<PathBuf>,

@@ -11,7 +11,6 @@ use closeranks_sim::scenario::Scenario;
 use closeranks_sim::world::{self, Options, Run};
 
 use crate::as_run::as_run;
-use crate::compare::Name;
 use crate::folder::Folder;
 use crate::{json, output, pages, progress, sentences, source};
 
@@ -55,7 +54,7 @@ pub(crate) fn run(arguments: &crate::Run) -> Result<bool> {
 
 /// The scenario of the file, or one that is drawn from it.
 fn scenario(arguments: &crate::Run) -> Result<(Scenario, String)> {
-    let controller = arguments.controller.map(Name::controller);
+    let controller = arguments.controller;
     let Some(run) = arguments.draw else {
         let (mut scenario, source) = source::scenario(&arguments.file)?;
         scenario.seed = arguments.seed.unwrap_or(scenario.seed);

@@ -4,13 +4,15 @@
 
 use closeranks_core::controller::budget::curvature::Curvature;
 use closeranks_core::controller::budget::knowledge::{Assume, Claim, Sighting, Trust};
-use closeranks_core::controller::budget::margin::Margin;
+use closeranks_core::controller::budget::margin::ErrorBounds;
 use closeranks_core::controller::budget::rows::Memory;
 use closeranks_core::controller::budget::settings::{Budget, Form};
 use closeranks_core::equations::link::LinkShape;
+use closeranks_core::need::Need;
 use closeranks_core::program::InputBox;
 use closeranks_core::program::balls::reach::Reach;
 use closeranks_core::program::balls::row::Row;
+use closeranks_core::robot::neighbor::RobotId;
 use divan::{Bencher, black_box};
 
 fn main() {
@@ -38,21 +40,24 @@ fn scene<const D: usize>(period_s: f64, assume: Assume, form: Form) -> (Budget, 
     let reach = Reach::new(&InputBox { min_m_s: [-1.5; D], max_m_s: [1.5; D] }, period_s);
     let budget = Budget {
         curvature: Curvature::new(LinkShape { radius_m: 3.0, q1: 2.099, q2: 0.3 }),
-        robots: 11,
+        need: Need::new(11, 2, assume.keep()),
         faults: 2,
         distance_min_m: 0.3,
         move_max_m: reach.longest_m(),
         gamma: 0.2,
-        rise: 0.0,
+        gain_slope: 0.0,
         gamma_c: 0.2,
         trust: Trust::ToldOrSeen,
         assume,
         form,
-        margin: Margin::NONE,
+        errors: ErrorBounds::NONE,
     };
     let claim = Some(Claim { level: 7.05, age_ticks: 1 });
-    let sightings =
-        OFFSETS.map(|[x, y]| Sighting::new(core::array::from_fn(|d| [x, y, 0.3 * x * y][d]), claim));
+    let mut ids = (2..).map(RobotId);
+    let sightings = OFFSETS.map(|[x, y]| {
+        let id = ids.next().unwrap_or(RobotId(0));
+        Sighting::new(id, core::array::from_fn(|d| [x, y, 0.3 * x * y][d]), claim)
+    });
     (budget, reach, sightings)
 }
 
@@ -63,7 +68,7 @@ fn whole<const D: usize>(bencher: Bencher<'_, '_>, period_s: f64, assume: Assume
     desired[0] = -period_s;
     bencher.bench_local(|| {
         let memory = Memory { rows: &mut rows, weights: &mut weights };
-        budget.rows(black_box(&sightings), black_box(&desired), reach, memory).closest()
+        budget.rows(RobotId(1), black_box(&sightings), black_box(&desired), reach, memory).closest()
     });
 }
 
@@ -92,6 +97,6 @@ fn closest_of_ten_neighbours(bencher: Bencher<'_, '_>, period_s: f64) {
     let (budget, reach, sightings) = scene::<2>(period_s, Assume::Obedient, Form::Level);
     let (mut rows, mut weights) = ([Row::default(); 27], [0.0; 100]);
     let memory = Memory { rows: &mut rows, weights: &mut weights };
-    let mut rows = budget.rows(&sightings, &[-period_s, 0.0], reach, memory);
+    let mut rows = budget.rows(RobotId(1), &sightings, &[-period_s, 0.0], reach, memory);
     bencher.bench_local(|| black_box(&mut rows).closest());
 }

@@ -9,8 +9,8 @@ use closeranks_core::num::dot;
 use closeranks_core::num::scaled::Scaled;
 use closeranks_core::program::InputBox;
 use closeranks_core::program::box_row::{Row, closest};
-use closeranks_core::robot::Robot;
-use closeranks_core::robot::neighbor::{RobotId, Slot};
+use closeranks_core::robot::neighbor::RobotId;
+use closeranks_core::robot::sized::SizedRobot;
 use closeranks_core::settings::params::{Params, Settings};
 use closeranks_core::time::Instant;
 use closeranks_core::wmsr;
@@ -66,7 +66,7 @@ fn program_infeasible(bencher: Bencher<'_, '_>) {
 #[divan::bench]
 fn row_and_program_of_ten_neighbours(bencher: Bencher<'_, '_>) {
     let params = Params::<2>::new(Settings::default()).expect("defaults are valid");
-    let (composed, shape) = (*params.composed(), *params.link());
+    let (composed, shape) = (*params.composed().expect("the default"), *params.link());
     let term = move |offset_m: &[f64; 2], told: f64| -> Option<Term<2>> {
         let link: Link<Scaled> = shape.link(offset_m)?;
         let collision = composed.collision_term(dot(offset_m, offset_m));
@@ -86,9 +86,7 @@ fn row_and_program_of_ten_neighbours(bencher: Bencher<'_, '_>) {
 #[divan::bench]
 fn tick_of_a_robot_with_ten_neighbours(bencher: Bencher<'_, '_>) {
     let params = Params::<2>::new(Settings::default()).expect("defaults are valid");
-    let mut slots = [Slot::default(); 10];
-    let mut values = [0.0; 10];
-    let mut robot = Robot::new(params, RobotId(1), 0.0, &mut slots, &mut values).expect("memory is enough");
+    let mut robot = SizedRobot::<2, 10>::new(params, RobotId(1), 0.0).expect("memory is enough");
     let mut nanos = 0;
     bencher.bench_local(|| {
         nanos += 5_000_000;

@@ -1,4 +1,4 @@
-//! How far the paper's team gets under `budget`, by rate, form and tick: the table in `budget::settings::share_of_rate`.
+//! How far the paper's team gets under `budget`, by rate, form and tick: the table in `budget::settings::fraction_of_rate`.
 //!
 //! `cargo run --release -p closeranks-core --example budget_spread`
 //!
@@ -7,14 +7,16 @@
 
 use closeranks_core::controller::budget::curvature::Curvature;
 use closeranks_core::controller::budget::knowledge::{Assume, Claim, Sighting, Trust};
-use closeranks_core::controller::budget::margin::Margin;
+use closeranks_core::controller::budget::margin::ErrorBounds;
 use closeranks_core::controller::budget::rows::Memory;
-use closeranks_core::controller::budget::settings::{Budget, Form, share_of_rate};
+use closeranks_core::controller::budget::settings::{Budget, Form, fraction_of_rate};
 use closeranks_core::equations::link::LinkShape;
+use closeranks_core::need::Need;
 use closeranks_core::num::{Vector, add_scaled, dot, length, subtract};
 use closeranks_core::program::InputBox;
 use closeranks_core::program::balls::reach::Reach;
 use closeranks_core::program::balls::row::Row;
+use closeranks_core::robot::neighbor::RobotId;
 
 const ROBOTS: usize = 11;
 const ASSIGNMENTS: u64 = 12;
@@ -43,7 +45,7 @@ fn main() {
             [(Form::Level, Assume::Obedient), (Form::Link, Assume::Obedient), (Form::Link, Assume::Free)]
         {
             let cells = rates.map(|rate| {
-                let team = settings(share_of_rate(rate, period_s), period_s, form, assume);
+                let team = settings(fraction_of_rate(rate, period_s), period_s, form, assume);
                 let sum: f64 = (0..ASSIGNMENTS).map(|assignment| run(&team, period_s, assignment)).sum();
                 format!("{:8.4}", sum / 12.0)
             });
@@ -59,17 +61,17 @@ fn reach(period_s: f64) -> Reach<2> {
 fn settings(gamma: f64, period_s: f64, form: Form, assume: Assume) -> Budget {
     Budget {
         curvature: Curvature::new(LinkShape { radius_m: 3.0, q1: 2.099, q2: 0.3 }),
-        robots: 11,
+        need: Need::new(11, 2, assume.keep()),
         faults: 2,
         distance_min_m: 0.3,
         move_max_m: reach(period_s).longest_m(),
         gamma,
-        rise: 0.0,
+        gain_slope: 0.0,
         gamma_c: 0.2,
         trust: Trust::ToldOrSeen,
         assume,
         form,
-        margin: Margin::NONE,
+        errors: ErrorBounds::NONE,
     }
 }
 
@@ -97,7 +99,8 @@ fn start(assignment: u64) -> [Vector<2>; ROBOTS] {
 
 fn tick(budget: &Budget, period_s: f64, positions: &[Vector<2>; ROBOTS]) -> [Vector<2>; ROBOTS] {
     let offsets: [Vec<Sighting<2>>; ROBOTS] = core::array::from_fn(|i| sightings(positions, i));
-    let levels: [f64; ROBOTS] = core::array::from_fn(|i| budget.level(&offsets[i], &mut [0.0; ROBOTS]));
+    let levels: [f64; ROBOTS] =
+        core::array::from_fn(|i| budget.level(id(i), &offsets[i], &mut [0.0; ROBOTS]));
     core::array::from_fn(|i| {
         let others = (0..ROBOTS).filter(|&j| j != i && in_range(positions, i, j));
         let heard: Vec<Sighting<2>> = others
@@ -108,11 +111,16 @@ fn tick(budget: &Budget, period_s: f64, positions: &[Vector<2>; ROBOTS]) -> [Vec
             })
             .collect();
         let memory = Memory { rows: &mut [Row::default(); 25], weights: &mut [0.0; 100] };
-        let mut rows = budget.rows(&heard, &desired(i, &positions[i], period_s), reach(period_s), memory);
+        let desired_m = desired(i, &positions[i], period_s);
+        let mut rows = budget.rows(id(i), &heard, &desired_m, reach(period_s), memory);
         assert!(rows.h >= -1e-12, "h is {}", rows.h);
         assert!(heard.iter().all(|sighting| length(&sighting.offset_m) >= 0.3 - 1e-12));
         add_scaled(&positions[i], 1.0, &rows.closest().displacement_m)
     })
+}
+
+fn id(index: usize) -> RobotId {
+    RobotId(u16::try_from(index + 1).unwrap_or(u16::MAX))
 }
 
 fn in_range(positions: &[Vector<2>; ROBOTS], i: usize, j: usize) -> bool {
@@ -123,7 +131,7 @@ fn in_range(positions: &[Vector<2>; ROBOTS], i: usize, j: usize) -> bool {
 fn sightings(positions: &[Vector<2>; ROBOTS], i: usize) -> Vec<Sighting<2>> {
     (0..ROBOTS)
         .filter(|&j| j != i && in_range(positions, i, j))
-        .map(|j| Sighting::new(subtract(&positions[i], &positions[j]), None))
+        .map(|j| Sighting::new(id(j), subtract(&positions[i], &positions[j]), None))
         .collect()
 }
 

@@ -20,7 +20,7 @@
 //! | eq:linear, W-MSR | [`wmsr`] |
 //! | eq:connectivity and everything over time | [`robot`] |
 //! | what is told | [`message`] |
-//! | our controller (METHOD.md section 3) | [`controller::budget`] |
+//! | our controller (docs/theory) | [`controller::budget`] |
 //!
 //! The crate allocates nothing, reads no clock, draws no random number, does no input or output and does not panic on
 //! any input. Lengths are in m, speeds in m/s, all numbers `f64`, the dimension is `const D` (2 and 3 are tested).

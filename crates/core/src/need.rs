@@ -53,6 +53,12 @@ impl Need {
         self.robots.saturating_sub(1)
     }
 
+    /// How many of `others`, all different and none of them `robot` itself, count for `robot`.
+    #[inline]
+    pub fn counting_among(&self, _robot: RobotId, others: impl Iterator<Item = RobotId>) -> usize {
+        others.count()
+    }
+
     /// n.
     #[must_use]
     pub fn robots(&self) -> u16 {

@@ -2,16 +2,18 @@
 
 use core::time::Duration;
 
-use closeranks_core::controller::budget::knowledge::Sighting;
 use closeranks_core::message::Message;
 use closeranks_core::num::Vector;
-use closeranks_core::program::balls::row::Row;
-use closeranks_core::robot::Robot;
 use closeranks_core::robot::error::ReceiveError;
-use closeranks_core::robot::neighbor::{RobotId, Slot};
+use closeranks_core::robot::neighbor::RobotId;
 use closeranks_core::robot::report::{Mode, Reason};
+use closeranks_core::robot::sized::SizedRobot;
 use closeranks_core::settings::params::{Controller, Params, Settings};
+use closeranks_core::settings::{BudgetSettings, Clock, Errors, Team};
 use closeranks_core::time::Instant;
+
+/// Room for four neighbours, also with stated errors.
+type TestRobot = SizedRobot<2, 4, 16>;
 
 const GUARANTEED: Mode = Mode::Guaranteed;
 
@@ -21,24 +23,24 @@ fn at(ms: u64) -> Instant {
 
 fn settings() -> Settings<2> {
     let told_max = Duration::from_millis(20);
-    Settings { robots: 4, faults: 0, controller: Controller::Budget, told_max, ..Settings::default() }
+    Settings {
+        team: Team { robots: 4, faults: 0 },
+        controller: Controller::Budget(BudgetSettings::default()),
+        clock: Clock { told_max, ..Clock::default() },
+        ..Settings::default()
+    }
 }
 
 /// A robot with three others around it, all of them standing still unless moved.
-fn with_robot<R>(settings: Settings<2>, play: impl FnOnce(&mut Robot<'_, 2>) -> R) -> R {
-    let mut slots = [Slot::default(); 4];
-    let mut values = [0.0; 16];
-    let mut sightings = [Sighting::new([0.0; 2], None); 4];
-    let mut rows = [Row::default(); 40];
+fn with_robot<R>(settings: Settings<2>, play: impl FnOnce(&mut TestRobot) -> R) -> R {
     let params = Params::new(settings).expect("settings in range");
-    let robot = Robot::new(params, RobotId(1), 1.0, &mut slots, &mut values).expect("memory");
-    play(&mut robot.with_budget_memory(&mut sightings, &mut rows))
+    play(&mut TestRobot::new(params, RobotId(1), 1.0).expect("memory"))
 }
 
 const OTHERS: [Vector<2>; 3] = [[1.0, 0.0], [-1.0, 0.0], [0.0, 1.0]];
 
 /// A tick in which the robot wants to stay; `own` and the first of the others may be elsewhere.
-fn tick(robot: &mut Robot<'_, 2>, ms: u64, own: Vector<2>, first: Vector<2>) -> Mode {
+fn tick(robot: &mut TestRobot, ms: u64, own: Vector<2>, first: Vector<2>) -> Mode {
     robot.sense(at(ms), own).expect("time rises");
     for (id, place) in (2..).zip([first, OTHERS[1], OTHERS[2]]) {
         robot.observe(RobotId(id), place).expect("a slot for each");
@@ -47,7 +49,7 @@ fn tick(robot: &mut Robot<'_, 2>, ms: u64, own: Vector<2>, first: Vector<2>) -> 
     robot.tick([0.0; 2]).report.mode
 }
 
-fn still(robot: &mut Robot<'_, 2>, ms: u64) -> Mode {
+fn still(robot: &mut TestRobot, ms: u64) -> Mode {
     tick(robot, ms, [0.0; 2], OTHERS[0])
 }
 
@@ -60,7 +62,8 @@ fn a_missed_tick_is_said_until_old_levels_are_gone() {
         }
         assert_eq!(still(robot, 45), GUARANTEED);
     });
-    let patient = Settings { hold_max: Some(Duration::from_millis(15)), ..settings() };
+    let clock = Clock { hold_max: Some(Duration::from_millis(15)), ..settings().clock };
+    let patient = Settings { clock, ..settings() };
     with_robot(patient, |robot| assert_eq!([still(robot, 0), still(robot, 15)], [GUARANTEED; 2]));
 }
 
@@ -77,7 +80,7 @@ fn a_robot_that_is_not_where_it_should_be_says_so() {
         assert_eq!(tick(robot, 5, [0.0; 2], [1.02, 0.0]), GUARANTEED, "two longest moves are 2.1 cm");
         assert_eq!(tick(robot, 10, [0.0; 2], [1.05, 0.0]), moved);
     });
-    let blurred = Settings { position_error_m: 0.01, ..settings() };
+    let blurred = Settings { errors: Errors { position_m: 0.01, tracking_m: 0.0 }, ..settings() };
     with_robot(blurred, |robot| {
         still(robot, 0);
         assert_eq!(tick(robot, 5, [0.019, 0.0], OTHERS[0]), GUARANTEED);
@@ -87,7 +90,7 @@ fn a_robot_that_is_not_where_it_should_be_says_so() {
 
 #[test]
 fn with_a_tracking_error_a_robot_counts_itself_where_its_moves_took_it() {
-    let lagging = Settings { tracking_error_m: 0.05, ..settings() };
+    let lagging = Settings { errors: Errors { position_m: 0.0, tracking_m: 0.05 }, ..settings() };
     with_robot(lagging, |robot| {
         still(robot, 0);
         assert_eq!(tick(robot, 5, [0.04, 0.0], OTHERS[0]), GUARANTEED);
@@ -100,7 +103,7 @@ fn with_a_tracking_error_a_robot_counts_itself_where_its_moves_took_it() {
 /// With a margin a state is certain, certainly broken, or carried on by the theorem.
 #[test]
 fn what_may_be_broken_is_uncertain_unless_it_was_certain_before() {
-    let blurred = Settings { position_error_m: 0.01, ..settings() };
+    let blurred = Settings { errors: Errors { position_m: 0.01, tracking_m: 0.0 }, ..settings() };
     let near = [0.31, 0.0];
     with_robot(blurred, |robot| {
         assert_eq!(tick(robot, 0, [0.0; 2], near), Mode::Degraded(Reason::Uncertain));

@@ -1,19 +1,56 @@
 //! What a robot knows of its neighbours' levels: true bounds, and claims that cannot do harm.
 
-use budget_team::Team;
-use closeranks_core::controller::budget::knowledge::{Assume, Claim, Sighting, Trust};
+use budget_team::{Team, id};
+use closeranks_core::controller::budget::knowledge::{Assume, Claim, KnownMargin, Sighting, Trust};
 use closeranks_core::controller::budget::settings::{Budget, Form};
-use closeranks_core::num::{dot, subtract};
+use closeranks_core::num::{dot, is_finite, length, subtract};
+use closeranks_core::robot::neighbor::RobotId;
 use seeded::Seeded;
 
 mod budget_team;
 mod seeded;
 
+/// Enough numbers for all pairs of a dozen robots.
+const SCRATCH: usize = 144;
 /// Of sums of at most a dozen weights near 1.
 const ROUNDING: f64 = 1e-13;
 
 fn teams(assume: Assume) -> impl Iterator<Item = Team<2>> {
     (0..300).filter_map(move |seed| Team::random(seed, assume, Form::Link))
+}
+
+/// Bounds of the level of a neighbour, from positions alone.
+#[derive(Clone, Copy, Debug)]
+struct Interval {
+    low: f64,
+    high: f64,
+    degree: f64,
+}
+
+/// With so many numbers as scratch; `None` if these are too few, or a sighting is not finite.
+fn interval(
+    budget: &Budget,
+    (own, index): (RobotId, usize),
+    sightings: &[Sighting<2>],
+    scratch: usize,
+) -> Option<Interval> {
+    let mut scratch = vec![0.0; scratch];
+    let mut survey = budget.survey(own, sightings, &mut scratch)?;
+    let seen = budget.seen(index, sightings, &mut survey)?;
+    let high = budget.high(&seen, length(&sightings[index].offset_m));
+    Some(Interval { low: seen.low, high, degree: seen.degree })
+}
+
+fn known(
+    budget: &Budget,
+    (own, index): (RobotId, usize),
+    sightings: &[Sighting<2>],
+    scratch: usize,
+) -> Option<KnownMargin> {
+    let mut scratch = vec![0.0; scratch];
+    let mut survey = budget.survey(own, sightings, &mut scratch)?;
+    let seen = budget.seen(index, sightings, &mut survey)?;
+    Some(budget.known(&seen, length(&sightings[index].offset_m)))
 }
 
 fn with_claim(sightings: &[Sighting<2>], level: f64, age_ticks: u32) -> Vec<Sighting<2>> {
@@ -22,24 +59,25 @@ fn with_claim(sightings: &[Sighting<2>], level: f64, age_ticks: u32) -> Vec<Sigh
 }
 
 /// For every robot i and neighbour k: the interval of k contains its true level.
-//= theory 2.7 type=test
+//= theory eq:interval type=test
 #[test]
 fn the_true_level_and_degree_are_in_the_interval() {
     for assume in [Assume::Obedient, Assume::Free] {
         let (mut inside, mut exact) = (0, 0);
         for team in teams(assume) {
-            let required = f64::from(team.budget.required());
+            let required = f64::from(team.need());
             for i in 0..team.count() {
                 let (seen, sightings) = (team.neighbors(i), team.sightings(i));
                 for (index, &k) in seen.iter().enumerate() {
-                    let interval = team.budget.interval(index, &sightings, &mut [0.0; 12]);
+                    let interval =
+                        interval(&team.budget, (id(i), index), &sightings, SCRATCH).expect("finite");
                     let level = team.h(&team.positions, k) + required;
                     let degree = u32::try_from(team.neighbors(k).len()).map_or(0.0, f64::from);
                     assert!(
                         interval.low <= level + ROUNDING && level <= interval.high + ROUNDING,
                         "{interval:?}"
                     );
-                    assert!(degree <= interval.degree_max, "{degree} of {interval:?}");
+                    assert!(degree <= interval.degree, "{degree} of {interval:?}");
                     inside += 1;
                     exact += usize::from(seen.len() + 1 == team.count() && interval.low == interval.high);
                 }
@@ -50,19 +88,21 @@ fn the_true_level_and_degree_are_in_the_interval() {
 }
 
 /// Honest claims of today are taken as they are, those of a liar never beyond the interval, whatever their age.
-//= theory C type=test
+//= theory thm:any-claim type=test
 #[test]
 fn a_claim_moves_the_budget_inside_the_interval_only() {
     let claims = [f64::NAN, f64::INFINITY, f64::NEG_INFINITY, 1e308, -1e308, 0.0, 9.0, 20.0];
     for (case, team) in teams(Assume::Obedient).enumerate() {
         let budget = Budget { trust: Trust::ToldOrSeen, ..team.budget };
-        let required = f64::from(budget.required());
+        let required = f64::from(team.need());
         let sightings = team.sightings(0);
         for (index, &k) in team.neighbors(0).iter().enumerate() {
-            let interval = budget.interval(index, &sightings, &mut [0.0; 12]);
+            let interval = interval(&budget, (id(0), index), &sightings, SCRATCH).expect("finite");
             let (low, high) = ((interval.low - required).max(0.0), (interval.high - required).max(0.0));
-            let told =
-                |level, age| budget.known(index, &with_claim(&sightings, level, age), &mut [0.0; 12]).budget;
+            let told = |level, age| {
+                let sightings = with_claim(&sightings, level, age);
+                known(&budget, (id(0), index), &sightings, SCRATCH).expect("finite").budget
+            };
             for age in [0, 1, 7, u32::MAX] {
                 let known = told(claims[case % claims.len()], age);
                 assert!((low..=high).contains(&known), "{known} outside {low} to {high}");
@@ -80,27 +120,25 @@ fn trust_decides_what_counts() {
         .find(|team| team.sightings(0).len() + 1 < team.count())
         .expect("a partial view");
     let sightings = team.sightings(0);
-    let interval = team.budget.interval(0, &sightings, &mut [0.0; 12]);
-    let known = |trust, required: u16, sightings: &[Sighting<2>]| {
-        // F = 0 and n = 2·required make the least level `required`; robots out of sight are then fewer
-        let budget = Budget { trust, gamma: 0.25, rise: 0.0, ..team.budget };
-        assert_eq!(required, budget.required());
-        budget.known(0, sightings, &mut [0.0; 12]).budget
+    let interval = interval(&team.budget, (id(0), 0), &sightings, SCRATCH).expect("finite");
+    let known = |trust, sightings: &[Sighting<2>]| {
+        let budget = Budget { trust, gamma: 0.25, gain_slope: 0.0, ..team.budget };
+        known(&budget, (id(0), 0), sightings, SCRATCH).expect("finite").budget
     };
-    let required = team.budget.required();
+    let required = team.need();
     let floor = (interval.low - f64::from(required)).max(0.0);
-    assert_eq!(known(Trust::Seen, required, &with_claim(&sightings, 1e9, 0)), floor);
-    assert_eq!(known(Trust::Told, required, &with_claim(&sightings, -1e9, 0)), 0.0);
-    assert_eq!(known(Trust::ToldOrSeen, required, &with_claim(&sightings, -1e9, 0)), floor);
+    assert_eq!(known(Trust::Seen, &with_claim(&sightings, 1e9, 0)), floor);
+    assert_eq!(known(Trust::Told, &with_claim(&sightings, -1e9, 0)), 0.0);
+    assert_eq!(known(Trust::ToldOrSeen, &with_claim(&sightings, -1e9, 0)), floor);
     let silent: Vec<_> = sightings.iter().map(|sighting| Sighting { claim: None, ..*sighting }).collect();
-    assert_eq!(known(Trust::Told, required, &silent), 0.0);
+    assert_eq!(known(Trust::Told, &silent), 0.0);
     let spare = 0.25 * (interval.high - f64::from(required));
-    let aged = known(Trust::Told, required, &with_claim(&sightings, f64::from(required) + spare, 2));
+    let aged = known(Trust::Told, &with_claim(&sightings, f64::from(required) + spare, 2));
     assert!((aged - spare * 0.75 * 0.75).abs() < ROUNDING, "two ticks of silence");
 }
 
 /// The trimmed sum leaves out the F largest, of robots out of sight too.
-//= theory D type=test
+//= theory thm:free type=test
 #[test]
 fn trimmed_bounds_are_the_extremes_over_robots_out_of_sight() {
     for team in teams(Assume::Free) {
@@ -108,7 +146,7 @@ fn trimmed_bounds_are_the_extremes_over_robots_out_of_sight() {
         for i in 0..team.count() {
             let (seen, sightings) = (team.neighbors(i), team.sightings(i));
             for (index, &k) in seen.iter().enumerate() {
-                let interval = team.budget.interval(index, &sightings, &mut [0.0; 12]);
+                let interval = interval(&team.budget, (id(i), index), &sightings, SCRATCH).expect("finite");
                 let most = weight(&team, (team.radius_m() - distance(&team, i, k)).max(0.0));
                 let mut weights: Vec<f64> = seen
                     .iter()
@@ -146,18 +184,21 @@ fn any_sightings_are_safe() {
     let team = teams(Assume::Free).next().expect("a team");
     for seed in 0..500 {
         let mut random = Seeded(seed);
-        let mut number = || odd.get(random.below(12)).copied().unwrap_or(random.between(-3.0, 3.0));
+        let mut number = || odd.get(random.below(30)).copied().unwrap_or(random.between(-3.0, 3.0));
         let sightings: Vec<Sighting<2>> = (0..6)
-            .map(|_| {
+            .map(|j| {
                 let offset_m = [number(), number()];
-                Sighting::new(offset_m, Some(Claim { level: number(), age_ticks: 3 }))
+                Sighting::new(id(j), offset_m, Some(Claim { level: number(), age_ticks: 3 }))
             })
             .collect();
         for index in 0..8 {
-            let known = team.budget.known(index, &sightings, &mut [0.0; 12]);
-            assert!(known.budget >= 0.0 && known.budget < 20.0 && known.degree_max >= 1.0, "{known:?}");
-            let short = team.budget.known(index, &sightings, &mut [0.0; 3]);
-            assert_eq!(short.budget, 0.0, "too little scratch");
+            let all = sightings.iter().all(|sighting| is_finite(&sighting.offset_m));
+            let found = known(&team.budget, (id(6), index), &sightings, SCRATCH);
+            assert_eq!(found.is_some(), all && index < 6, "{sightings:?}");
+            if let Some(known) = found {
+                assert!(known.budget >= 0.0 && known.budget < 20.0 && known.degree_max >= 1.0, "{known:?}");
+            }
+            assert_eq!(known(&team.budget, (id(6), index), &sightings, 5), None, "too little scratch");
         }
     }
 }

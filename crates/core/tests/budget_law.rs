@@ -1,14 +1,18 @@
-//! Theorems B, C and D: whatever is told, lost or wanted, no tick takes more than its share; and mutants that do.
+//! The theorems of docs/theory: whatever is told, lost or wanted, no tick takes more than it may. Mutants of the rows do.
 
+use budget_literal::{known, level};
 use budget_team::{Builder, ROWS_MAX, Team, crate_rows};
 use closeranks_core::controller::budget::knowledge::{Assume, Claim, Sighting};
 use closeranks_core::controller::budget::settings::{Budget, Form};
 use closeranks_core::equations::link::Link;
+use closeranks_core::need::{Keep, Need};
 use closeranks_core::num::{add_scaled, dot, length};
 use closeranks_core::program::balls::Program;
 use closeranks_core::program::balls::reach::Reach;
 use closeranks_core::program::balls::row::Row;
+use closeranks_core::robot::neighbor::RobotId;
 
+mod budget_literal;
 mod budget_team;
 mod seeded;
 
@@ -42,26 +46,26 @@ fn holds<const D: usize>(assume: Assume, form: Form) {
     }
 }
 
-//= theory B type=test
-//= theory C type=test
-//= method far type=test
-//= method near type=test
+//= theory thm:discrete type=test
+//= theory thm:any-claim type=test
+//= theory eq:far type=test
+//= theory eq:near type=test
 #[test]
-fn theorem_b_holds_for_every_lie_and_loss() {
+fn the_theorem_holds_for_every_lie_and_loss() {
     holds::<2>(Assume::Obedient, Form::Link);
     holds::<3>(Assume::Obedient, Form::Link);
 }
 
-//= method far-prime type=test
+//= theory eq:far-prime type=test
 #[test]
 fn it_holds_when_leaving_one_may_be_paid_for_by_approaching_another() {
     holds::<2>(Assume::Obedient, Form::Level);
     holds::<3>(Assume::Obedient, Form::Level);
 }
 
-//= theory D type=test
+//= theory thm:free type=test
 #[test]
-fn theorem_d_holds_when_malicious_robots_move_as_they_like() {
+fn the_theorem_for_free_liars_holds_when_malicious_robots_move_as_they_like() {
     holds::<2>(Assume::Free, Form::Link);
     holds::<3>(Assume::Free, Form::Link);
 }
@@ -84,12 +88,16 @@ struct Mutant {
 const CORRECT: Mutant =
     Mutant { factor: 1.0, square: 1.0, moves: 1.0, degree: None, discount: true, near: 1.0 };
 
-/// The rows of METHOD.md section 3, written a second time.
-fn rows<const D: usize>(mutant: Mutant, budget: &Budget, sightings: &[Sighting<D>]) -> Vec<Row<D>> {
-    let mut scratch = [0.0; 16];
+/// The rows of docs/theory, written a second time.
+fn rows<const D: usize>(
+    mutant: Mutant,
+    budget: &Budget,
+    own: RobotId,
+    sightings: &[Sighting<D>],
+) -> Vec<Row<D>> {
     let shape = budget.curvature.link();
     let move_m = mutant.moves * budget.move_max_m;
-    let own_h = (budget.level(sightings, &mut scratch) - f64::from(budget.required())).max(0.0);
+    let own_h = (level(budget, own, sightings) - f64::from(budget.need.need(own))).max(0.0);
     let degree = f64::from(u32::try_from(sightings.len()).unwrap_or(0));
     let heard: Vec<Sighting<D>> = sightings
         .iter()
@@ -102,23 +110,27 @@ fn rows<const D: usize>(mutant: Mutant, budget: &Budget, sightings: &[Sighting<D
         .collect();
     let (mut rows, mut own_gradient, mut own_bend) = (Vec::new(), [0.0; D], 0.0);
     for (index, Sighting { offset_m, .. }) in heard.iter().enumerate() {
-        let known = budget.known(index, &heard, &mut scratch);
+        let known = known(budget, own, index, &heard);
         let distance_m = length(offset_m);
         if budget.form == Form::Level {
             let gradient = shape.link(offset_m).map_or([0.0; D], |link: Link<f64>| link.gradient(offset_m));
             let bend = mutant.square * budget.curvature.bend_max(distance_m, move_m, 0.0);
-            let share = mutant.degree.unwrap_or(known.degree_max + 1.0);
-            rows.push(Row::far_level(&gradient, bend, mutant.factor * budget.loss_max(known.budget) / share));
+            let fraction = mutant.degree.unwrap_or(known.degree_max + 1.0);
+            rows.push(Row::far_level(
+                &gradient,
+                bend,
+                mutant.factor * budget.loss_max(known.budget) / fraction,
+            ));
             own_gradient = add_scaled(&own_gradient, 1.0, &gradient);
             own_bend += bend;
         } else {
             let slope = budget.curvature.slope_max(distance_m, move_m, 0.0);
-            let share = mutant.degree.unwrap_or(known.degree_max);
+            let fraction = mutant.degree.unwrap_or(known.degree_max);
             let beta = mutant.factor
                 * budget.beta_m2(
                     slope,
                     budget.loss_max(own_h) / degree,
-                    budget.loss_max(known.budget) / share,
+                    budget.loss_max(known.budget) / fraction,
                 );
             rows.push(Row::new(*offset_m, mutant.square, beta));
         }
@@ -143,16 +155,16 @@ fn the_rows_written_twice_are_the_same() {
         program.rows().to_vec()
     };
     for form in [Form::Link, Form::Level] {
-        let same = |budget: &Budget, sightings: &[Sighting<2>], reach: Reach<2>| {
-            let rows = crate_rows(budget, sightings, reach);
-            assert_eq!(rows, kept(self::rows(CORRECT, budget, sightings), reach));
+        let same = |budget: &Budget, own: RobotId, sightings: &[Sighting<2>], reach: Reach<2>| {
+            let rows = crate_rows(budget, own, sightings, reach);
+            assert_eq!(rows, kept(self::rows(CORRECT, budget, own, sightings), reach));
             rows
         };
         law(Assume::Obedient, form, 0..6, &same).expect("the crate's rows");
     }
 }
 
-/// METHOD.md section 3 breaks when any of its parts is left out, and the law notices.
+/// The law is broken when any part of a row is left out, and the test notices.
 #[test]
 fn every_mutant_breaks_the_law() {
     let mutants = [
@@ -165,8 +177,9 @@ fn every_mutant_breaks_the_law() {
     ];
     for (name, mutant) in mutants {
         for form in [Form::Link, Form::Level] {
-            let builder =
-                |budget: &Budget, sightings: &[Sighting<2>], _: Reach<2>| rows(mutant, budget, sightings);
+            let builder = |budget: &Budget, own: RobotId, sightings: &[Sighting<2>], _: Reach<2>| {
+                rows(mutant, budget, own, sightings)
+            };
             match law(Assume::Obedient, form, TEAMS_FOR_MUTANTS, &builder) {
                 Ok(ticks) => panic!("{name} goes unnoticed in {ticks} ticks, {form:?}"),
                 Err(broken) => eprintln!("{name}, {form:?}: {broken}"),
@@ -175,15 +188,17 @@ fn every_mutant_breaks_the_law() {
     }
 }
 
-/// Theorem D needs the trimmed sum and the rows per link.
+/// With free liars the theorem needs the trimmed sum and the rows per link.
 #[test]
 fn the_rows_of_assumption_1_break_when_malicious_robots_move_as_they_like() {
-    type Rows = fn(&Budget, &[Sighting<2>], Reach<2>) -> Vec<Row<2>>;
-    let untrimmed: Rows = |budget, sightings, reach| {
-        crate_rows(&Budget { assume: Assume::Obedient, form: Form::Link, ..*budget }, sightings, reach)
+    type Rows = fn(&Budget, RobotId, &[Sighting<2>], Reach<2>) -> Vec<Row<2>>;
+    let untrimmed: Rows = |budget, own, sightings, reach| {
+        let need = Need::new(budget.need.robots(), budget.faults, Keep::Neighbors);
+        let obedient = Budget { need, assume: Assume::Obedient, form: Form::Link, ..*budget };
+        crate_rows(&obedient, own, sightings, reach)
     };
     let offsetting: Rows =
-        |budget, sightings, _| rows(CORRECT, &Budget { form: Form::Level, ..*budget }, sightings);
+        |budget, own, sightings, _| rows(CORRECT, &Budget { form: Form::Level, ..*budget }, own, sightings);
     for (name, teams, builder) in [("untrimmed", TEAMS, untrimmed), ("offsetting", 640..660, offsetting)] {
         match law(Assume::Free, Form::Link, teams, &builder) {
             Ok(ticks) => panic!("{name} goes unnoticed in {ticks} ticks"),
@@ -195,10 +210,10 @@ fn the_rows_of_assumption_1_break_when_malicious_robots_move_as_they_like() {
 /// (far) bounds a link's loss by its distance, (far′) by the joint move: a pair with one of each is covered by neither.
 #[test]
 fn robots_with_different_forms_break_the_law() {
-    let mixed = |budget: &Budget, sightings: &[Sighting<2>], reach: Reach<2>| {
+    let mixed = |budget: &Budget, own: RobotId, sightings: &[Sighting<2>], reach: Reach<2>| {
         let bits = sightings.iter().fold(0, |bits, sighting| bits ^ sighting.offset_m[0].to_bits());
         let form = if bits & 1 == 0 { Form::Link } else { Form::Level };
-        crate_rows(&Budget { form, ..*budget }, sightings, reach)
+        crate_rows(&Budget { form, ..*budget }, own, sightings, reach)
     };
     let broken = law(Assume::Obedient, Form::Link, TEAMS, &mixed);
     assert!(broken.is_err(), "mixed forms go unnoticed");

@@ -3,7 +3,7 @@
 use budget_team::{Team, crate_rows};
 use closeranks_core::controller::budget::curvature::Curvature;
 use closeranks_core::controller::budget::knowledge::Assume;
-use closeranks_core::controller::budget::margin::Margin;
+use closeranks_core::controller::budget::margin::ErrorBounds;
 use closeranks_core::controller::budget::settings::Form;
 use closeranks_core::equations::link::{Link, LinkShape};
 use closeranks_core::num::{length, subtract};
@@ -19,7 +19,7 @@ fn law<const D: usize>(assume: Assume, form: Form, error_m: f64, stated_m: f64) 
     let mut ticks = 0;
     for seed in 0..60 {
         let Some(mut team) = Team::<D>::random(seed, assume, form) else { continue };
-        (team.error_m, team.budget.margin) = (error_m, Margin::new(stated_m, 0.0));
+        (team.error_m, team.budget.errors) = (error_m, ErrorBounds::new(stated_m, 0.0));
         for tick in 0..20 {
             team.tick(&crate_rows).map_err(|broken| format!("seed {seed}, tick {tick}: {broken}"))?;
             ticks += 1;
@@ -28,7 +28,7 @@ fn law<const D: usize>(assume: Assume, form: Form, error_m: f64, stated_m: f64) 
     Ok(ticks)
 }
 
-//= method margins type=test
+//= theory sec:margins type=test
 #[test]
 fn no_error_within_the_margin_breaks_the_law() {
     for (assume, form) in CASES {
@@ -48,7 +48,7 @@ fn an_error_beyond_the_margin_breaks_it() {
 }
 
 /// The gradient at a wrong place is off by no more than the bound says.
-//= method margins type=test
+//= theory sec:margins type=test
 #[test]
 fn the_gradient_is_known_to_its_error() {
     for q2 in [0.05, 0.3, 0.9] {

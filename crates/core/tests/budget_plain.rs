@@ -4,45 +4,51 @@
 use budget_plain_rows::{Plain, plain};
 use closeranks_core::controller::budget::curvature::Curvature;
 use closeranks_core::controller::budget::knowledge::{Assume, Claim, Sighting, Trust};
-use closeranks_core::controller::budget::margin::Margin;
+use closeranks_core::controller::budget::margin::ErrorBounds;
 use closeranks_core::controller::budget::rows::Memory;
 use closeranks_core::controller::budget::settings::{Budget, Form};
 use closeranks_core::equations::link::LinkShape;
+use closeranks_core::need::Need;
 use closeranks_core::program::InputBox;
 use closeranks_core::program::balls::reach::Reach;
 use closeranks_core::program::balls::row::Row;
+use closeranks_core::robot::neighbor::RobotId;
 use seeded::Seeded;
 
+mod budget_literal;
 mod budget_plain_rows;
 mod seeded;
 
 fn settings<const D: usize>(random: &mut Seeded, form: Form) -> (Budget, Reach<D>) {
     let period_s = [0.005, 0.005, 0.05, 0.2][random.below(4)];
     let reach = Reach::new(&InputBox { min_m_s: [-1.5; D], max_m_s: [1.5; D] }, period_s);
-    let margin = [Margin::NONE, Margin::NONE, Margin::NONE, Margin::new(0.01, 0.02)][random.below(4)];
+    let errors = [ErrorBounds::NONE, ErrorBounds::NONE, ErrorBounds::NONE, ErrorBounds::new(0.01, 0.02)]
+        [random.below(4)];
     let radius_m = [0.8, 3.0, 3.0, 30.0][random.below(4)];
+    let faults = [0, 2, 2, 5][random.below(4)];
+    let assume = [Assume::Obedient, Assume::Obedient, Assume::Free][random.below(3)];
     let budget = Budget {
         curvature: Curvature::new(LinkShape { radius_m, q1: 2.099, q2: [0.05, 0.3, 0.9][random.below(3)] }),
-        robots: 11,
-        faults: [0, 2, 2, 5][random.below(4)],
+        need: Need::new(11, faults, assume.keep()),
+        faults,
         distance_min_m: 0.3,
         move_max_m: reach.longest_m(),
         gamma: [0.01, 0.2, 1.0][random.below(3)],
-        rise: [0.0, 3.0][random.below(2)],
+        gain_slope: [0.0, 3.0][random.below(2)],
         gamma_c: [0.2, 1.0][random.below(2)],
         trust: [Trust::Told, Trust::ToldOrSeen, Trust::Seen][random.below(3)],
-        assume: [Assume::Obedient, Assume::Obedient, Assume::Free][random.below(3)],
+        assume,
         form,
-        margin,
+        errors,
     };
     (budget, reach)
 }
 
 /// Up to ten neighbours, near, at the rim, beyond it, and now and then no number; claims of any kind and age.
-fn sightings<const D: usize>(random: &mut Seeded, budget: &Budget) -> Vec<Sighting<D>> {
-    let (radius_m, required) = (budget.curvature.link().radius_m, f64::from(budget.required()));
+fn sightings<const D: usize>(random: &mut Seeded, budget: &Budget) -> (RobotId, Vec<Sighting<D>>) {
+    let (radius_m, required) = (budget.curvature.link().radius_m, f64::from(budget.need.need(RobotId(1))));
     let wide_m = radius_m * random.between(0.2, 1.1);
-    let one = |random: &mut Seeded| {
+    let one = |id: u16, random: &mut Seeded| {
         let mut offset_m = core::array::from_fn(|_| random.between(-wide_m, wide_m));
         match random.below(60) {
             0 => offset_m[0] = f64::NAN,
@@ -53,11 +59,12 @@ fn sightings<const D: usize>(random: &mut Seeded, budget: &Budget) -> Vec<Sighti
         let levels =
             [required + random.between(-2.0, 4.0), required + random.between(0.0, 0.1), 1e300, f64::NAN];
         let claim = Claim { level: levels[random.below(5).min(3)], age_ticks: [0, 1, 3][random.below(3)] };
-        Sighting::new(offset_m, (random.below(8) > 0).then_some(claim))
+        Sighting::new(RobotId(id), offset_m, (random.below(8) > 0).then_some(claim))
     };
     let count = [10, 10, 9, random.below(11)][random.below(4)];
-    let lower = random.below(count + 1);
-    (0..count).map(|index| Sighting { lower: index < lower, ..one(random) }).collect()
+    let own = 1 + u16::try_from(random.below(count + 1)).unwrap_or(0);
+    let others = (1..12).filter(|id| *id != own).take(count);
+    (RobotId(own), others.map(|id| one(id, random)).collect())
 }
 
 fn bits<const D: usize>(rows: &[Row<D>]) -> Vec<Vec<u64>> {
@@ -71,18 +78,19 @@ fn bits<const D: usize>(rows: &[Row<D>]) -> Vec<Vec<u64>> {
 fn check<const D: usize>(seed: u64, form: Form) {
     let mut random = Seeded(seed);
     let (budget, reach) = settings::<D>(&mut random, form);
-    let sightings = sightings::<D>(&mut random, &budget);
+    let (own, sightings) = sightings::<D>(&mut random, &budget);
     let step = reach.longest_m();
     let desired_m = core::array::from_fn(|_| random.between(-step, step));
     let mut memory = vec![Row::default(); 2 * D + (1 << D) * 21];
     let Plain { rows, desired_m: pushed_m, h, broken } =
-        plain(&budget, &sightings, &desired_m, reach, &mut memory);
-    // the memory for weights may be any length from N on
-    for scratch in [sightings.len(), 2 * sightings.len(), sightings.len() * sightings.len(), 400] {
+        plain(&budget, own, &sightings, &desired_m, reach, &mut memory);
+    // the memory for weights may be any length from 3 N on
+    let enough = Budget::survey_len(budget.assume, sightings.len());
+    for scratch in [3 * sightings.len(), enough.saturating_sub(1), enough, 400] {
         let mut memory = vec![Row::default(); 2 * D + (1 << D) * 21];
-        let mut weights = vec![f64::NAN; scratch.max(sightings.len())];
+        let mut weights = vec![f64::NAN; scratch.max(3 * sightings.len())];
         let memory = Memory { rows: &mut memory, weights: &mut weights };
-        let mut found = budget.rows(&sightings, &desired_m, reach, memory);
+        let mut found = budget.rows(own, &sightings, &desired_m, reach, memory);
         let place = || format!("seed {seed}, {scratch} weights, {budget:?}, {sightings:?}");
         assert_eq!(bits(found.program.rows()), bits(&rows), "{}", place());
         assert_eq!(found.desired_m.map(f64::to_bits), pushed_m.map(f64::to_bits), "{}", place());

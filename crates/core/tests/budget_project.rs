@@ -16,7 +16,7 @@ const CASES: u64 = 2_000;
 /// The certificate leaves less than this, m, in boxes of some 1 m.
 const GAP_M: f64 = 1e-12;
 
-//= method computing type=test
+//= theory sec:program type=test
 #[test]
 fn the_answer_is_certified_to_be_the_closest() {
     let mut seen = [0; 6];
@@ -37,7 +37,7 @@ fn check_gap<const D: usize>(case: &Case<D>) -> usize {
     closest.working
 }
 
-//= method computing type=test
+//= theory sec:program type=test
 #[test]
 fn no_admissible_point_nearby_or_on_any_ray_is_closer() {
     for seed in 0..CASES / 4 {
@@ -46,7 +46,7 @@ fn no_admissible_point_nearby_or_on_any_ray_is_closer() {
     }
 }
 
-//= method computing type=test
+//= theory sec:program type=test
 #[test]
 fn degenerate_sets_have_an_admissible_answer_that_no_sample_beats() {
     for seed in 0..CASES {
@@ -86,7 +86,7 @@ fn into<const D: usize>(case: &Case<D>, v: &Vector<D>) -> Vector<D> {
 
 /// From the answer itself, from close to it and from anywhere the answer is the same, up to rounding over the angle of two boundaries
 /// that decide; often it is found at once.
-//= method computing type=test
+//= theory sec:program type=test
 #[test]
 fn wherever_one_looks_first_the_answer_is_the_same() {
     let mut met = [0; 2];

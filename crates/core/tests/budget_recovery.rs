@@ -2,19 +2,21 @@
 
 use closeranks_core::controller::budget::curvature::Curvature;
 use closeranks_core::controller::budget::knowledge::{Assume, Claim, Sighting, Trust};
-use closeranks_core::controller::budget::margin::Margin;
+use closeranks_core::controller::budget::margin::ErrorBounds;
 use closeranks_core::controller::budget::rows::Memory;
 use closeranks_core::controller::budget::settings::{Budget, Form};
 use closeranks_core::equations::link::LinkShape;
+use closeranks_core::need::{Keep, Need};
 use closeranks_core::num::{Vector, add_scaled, dot, length, subtract};
 use closeranks_core::program::InputBox;
 use closeranks_core::program::balls::reach::Reach;
 use closeranks_core::program::balls::row::Row;
+use closeranks_core::robot::neighbor::RobotId;
 use seeded::Seeded;
 
 mod seeded;
 
-/// METHOD.md section 1: robots 1 and 10 stand 0.2236 m apart.
+/// The start that the paper prints: robots 1 and 10 stand 0.2236 m apart.
 const PUBLISHED: [Vector<2>; 11] = [
     [-1.1, 0.4],
     [-0.8, -0.1],
@@ -33,19 +35,23 @@ fn budget(form: Form) -> (Budget, Reach<2>) {
     let reach = Reach::new(&InputBox { min_m_s: [-1.5; 2], max_m_s: [1.5; 2] }, 0.005);
     let budget = Budget {
         curvature: Curvature::new(LinkShape { radius_m: 3.0, q1: 2.099, q2: 0.3 }),
-        robots: 11,
+        need: Need::new(11, 2, Keep::Neighbors),
         faults: 2,
         distance_min_m: 0.3,
         move_max_m: reach.longest_m(),
         gamma: 0.2,
-        rise: 0.0,
+        gain_slope: 0.0,
         gamma_c: 0.2,
         trust: Trust::ToldOrSeen,
         assume: Assume::Obedient,
         form,
-        margin: Margin::NONE,
+        errors: ErrorBounds::NONE,
     };
     (budget, reach)
+}
+
+fn id(index: usize) -> RobotId {
+    RobotId(u16::try_from(index + 1).unwrap_or(u16::MAX))
 }
 
 struct Tick {
@@ -59,13 +65,14 @@ fn tick(positions: &[Vector<2>], desired: impl Fn(usize) -> Vector<2>, form: For
     let (budget, reach) = budget(form);
     let sightings = |i: usize| -> Vec<Sighting<2>> {
         let offsets = positions.iter().enumerate().filter(|(j, _)| *j != i);
-        let near = offsets.map(|(_, x)| subtract(&positions[i], x)).filter(|r| dot(r, r) <= 9.0);
-        near.map(|offset_m| Sighting::new(offset_m, Some(Claim { level: -1e9, age_ticks: 0 }))).collect()
+        let near = offsets.map(|(j, x)| (j, subtract(&positions[i], x))).filter(|(_, r)| dot(r, r) <= 9.0);
+        near.map(|(j, offset_m)| Sighting::new(id(j), offset_m, Some(Claim { level: -1e9, age_ticks: 0 })))
+            .collect()
     };
     let mut tick = Tick { positions: Vec::new(), h: Vec::new(), broken: 0 };
     for (i, x) in positions.iter().enumerate() {
         let memory = Memory { rows: &mut [Row::default(); 25], weights: &mut [0.0; 100] };
-        let mut rows = budget.rows(&sightings(i), &desired(i), reach, memory);
+        let mut rows = budget.rows(id(i), &sightings(i), &desired(i), reach, memory);
         tick.broken += rows.broken;
         tick.h.push(rows.h);
         let v = rows.closest().displacement_m;
@@ -80,7 +87,7 @@ fn closest_pair(positions: &[Vector<2>]) -> f64 {
     pairs.map(|(i, j)| length(&subtract(&positions[i], &positions[j]))).fold(f64::INFINITY, f64::min)
 }
 
-//= method recovery type=test
+//= theory sec:recovery type=test
 #[test]
 fn robots_that_start_too_close_part_and_nothing_gets_worse() {
     for form in [Form::Link, Form::Level] {
@@ -101,7 +108,7 @@ fn robots_that_start_too_close_part_and_nothing_gets_worse() {
     }
 }
 
-//= method recovery type=test
+//= theory sec:recovery type=test
 #[test]
 fn a_team_that_starts_too_wide_closes_ranks() {
     let wide: Vec<Vector<2>> = PUBLISHED.iter().map(|x| x.map(|component| 1.75 * component)).collect();
@@ -130,9 +137,9 @@ fn any_floats_give_an_admissible_move() {
         let mut random = Seeded(seed);
         let mut number = || odd.get(random.below(30)).copied().unwrap_or(random.between(-2.0, 2.0));
         let sightings: Vec<Sighting<2>> = (0..8)
-            .map(|_| {
+            .map(|j| {
                 let offset_m = [number(), number()];
-                Sighting::new(offset_m, Some(Claim { level: number(), age_ticks: 2 }))
+                Sighting::new(id(j), offset_m, Some(Claim { level: number(), age_ticks: 2 }))
             })
             .collect();
         let (mut budget, mut reach) = budget([Form::Link, Form::Level][usize::from(number() > 0.0)]);
@@ -141,7 +148,7 @@ fn any_floats_give_an_admissible_move() {
             reach = Reach::new(&InputBox { min_m_s: [number(); 2], max_m_s: [number(); 2] }, number());
         }
         let memory = Memory { rows: &mut [Row::default(); 21], weights: &mut [0.0; 64] };
-        let mut rows = budget.rows(&sightings, &[number(), number()], reach, memory);
+        let mut rows = budget.rows(id(8), &sightings, &[number(), number()], reach, memory);
         let v = rows.closest().displacement_m;
         assert!(!rows.program.is_full() && reach.contains(&v), "{v:?}");
         assert!(rows.program.rows().iter().all(|row| row.holds(&v)));

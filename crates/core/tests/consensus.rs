@@ -1,4 +1,4 @@
-//! Resilient consensus from degrees alone (thm:rs_robust), with the rate of THEORY.md Theorem A.
+//! Resilient consensus from degrees alone (thm:rs_robust), with the rate of docs/theory.
 //!
 //! If every normal robot has at least F′ = F + ⌊n/2⌋ neighbours in a round, at most F of them malicious, and everybody tells all
 //! neighbours the same value, then W-MSR keeps the normal values inside their hull and shrinks its width by 1 − β/2 or

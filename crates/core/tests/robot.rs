@@ -5,12 +5,13 @@
 use core::time::Duration;
 
 use closeranks_core::program::Outcome;
-use closeranks_core::robot::Robot;
 use closeranks_core::robot::error::{ObserveError, Observed, ReceiveError, RobotError, SenseError};
-use closeranks_core::robot::neighbor::{RobotId, Slot};
+use closeranks_core::robot::neighbor::RobotId;
 use closeranks_core::robot::report::{Mode, Output, Reason};
+use closeranks_core::robot::sized::SizedRobot;
+use closeranks_core::settings::Team;
 use closeranks_core::settings::params::{Params, Settings};
-use scene::{ME, Scene, at, lend, lend_with, message, message_at};
+use scene::{ME, Scene, TestRobot, at, lend, lend_with, message, message_at, new_robot};
 use seeded::Seeded;
 
 mod scene;
@@ -20,8 +21,8 @@ mod seeded;
 //= paper eq:connectivity type=test
 #[test]
 fn levels_are_held_between_updates() {
-    lend(|params: Params<2>, slots, values| {
-        let mut robot = Robot::new(params, ME, 1.0, slots, values).unwrap();
+    lend(|params: Params<2>| {
+        let mut robot = new_robot(params);
         let mut tick = |ms: u64, x: f64, told: Option<f64>| {
             robot.sense(at(ms), [0.0, 0.0]).unwrap();
             robot.observe(RobotId(1), [x, 0.0]).unwrap();
@@ -53,37 +54,44 @@ fn levels_are_held_between_updates() {
 //= paper eq:linear type=test
 #[test]
 fn values_are_exchanged_in_rounds_and_taken_up_at_the_next() {
-    lend_with(Settings::<3> { faults: 0, ..Settings::default() }, |params, slots, values| {
-        let mut robot = Robot::new(params, ME, 1.0, slots, values).unwrap();
-        let mut sequence = 0;
-        let mut tick = |ms: u64, told: [f64; 2]| {
-            robot.sense(at(ms), [0.0; 3]).unwrap();
-            for id in [1, 2] {
-                robot.observe(RobotId(id), [f64::from(id), 0.0, 0.0]).unwrap();
-            }
-            let shared = robot.share();
-            sequence += 1;
-            for (id, value) in (1..).zip(told) {
-                robot.receive(RobotId(id), &message_at(at(ms), sequence, 7.0, Some(value))).unwrap();
-            }
-            let round = robot.tick([0.0; 3]).report.round;
-            (
-                shared.and_then(|message| message.value()),
-                round.map(|round| (round.kept, round.silent)),
-                robot.value(),
-            )
-        };
-        assert_eq!(tick(0, [4.0, 10.0]), (Some(1.0), Some((2, 0)), 1.0), "the mean is 5, not taken up yet");
-        assert_eq!(tick(50, [1e9, -1e9]), (None, None, 1.0), "no round is on");
-        assert_eq!(tick(100, [5.0, 8.0]), (Some(5.0), Some((2, 0)), 5.0), "plain mean, F = 0");
-        assert_eq!(tick(200, [6.0, 6.0]), (Some(6.0), Some((2, 0)), 6.0));
-    });
+    lend_with(
+        Settings::<3> { team: Team { faults: 0, ..Team::default() }, ..Settings::default() },
+        |params| {
+            let mut robot = new_robot(params);
+            let mut sequence = 0;
+            let mut tick = |ms: u64, told: [f64; 2]| {
+                robot.sense(at(ms), [0.0; 3]).unwrap();
+                for id in [1, 2] {
+                    robot.observe(RobotId(id), [f64::from(id), 0.0, 0.0]).unwrap();
+                }
+                let shared = robot.share();
+                sequence += 1;
+                for (id, value) in (1..).zip(told) {
+                    robot.receive(RobotId(id), &message_at(at(ms), sequence, 7.0, Some(value))).unwrap();
+                }
+                let round = robot.tick([0.0; 3]).report.round;
+                (
+                    shared.and_then(|message| message.value()),
+                    round.map(|round| (round.kept, round.silent)),
+                    robot.value(),
+                )
+            };
+            assert_eq!(
+                tick(0, [4.0, 10.0]),
+                (Some(1.0), Some((2, 0)), 1.0),
+                "the mean is 5, not taken up yet"
+            );
+            assert_eq!(tick(50, [1e9, -1e9]), (None, None, 1.0), "no round is on");
+            assert_eq!(tick(100, [5.0, 8.0]), (Some(5.0), Some((2, 0)), 5.0), "plain mean, F = 0");
+            assert_eq!(tick(200, [6.0, 6.0]), (Some(6.0), Some((2, 0)), 6.0));
+        },
+    );
 }
 
 #[test]
 fn what_cannot_be_used_is_refused_by_name() {
-    lend(|params: Params<2>, slots, values| {
-        let mut robot = Robot::new(params, ME, 1.0, &mut slots[..2], values).unwrap();
+    lend(|params: Params<2>| {
+        let mut robot = SizedRobot::<2, 2>::new(params, ME, 1.0).unwrap();
         assert_eq!(robot.observe(RobotId(1), [0.0; 2]), Err(ObserveError::NoPosition));
         robot.sense(at(10), [0.0; 2]).unwrap();
         assert_eq!(robot.observe(ME, [1.0; 2]), Err(ObserveError::OwnId));
@@ -102,19 +110,20 @@ fn what_cannot_be_used_is_refused_by_name() {
         assert_eq!(robot.neighbors()[0].told_level(), Some(8.0));
         assert_eq!(robot.sense(at(9), [0.0; 2]), Err(SenseError::TimeFell));
         assert_eq!(robot.sense(at(10), [f64::INFINITY, 0.0]), Err(SenseError::NotFinite));
-        let new = |value, values: &mut [f64]| {
-            Robot::new(params, ME, value, &mut [Slot::default(); 2], values).map(|_| ()).unwrap_err()
-        };
-        assert_eq!(new(1.0, &mut [0.0]), RobotError::Memory);
-        assert_eq!(new(f64::NAN, &mut [0.0; 2]), RobotError::Value);
+        assert_eq!(robot.observe(RobotId(0), [1.0, 0.0]), Err(ObserveError::UnknownId));
+        assert_eq!(robot.observe(RobotId(12), [1.0, 0.0]), Err(ObserveError::UnknownId));
+        let new = |id, value| SizedRobot::<2, 2>::new(params, RobotId(id), value).map(|_| ()).unwrap_err();
+        assert_eq!(new(5, f64::NAN), RobotError::Value);
+        assert_eq!(new(0, 1.0), RobotError::Id { id: 0, robots: 11 });
+        assert_eq!(new(12, 1.0), RobotError::Id { id: 12, robots: 11 });
     });
 }
 
 #[test]
 fn a_neighbour_not_observed_is_forgotten_with_what_it_told() {
-    lend(|params: Params<2>, slots, values| {
-        let mut robot = Robot::new(params, ME, 1.0, slots, values).unwrap();
-        let seen = |robot: &mut Robot<'_, 2>, ms: u64, ids: &[u16]| {
+    lend(|params: Params<2>| {
+        let mut robot = new_robot(params);
+        let seen = |robot: &mut TestRobot<2>, ms: u64, ids: &[u16]| {
             robot.sense(at(ms), [0.0; 2]).unwrap();
             for &id in ids {
                 robot.observe(RobotId(id), [1.0, f64::from(id)]).unwrap();
@@ -145,8 +154,8 @@ fn without_a_wish_it_holds() {
     for seed in 0..100 {
         let scene = Scene::<2>::random(&mut Seeded(seed));
         let play = |desired| {
-            lend(|params: Params<2>, slots, values| {
-                let mut robot = Robot::new(params, ME, 1.0, slots, values).unwrap();
+            lend(|params: Params<2>| {
+                let mut robot = new_robot(params);
                 Scene { desired, ..scene.clone() }.play(&mut robot, 10)
             })
         };
@@ -161,8 +170,8 @@ fn without_a_wish_it_holds() {
 #[test]
 fn without_a_position_it_stops_until_the_next_good_call() {
     let scene = Scene::<2>::random(&mut Seeded(1));
-    lend(|params: Params<2>, slots, values| {
-        let mut robot = Robot::new(params, ME, 1.0, slots, values).unwrap();
+    lend(|params: Params<2>| {
+        let mut robot = new_robot(params);
         let Output { velocity_m_s, report } = robot.tick([1.0; 2]);
         assert_eq!(
             (velocity_m_s, report.mode, report.outcome),
@@ -180,8 +189,8 @@ fn without_a_position_it_stops_until_the_next_good_call() {
 
 #[test]
 fn a_value_is_marked_as_discarded_in_its_own_round_only() {
-    lend(|params: Params<2>, slots, values| {
-        let mut robot = Robot::new(params, ME, 1.0, slots, values).unwrap();
+    lend(|params: Params<2>| {
+        let mut robot = new_robot(params);
         let mut discarded = |ms: u64, told: Option<f64>| {
             robot.sense(at(ms), [0.0; 2]).unwrap();
             robot.observe(RobotId(1), [1.0, 0.0]).unwrap();
@@ -204,15 +213,15 @@ fn a_value_is_marked_as_discarded_in_its_own_round_only() {
 #[test]
 fn a_restated_level_is_told_and_obeyed_until_the_next_update() {
     let scene = Scene::<2>::random(&mut Seeded(2));
-    lend(|params: Params<2>, slots, values| {
-        let mut robot = Robot::new(params, ME, 1.0, slots, values).unwrap();
+    lend(|params: Params<2>| {
+        let mut robot = new_robot(params);
         let honest = scene.play(&mut robot, 0).report;
         robot.restate(honest.level - 2.5);
         robot.restate(f64::NAN);
         assert_eq!(robot.told_level(), honest.level - 2.5);
         let lying = robot.tick(scene.desired).report;
         assert_eq!((lying.level, lying.h), (honest.level, honest.h));
-        let term = |level| params.composed().degree_term::<f64>(level);
+        let term = |level| params.composed().unwrap().degree_term::<f64>(level);
         let [honest_phi, lying_phi] = [honest, lying].map(|report| report.phi.unwrap());
         let more = (term(honest.level - 2.5) - term(honest.level)) / 8.0;
         assert!(((honest_phi - lying_phi) / more - 1.0).abs() < 1e-9, "φ_i falls by {more}");
@@ -223,8 +232,8 @@ fn a_restated_level_is_told_and_obeyed_until_the_next_update() {
 
 #[test]
 fn the_gravest_reason_is_named() {
-    lend_with(Settings::<2> { robots: 3, faults: 0, ..Settings::default() }, |params, slots, values| {
-        let mut robot = Robot::new(params, ME, 1.0, slots, values).unwrap();
+    lend_with(Settings::<2> { team: Team { robots: 3, faults: 0 }, ..Settings::default() }, |params| {
+        let mut robot = new_robot(params);
         let mut mode = |ms: u64, near: &[f64], told: Option<f64>| {
             robot.sense(at(ms), [0.0; 2]).unwrap();
             for (id, &x) in (1..).zip(near) {

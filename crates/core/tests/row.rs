@@ -3,7 +3,7 @@
 //! Because ∂h_k/∂x_i = ∂a_ik/∂x_i, H_i is the gradient of φ (eq:composition) with respect to x_i whenever all levels are honest.
 //! The row is that inequality divided by a power of two, which is read off `bound = −α φ_i · scale`.
 
-use closeranks_core::equations::composition::{Composition, Share};
+use closeranks_core::equations::composition::{Composition, PhiSplit};
 use closeranks_core::num::Vector;
 use cluster::Cluster;
 
@@ -18,7 +18,7 @@ const CLUSTERS: u64 = 60;
 #[test]
 fn with_honest_levels_the_row_is_the_gradient_of_the_global_composition() {
     for seed in 0..CLUSTERS {
-        for share in [Share::Neighbours, Share::Own] {
+        for share in [PhiSplit::Neighbors, PhiSplit::Own] {
             check_gradient(&Cluster::<2>::random(seed, share));
             check_gradient(&Cluster::<3>::random(seed, share));
         }
@@ -29,7 +29,7 @@ fn with_honest_levels_the_row_is_the_gradient_of_the_global_composition() {
 #[test]
 fn phi_i_is_what_is_printed() {
     for seed in 0..CLUSTERS {
-        for share in [Share::Neighbours, Share::Own] {
+        for share in [PhiSplit::Neighbors, PhiSplit::Own] {
             check_phi(&mut Cluster::<2>::random(seed, share));
             check_phi(&mut Cluster::<3>::random(seed, share));
         }
@@ -89,15 +89,15 @@ fn check_phi<const D: usize>(cluster: &mut Cluster<D>) {
     }
 }
 
-/// eq:phi_i, or the own share of METHOD.md 2.3.
+/// eq:phi_i, or the own share of docs/theory.
 fn printed<const D: usize>(cluster: &Cluster<D>, i: usize) -> f64 {
     let own = cluster.told_term(i);
-    let degrees = match cluster.composed.share {
-        Share::Neighbours => {
+    let degrees = match cluster.composed.split {
+        PhiSplit::Neighbors => {
             let others: f64 = cluster.neighbors(i).map(|k| cluster.told_term(k)).sum();
             (own + others) / (f64::from(cluster.composed.required) + 1.0)
         }
-        Share::Own => own,
+        PhiSplit::Own => own,
     };
     let collisions: f64 = cluster.neighbors(i).map(|j| cluster.collision_term(i, j)).sum();
     1.0 / f64::from(cluster.composed.robots) - degrees - collisions / 2.0

@@ -3,7 +3,7 @@
 //! The paper's H_i is then a sum of numbers like e^(10⁷) and e^(−10⁵). The crate carries their exponents along; here the same
 //! sum is formed from logarithms, relative to its largest term. Either way the direction must come out, and a finite row.
 
-use closeranks_core::equations::composition::{Composition, Share};
+use closeranks_core::equations::composition::{Composition, PhiSplit};
 use closeranks_core::equations::link::LinkShape;
 use closeranks_core::num::scaled::Number;
 use closeranks_core::num::{Vector, dot, subtract};
@@ -35,7 +35,7 @@ fn the_direction_survives_any_level_and_any_cluster() {
 #[test]
 fn a_cluster_far_inside_the_radius_has_a_row() {
     for seed in 0..100 {
-        let mut cluster = Cluster::<3>::random(seed, Share::Own);
+        let mut cluster = Cluster::<3>::random(seed, PhiSplit::Own);
         cluster.shape = LinkShape { radius_m: 30.0, q1: 2.099, q2: 0.3 };
         cluster.composed.w_c = 1e8;
         for position in &mut cluster.positions {
@@ -56,7 +56,7 @@ fn a_cluster_far_inside_the_radius_has_a_row() {
 /// the direction of a neighbour that hardly matters. One liar and R = 10 m are enough.
 #[test]
 fn a_slope_that_vanishes_is_not_lost_beside_a_huge_term() {
-    let mut cluster = Cluster::<2>::random(0, Share::Neighbours);
+    let mut cluster = Cluster::<2>::random(0, PhiSplit::Neighbors);
     cluster.shape = LinkShape { radius_m: 10.0, q1: 2.099, q2: 0.3 };
     (cluster.composed.w_r, cluster.composed.w_c, cluster.composed.required) = (15.0, 25.0, 7);
     cluster.positions = vec![[0.0, 0.0], [7.142, 0.0], [0.0, 9.9]];
@@ -124,7 +124,7 @@ fn logarithms<const D: usize>(cluster: &Cluster<D>, i: usize, axis: usize) -> Ve
 /// A cluster with another radius, another size and claims of every magnitude.
 fn extreme<const D: usize>(seed: u64) -> Cluster<D> {
     let mut random = Seeded(seed ^ 0xfeed);
-    let share = if random.below(2) == 0 { Share::Neighbours } else { Share::Own };
+    let share = if random.below(2) == 0 { PhiSplit::Neighbors } else { PhiSplit::Own };
     let mut cluster = Cluster::<D>::random(seed, share);
     cluster.shape.radius_m = [3.0, 7.0, 10.0, 30.0][random.below(4)];
     cluster.composed.w_r = [1.0, 15.0][random.below(2)];

@@ -4,7 +4,7 @@
 //! whole team at once do the same. Scaling by a power of two rounds nothing, so shrinking all offsets by 2⁻⁷⁴⁰ forces
 //! the second way upon a row of which the first is known.
 
-use closeranks_core::equations::composition::{Composed, Share, Sum};
+use closeranks_core::equations::composition::{Composed, PhiSplit, Sum};
 use closeranks_core::equations::link::Link;
 use closeranks_core::num::dot;
 use closeranks_core::num::scaled::{Number, Scaled};
@@ -22,7 +22,7 @@ const SHRINK: f64 = f64::from_bits((1023 - 740) << 52);
 #[test]
 fn a_row_has_the_same_bits_both_ways() {
     for seed in 0..300 {
-        for share in [Share::Neighbours, Share::Own] {
+        for share in [PhiSplit::Neighbors, PhiSplit::Own] {
             check_rows(Cluster::<2>::random(seed, share));
             check_rows(Cluster::<3>::random(seed, share));
         }
@@ -33,7 +33,7 @@ fn a_row_has_the_same_bits_both_ways() {
 #[test]
 fn a_team_computed_at_once_has_the_bits_of_each_robot() {
     for seed in 0..300 {
-        let cluster = Cluster::<3>::random(seed, Share::Neighbours);
+        let cluster = Cluster::<3>::random(seed, PhiSplit::Neighbors);
         let composed = &cluster.composed;
         let told = |k: usize| composed.degree_term::<f64>(cluster.claims[k]);
         for i in 0..cluster.count() {

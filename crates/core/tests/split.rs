@@ -1,10 +1,10 @@
-//! What does not hold of the printed split (METHOD.md 2.1 and 2.3), and what holds instead.
+//! What does not hold of the printed split (docs/theory), and what holds instead.
 //!
 //! φ_i (eq:phi_i) jumps when a robot comes into range, by up to the whole budget 1/n; and the sum of all φ_i is φ
 //! (eq:composition) only if every degree is F′, and may exceed it if a robot overstates: the proof of lem:equivalence assumes it
 //! cannot. The own share, `φ_i = 1/n − Ê_i − ½ Σ E^c_ij`, has neither fault.
 
-use closeranks_core::equations::composition::{Composed, Share};
+use closeranks_core::equations::composition::{Composed, PhiSplit};
 use closeranks_core::equations::link::LinkShape;
 use closeranks_core::num::Vector;
 use cluster::Cluster;
@@ -15,7 +15,7 @@ mod seeded;
 
 const SHAPE: LinkShape = LinkShape { radius_m: 3.0, q1: 2.099, q2: 0.3 };
 const PAPER: Composed = Composed {
-    share: Share::Neighbours,
+    split: PhiSplit::Neighbors,
     w_r: 15.0,
     w_c: 25.0,
     alpha: 0.1,
@@ -32,7 +32,7 @@ fn phi_i_jumps_by_the_share_of_a_robot_that_comes_into_range() {
     for seed in 0..200 {
         let mut random = Seeded(seed);
         let claims: Vec<f64> = (0..5).map(|_| 7.0 + random.between(0.03, 1.0)).collect();
-        let (apart, joined) = meeting::<3>(Share::Neighbours, &claims);
+        let (apart, joined) = meeting::<3>(PhiSplit::Neighbors, &claims);
         let (before, after) = (apart.composition(0).phi, joined.composition(0).phi);
         let newcomer = 4;
         let drop = joined.told_term(newcomer) / 8.0 + joined.collision_term(0, newcomer) / 2.0;
@@ -44,25 +44,25 @@ fn phi_i_jumps_by_the_share_of_a_robot_that_comes_into_range() {
     }
 }
 
-/// THEORY.md 2.3: a load of 0.08 leaves φ_i = 0.011; a newcomer with ĥ = 0.107 makes it −0.014.
+/// As in docs/theory: a load of 0.08 leaves φ_i = 0.011; a newcomer with ĥ = 0.107 makes it −0.014.
 //= paper eq:phi_i type=test
 #[test]
 fn the_jump_can_take_a_robot_out_of_its_safe_set() {
     let own = 7.0 - libm::log(0.08 * 8.0) / 15.0;
-    let (apart, joined) = meeting::<2>(Share::Neighbours, &[own, 20.0, 20.0, 20.0, 7.107]);
+    let (apart, joined) = meeting::<2>(PhiSplit::Neighbors, &[own, 20.0, 20.0, 20.0, 7.107]);
     let (before, after) = (apart.composition(0).phi, joined.composition(0).phi);
     assert!((before - 0.011).abs() < 5e-4 && (after + 0.014).abs() < 5e-4, "{before} to {after}");
 
     // and the whole budget goes if the newcomer is at the edge of its own set
     let edge = 7.0 - libm::log(8.0 / 11.0) / 15.0;
-    let (apart, joined) = meeting::<2>(Share::Neighbours, &[20.0, 20.0, 20.0, 20.0, edge]);
+    let (apart, joined) = meeting::<2>(PhiSplit::Neighbors, &[20.0, 20.0, 20.0, 20.0, edge]);
     let drop = apart.composition(0).phi - joined.composition(0).phi;
     assert!((drop - 1.0 / 11.0).abs() <= ROUNDING, "{drop}");
 }
 
 #[test]
 fn the_own_share_drops_by_the_collision_term_alone() {
-    let (apart, joined) = meeting::<2>(Share::Own, &[7.3, 20.0, 20.0, 20.0, 7.107]);
+    let (apart, joined) = meeting::<2>(PhiSplit::Own, &[7.3, 20.0, 20.0, 20.0, 7.107]);
     let collision = joined.collision_term(0, 4);
     assert!((1e-98..1e-96).contains(&collision), "{collision:e} at the rim");
     assert_eq!(apart.composition(0).phi.to_bits(), joined.composition(0).phi.to_bits());
@@ -79,7 +79,7 @@ fn the_split_is_exact_only_at_degree_f_prime_and_the_own_share_always() {
     }
 }
 
-/// δ_k = 4 and ĥ_k = 0.1: the gap is 0.084, almost the budget 1/n = 0.091 (THEORY.md 2.4).
+/// δ_k = 4 and ĥ_k = 0.1: the gap is 0.084, almost the budget 1/n = 0.091 (docs/theory).
 //= paper lem:equivalence type=test
 #[test]
 fn a_robot_that_overstates_makes_the_sum_of_the_phi_i_exceed_phi() {
@@ -92,13 +92,13 @@ fn a_robot_that_overstates_makes_the_sum_of_the_phi_i_exceed_phi() {
     let gap = cluster.phi() - sum_of_phi(&cluster);
     assert!((gap + 0.084).abs() < 5e-4, "{gap}");
 
-    cluster.composed.share = Share::Own;
+    cluster.composed.split = PhiSplit::Own;
     assert!((cluster.phi() - sum_of_phi(&cluster)).abs() <= ROUNDING * 11.0);
 }
 
 fn check_identity<const D: usize>(seed: u64) {
     let mut random = Seeded(seed);
-    let mut cluster = Cluster::<D>::random(seed, Share::Neighbours);
+    let mut cluster = Cluster::<D>::random(seed, PhiSplit::Neighbors);
     for claim in &mut cluster.claims {
         *claim += [0.0, 0.0, -2.5, 3.5, 8.0][random.below(5)];
     }
@@ -110,7 +110,7 @@ fn check_identity<const D: usize>(seed: u64) {
     let rounding = 16.0 * ROUNDING * (2.0 - cluster.phi());
     let gap = cluster.phi() - sum_of_phi(&cluster);
     assert!((gap - expected).abs() <= rounding, "{gap} is not {expected}, seed {seed}");
-    cluster.composed.share = Share::Own;
+    cluster.composed.split = PhiSplit::Own;
     let gap = cluster.phi() - sum_of_phi(&cluster);
     assert!(gap.abs() <= rounding, "{gap} is not 0, seed {seed}");
 }
@@ -120,13 +120,13 @@ fn sum_of_phi<const D: usize>(cluster: &Cluster<D>) -> f64 {
 }
 
 /// Robot 0 with three neighbours 1 m away and a newcomer, just out of range and just in range.
-fn meeting<const D: usize>(share: Share, claims: &[f64]) -> (Cluster<D>, Cluster<D>) {
+fn meeting<const D: usize>(split: PhiSplit, claims: &[f64]) -> (Cluster<D>, Cluster<D>) {
     let at = |x: f64, y: f64| core::array::from_fn(|d| [x, y, 0.0][d]);
     let with = |x: f64| Cluster {
         positions: vec![at(0.0, 0.0), at(1.0, 0.0), at(0.0, 1.0), at(0.0, -1.0), at(x, 0.0)],
         claims: claims.to_vec(),
         shape: SHAPE,
-        composed: Composed { share, ..PAPER },
+        composed: Composed { split, ..PAPER },
     };
     (with(-3.000_000_000_001), with(-3.0))
 }

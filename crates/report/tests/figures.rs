@@ -1,10 +1,12 @@
 //! The figures: what is drawn is what was recorded, for any team and any length, and never anything not finite.
 #![expect(clippy::unwrap_used, reason = "helpers of tests")]
 
+use closeranks_core::settings::Team;
 use closeranks_report::figure::{Case, figure1, figure2, figure3, overview};
 use closeranks_report::png::png;
 use closeranks_sim::attack::LevelAttack;
 use closeranks_sim::output::record::Record;
+use closeranks_sim::scenario::Limits;
 use closeranks_sim::scenario::Scenario;
 use closeranks_sim::scenario::start::Start;
 use closeranks_sim::world::{Options, run};
@@ -23,7 +25,10 @@ fn short() -> Scenario {
 fn cases(count: usize) -> Vec<(Scenario, Record)> {
     let attacks =
         [LevelAttack::None, LevelAttack::Bias(-2.5), LevelAttack::Bias(3.5), LevelAttack::Bias(1.0)];
-    let scenarios = attacks.into_iter().take(count).map(|level_attack| Scenario { level_attack, ..short() });
+    let scenarios = attacks
+        .into_iter()
+        .take(count)
+        .map(|level_attack| Scenario { attack: level_attack.into(), ..short() });
     scenarios.map(|scenario| (scenario.clone(), record(&scenario))).collect()
 }
 
@@ -123,9 +128,12 @@ fn a_full_run_is_a_small_file() {
 fn three_dimensions_are_projected_and_say_so() {
     let scenario = Scenario {
         dimension: 3,
-        input_min_m_s: vec![-1.5; 3],
-        input_max_m_s: vec![1.5; 3],
         start: Start::Random { half_side_m: 0.9, distance_min_m: 0.4 },
+        limits: Limits {
+            input_min_m_s: vec![-1.5; 3],
+            input_max_m_s: vec![1.5; 3],
+            ..short().limits.clone()
+        },
         ..short()
     };
     let record = record(&scenario);
@@ -199,8 +207,12 @@ fn a_single_tick_shows_dots() {
 
 #[test]
 fn crowds_have_no_numbers() {
-    let scenario =
-        Scenario { robots: 70, start: Start::Hexagon { spacing_m: 0.5 }, duration_s: 0.02, ..short() };
+    let scenario = Scenario {
+        start: Start::Hexagon { spacing_m: 0.5 },
+        duration_s: 0.02,
+        team: Team { robots: 70, ..short().team },
+        ..short()
+    };
     let record = record(&scenario);
     let svg = overview(Case { title: "crowd", scenario: &scenario, record: &record });
     assert!(count(&svg, "<circle") > 2 * 68 && count(&svg, "</text>") < 140);

@@ -5,6 +5,7 @@ use bytes::Bytes;
 use closeranks_report::parquet::{Metadata, write};
 use closeranks_sim::attack::LevelAttack;
 use closeranks_sim::output::record::{Record, outcome_name};
+use closeranks_sim::scenario::Limits;
 use closeranks_sim::scenario::Scenario;
 use closeranks_sim::scenario::start::Start;
 use closeranks_sim::world::{Options, run};
@@ -25,15 +26,18 @@ fn file(record: &Record) -> Vec<u8> {
 }
 
 fn short() -> Scenario {
-    Scenario { duration_s: 0.05, level_attack: LevelAttack::Bias(-2.5), ..Scenario::default() }
+    Scenario { duration_s: 0.05, attack: LevelAttack::Bias(-2.5).into(), ..Scenario::default() }
 }
 
 fn cube() -> Scenario {
     Scenario {
         dimension: 3,
-        input_min_m_s: vec![-1.5; 3],
-        input_max_m_s: vec![1.5; 3],
         start: Start::Random { half_side_m: 0.9, distance_min_m: 0.4 },
+        limits: Limits {
+            input_min_m_s: vec![-1.5; 3],
+            input_max_m_s: vec![1.5; 3],
+            ..short().limits.clone()
+        },
         ..short()
     }
 }

@@ -2,13 +2,15 @@
 //!
 //! `cargo bench -p closeranks-sim`
 
+use closeranks_core::controller::AnyController;
 use closeranks_core::settings::params::Params;
+use closeranks_core::settings::{self, LinkSettings};
 use closeranks_sim::attack::LevelAttack;
 use closeranks_sim::attack::liars::Liars;
 use closeranks_sim::engine::fleet::Fleet;
-use closeranks_sim::engine::memory::Memory;
 use closeranks_sim::engine::team::Team;
 use closeranks_sim::frame::Frame;
+use closeranks_sim::plant::Bodies;
 use closeranks_sim::scenario::start::Start;
 use closeranks_sim::scenario::{Controller, Scenario};
 use closeranks_sim::world::{Options, initial_values, run, want};
@@ -25,13 +27,18 @@ fn scenario(robots: u16) -> Scenario {
         100 => 7.0,
         _ => 22.0,
     };
-    Scenario { robots, radius_m, start: Start::Hexagon { spacing_m: 0.6 }, ..Scenario::default() }
+    Scenario {
+        start: Start::Hexagon { spacing_m: 0.6 },
+        team: settings::Team { robots, ..settings::Team::default() },
+        link: LinkSettings { radius_m, ..LinkSettings::default() },
+        ..Scenario::default()
+    }
 }
 
 fn world(scenario: &Scenario) -> (Params<2>, Frame<2>, Vec<f64>) {
     let params = scenario.params().expect("valid");
     let values = initial_values(scenario).expect("drawn");
-    let positions = scenario.start.positions(scenario).expect("a hexagon");
+    let positions = scenario.positions().expect("a hexagon");
     (params, Frame::new(positions, values.clone()), values)
 }
 
@@ -40,12 +47,14 @@ fn world(scenario: &Scenario) -> (Params<2>, Frame<2>, Vec<f64>) {
 fn tick_of_a_team(bencher: Bencher<'_, '_>, robots: u16) {
     let scenario = scenario(robots);
     let (params, mut frame, values) = world(&scenario);
-    let mut team = Team::new(&scenario, params, &values);
+    let AnyController::Composed(composed) = *params.controller() else { return };
+    let mut team = Team::new(&scenario, params, composed, &values);
     let mut liars = Liars::new(&scenario);
+    let mut bodies = Bodies::new(scenario.plant, scenario.tick_s(), &frame.positions_m);
     bencher.bench_local(|| {
         want(&scenario, 0, &mut frame);
         team.step(&mut frame, &mut liars);
-        frame.integrate(scenario.tick_s());
+        bodies.integrate(&mut frame.positions_m, &frame.velocities_m_s);
     });
     let links = u32::from(robots) * u32::from(robots - 1) / 2;
     assert!(frame.links * 10 > links * 9, "nearly all in range: {} of {links}", frame.links);
@@ -56,14 +65,13 @@ fn tick_of_a_team(bencher: Bencher<'_, '_>, robots: u16) {
 fn tick_of_single_robots(bencher: Bencher<'_, '_>, robots: u16) {
     let scenario = scenario(robots);
     let (params, mut frame, values) = world(&scenario);
-    let mut memory = Memory::new(usize::from(robots), false);
-    let mut fleet =
-        Fleet::new(&scenario, params, &frame.positions_m, &values, &mut memory).expect("memory is enough");
+    let mut fleet = Fleet::new(&scenario, params, &values).expect("robots of a valid scenario");
     let mut liars = Liars::new(&scenario);
+    let mut bodies = Bodies::new(scenario.plant, scenario.tick_s(), &frame.positions_m);
     bencher.bench_local(|| {
         want(&scenario, 0, &mut frame);
         fleet.step(&mut frame, &mut liars);
-        frame.integrate(scenario.tick_s());
+        bodies.integrate(&mut frame.positions_m, &frame.velocities_m_s);
     });
 }
 
@@ -86,7 +94,7 @@ fn paper_run_recorded(bencher: Bencher<'_, '_>) {
 #[divan::bench]
 fn budget_run(bencher: Bencher<'_, '_>) {
     let (controller, level_attack) = (Controller::Budget, LevelAttack::Bias(3.5));
-    let scenario = Scenario { controller, level_attack, ..Scenario::default() };
+    let scenario = Scenario { controller, attack: level_attack.into(), ..Scenario::default() };
     let options = Options { without_phi: true, ..Options::default() };
     bencher.bench(|| run(&scenario, options, &mut |_| ()).expect("runs"));
 }

@@ -3,8 +3,9 @@
 //!
 //! `cargo run --release -p closeranks-sim --example choose_inside -- 20000`
 
-use closeranks_core::equations::composition::Share;
-use closeranks_sim::attack::LevelAttack;
+use closeranks_core::equations::composition::PhiSplit;
+use closeranks_core::settings::ComposedSettings;
+use closeranks_sim::attack::{Attack, LevelAttack};
 use closeranks_sim::law::Law;
 use closeranks_sim::output::summary::Summary;
 use closeranks_sim::random::{Random, Stream};
@@ -21,8 +22,8 @@ fn scenario(places: &[[i8; 2]; 11], bias: f64) -> Scenario {
         |[column, row]: [i8; 2]| vec![0.3 * f64::from(column), 0.3 * 3.0_f64.sqrt() * f64::from(row)];
     Scenario {
         start: Start::Listed(places.iter().map(|place| position(*place)).collect()),
-        level_attack: if bias == 0.0 { LevelAttack::None } else { LevelAttack::Bias(bias) },
-        share: Share::Neighbours,
+        attack: Attack::from(if bias == 0.0 { LevelAttack::None } else { LevelAttack::Bias(bias) }),
+        composed: ComposedSettings { phi_split: PhiSplit::Neighbors, ..ComposedSettings::default() },
         ..Scenario::default()
     }
 }

@@ -9,23 +9,25 @@ pub enum Law {
     Distance,
     /// Values of normal robots stay inside the interval they started in (def:consensus).
     Interval,
-    /// In every round the spread of normal values shrinks by 1 − β/2 if degrees hold (thm:rs_robust, Theorem A).
+    /// In every round the spread of normal values shrinks by 1 − β/2 if degrees hold (thm:rs_robust, thm:contraction).
     Agreement,
     /// Every input is finite and in U_i.
     Input,
-    /// h_i of normal robots is not negative (thm:cbf-qp a, Theorem B); with free liars the same of normal neighbours alone.
+    /// h_i of normal robots is not negative (thm:cbf-qp a, thm:any-claim); with free liars h_i counts normal neighbours alone
+    /// (thm:free).
     Spare,
-    /// No two robots come closer than Δ_d between two ticks (Theorem B 4).
+    /// No two robots come closer than Δ_d between two ticks (thm:discrete).
     Path,
-    /// `budget`: in a tick no h_i loses more than its share γ, no `D − Δ_d²` more than γ_c (Theorem B).
+    /// `budget`: in a tick no h_i loses more than its share γ, no `D − Δ_d²` more than γ_c (thm:discrete).
     Decay,
-    /// `budget`: no robot says that it is guaranteed what does not hold, and every one says so again soon after all holds.
+    /// `budget`: no robot calls something guaranteed that does not hold, and every robot says "guaranteed" again soon after
+    /// everything holds.
     Mode,
     /// The global composition φ of the true levels is not negative (eq:composition).
     Composition,
-    /// No φ_i is negative (eq:phi_i). Not a theorem: METHOD.md 2.2.
+    /// No φ_i is negative (eq:phi_i). Not a theorem: docs/theory, sec:phi.
     Shares,
-    /// Every program has a solution (seq:qp). Not a theorem either.
+    /// Every program has a solution (seq:qp). This is not a theorem either.
     Feasible,
 }
 
@@ -36,9 +38,9 @@ impl Law {
         matches!(self, Self::Composition | Self::Shares)
     }
 
-    /// True if it is about what `budget` alone says of itself.
+    /// True if it is looked at only under a controller that promises it: it is about what the controller says of itself.
     #[must_use]
-    pub fn is_about_budget(self) -> bool {
+    pub fn is_own(self) -> bool {
         matches!(self, Self::Decay | Self::Mode)
     }
 
@@ -62,7 +64,7 @@ impl Law {
     pub const COUNT: usize = 12;
 
     /// What thm:cbf-qp and thm:rs_robust promise for `composed` from a start in their safe set. That programs have solutions
-    /// (c) is counted apart: METHOD.md 2.2.
+    /// (c) is counted apart: docs/theory, sec:phi.
     pub const COMPOSED: [Self; 7] =
         [Self::Degree, Self::Distance, Self::Interval, Self::Agreement, Self::Input, Self::Spare, Self::Path];
 

@@ -12,20 +12,27 @@
 //! | many scenarios out of one text with draws | [`sweep`] |
 //! | where robots start and want to go | [`scenario::start`], [`scenario::desired`] |
 //! | what malicious robots tell | [`attack`], [`attack::liars`] |
-//! | what goes wrong with messages, clocks, sensors and bodies | [`faults`] |
+//! | what goes wrong with messages, clocks, sensors and the robots themselves | [`faults`] |
+//! | how bodies follow velocities | [`plant`] |
+//! | what carries messages | [`transport`] |
 //! | all robots of a tick, one by one or as a team | [`engine`] |
 //! | the theorems as code, and exact robustness round by round | [`law`], [`monitors`] |
 //! | the run, its record and its table row | [`world`], [`output`] |
 
 pub mod attack;
+pub mod controllers;
 pub mod engine;
 pub mod faults;
 pub mod frame;
+pub mod geometry;
+pub mod given;
 pub mod law;
 pub mod monitors;
 pub mod output;
 pub mod parse;
+pub mod plant;
 pub mod random;
 pub mod scenario;
 pub mod sweep;
+pub mod transport;
 pub mod world;

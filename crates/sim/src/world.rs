@@ -1,34 +1,27 @@
-//! The run: scenario in, record and summary out.
+//! The world: one tick after another, and a run as the loop over it.
 
+use closeranks_core::program::Outcome;
 use closeranks_core::robot::error::RobotError;
 use closeranks_core::settings::params::Params;
 use closeranks_core::settings::range::ParamsError;
 
 use crate::attack::liars::Liars;
-use crate::engine::allies::Allies;
-use crate::engine::fleet::Fleet;
-use crate::engine::memory::Memory;
-use crate::engine::team::Team;
+use crate::controllers::{Answer, Global, TeamView, Velocities};
+use crate::engine;
+pub use crate::engine::Engine;
+use crate::engine::judge::Judge;
+use crate::engine::robots::Robots;
 use crate::frame::Frame;
+use crate::given::{Given, GivenError};
 use crate::monitors::Monitors;
 use crate::monitors::robustness::{Round, Watcher};
 use crate::output::record::Record;
 use crate::output::summary::{Collector, Summary};
+use crate::plant::Bodies;
 use crate::random::{Random, Stream};
-use crate::scenario::desired::Motion;
+use crate::scenario::desired::Desired;
 use crate::scenario::start::StartError;
-use crate::scenario::{Controller, Scenario, Values};
-
-/// How robots are computed; both give the same bits.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Engine {
-    /// All at once ([`crate::engine::team`], for `budget` [`crate::engine::allies`]); `budget` with free liars, with margins for errors or far
-    /// from the origin, and any world that is not perfect, run one by one all the same.
-    #[default]
-    Team,
-    /// One by one, with every message as bytes ([`crate::engine::fleet`]).
-    Robots,
-}
+use crate::scenario::{Scenario, Values};
 
 /// What a run is to produce besides its summary.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -94,126 +87,193 @@ fn run_in<const D: usize>(
     options: Options,
     progress: &mut dyn FnMut(u32),
 ) -> Result<Run, RunError> {
-    let params = scenario.params::<D>()?;
-    let values = initial_values(scenario)?;
-    let frame = Frame::new(scenario.start.positions(scenario)?, values.clone());
-    let world = World::new(scenario, params, frame, options);
-    let together = options.engine == Engine::Team && scenario.is_plain();
-    if together && scenario.controller != Controller::Budget {
-        return Ok(world.run(&mut Team::new(scenario, params, &values), progress));
+    let mut world = World::<D>::new(scenario, options)?;
+    while !world.is_over() {
+        progress(world.ticks_done());
+        world.step();
     }
-    if together && let Some(mut allies) = Allies::new(scenario, params, &world.frame.positions_m, &values) {
-        return Ok(world.run(&mut allies, progress));
-    }
-    let margin = params.budget().margin.offset_m > 0.0;
-    let mut memory = Memory::new(usize::from(scenario.robots), margin);
-    let mut fleet = Fleet::new(scenario, params, &world.frame.positions_m, &values, &mut memory)?;
-    Ok(world.run(&mut fleet, progress))
+    Ok(world.finish())
 }
 
 /// y_i(t₀).
 pub fn initial_values(scenario: &Scenario) -> Result<Vec<f64>, RunError> {
     match &scenario.values {
-        Values::Listed(values) if values.len() == usize::from(scenario.robots) => Ok(values.clone()),
-        Values::Listed(values) => Err(RunError::Values { found: values.len(), robots: scenario.robots }),
+        Values::Listed(values) if values.len() == usize::from(scenario.team.robots) => Ok(values.clone()),
+        Values::Listed(values) => Err(RunError::Values { found: values.len(), robots: scenario.team.robots }),
         Values::Random { min, max } => {
             let mut random = Random::new(scenario.seed, Stream::Values);
-            Ok((0..scenario.robots).map(|_| random.uniform(*min, *max)).collect())
+            Ok((0..scenario.team.robots).map(|_| random.uniform(*min, *max)).collect())
         }
     }
 }
 
-/// What computes the robots of a run.
-trait Robots<const D: usize> {
-    /// One tick: fills everything in `frame` but positions and desired velocities.
-    fn step(&mut self, frame: &mut Frame<D>, liars: &mut Liars);
-    /// Moves everybody to the next tick.
-    fn integrate(&mut self, frame: &mut Frame<D>);
-}
-
-impl<const D: usize> Robots<D> for Fleet<'_, D> {
-    fn step(&mut self, frame: &mut Frame<D>, liars: &mut Liars) {
-        self.step(frame, liars);
-    }
-
-    fn integrate(&mut self, frame: &mut Frame<D>) {
-        self.integrate(frame);
-    }
-}
-
-impl<const D: usize> Robots<D> for Team<D> {
-    fn step(&mut self, frame: &mut Frame<D>, liars: &mut Liars) {
-        self.step(frame, liars);
-    }
-
-    fn integrate(&mut self, frame: &mut Frame<D>) {
-        frame.integrate(self.tick_s());
-    }
-}
-
-impl<const D: usize> Robots<D> for Allies<D> {
-    fn step(&mut self, frame: &mut Frame<D>, liars: &mut Liars) {
-        self.step(frame, liars);
-    }
-
-    fn integrate(&mut self, frame: &mut Frame<D>) {
-        frame.integrate(self.tick_s());
-    }
-}
-
-struct World<'a, const D: usize> {
-    scenario: &'a Scenario,
-    malicious: Vec<bool>,
+/// A team in its world.
+///
+/// [`step`](Self::step) computes one tick; [`frame`](Self::frame) is what it came to. Robots move at the beginning of the next
+/// step, so that positions and velocities of a frame belong together. A world can be stepped beyond the last tick of
+/// its scenario.
+///
+/// ```
+/// use closeranks_sim::scenario::Scenario;
+/// use closeranks_sim::world::{Options, World};
+///
+/// let mut world = World::<2>::new(&Scenario::default(), Options::default())?;
+/// for _ in 0..200 {
+///     world.step();
+/// }
+/// assert!(world.frame().h.iter().all(|h| *h > 0.0));
+/// # Ok::<(), closeranks_sim::world::RunError>(())
+/// ```
+pub struct World<const D: usize> {
+    scenario: Scenario,
+    params: Params<D>,
+    robots: Box<dyn Robots<D>>,
+    global: Option<Global>,
+    answers: Vec<Answer<D>>,
     frame: Frame<D>,
     liars: Liars,
+    bodies: Bodies<D>,
+    judge: Judge,
     monitors: Monitors<D>,
     collector: Collector,
     record: Option<Record>,
     watcher: Option<Watcher>,
+    /// Ticks computed yet.
+    done: u32,
 }
 
-impl<'a, const D: usize> World<'a, D> {
-    fn new(scenario: &'a Scenario, params: Params<D>, frame: Frame<D>, options: Options) -> Self {
-        let wants_phi = !(options.without_phi && scenario.controller == Controller::Budget);
-        let required = params.required_degree();
-        Self {
-            scenario,
-            malicious: scenario.malicious_mask(),
-            frame: Frame { wants_phi, ..frame },
+impl<const D: usize> World<D> {
+    /// The world of `scenario`, which must be of `D` dimensions, before its first tick.
+    pub fn new(scenario: &Scenario, options: Options) -> Result<Self, RunError> {
+        if scenario.dimension != D {
+            return Err(RunError::Dimension(scenario.dimension));
+        }
+        let params = scenario.params::<D>()?;
+        let values = initial_values(scenario)?;
+        let wants_phi = scenario.controller.row().uses_phi || !options.without_phi;
+        let frame = Frame { wants_phi, ..Frame::new(scenario.positions()?, values.clone()) };
+        Ok(Self {
+            params,
+            robots: engine::robots(scenario, params, &frame, &values, options.engine)?,
+            global: scenario.controller.global(scenario),
+            answers: Vec::new(),
+            bodies: Bodies::new(scenario.plant, scenario.tick_s(), &frame.positions_m),
             liars: Liars::new(scenario),
+            judge: Judge::new(scenario, &params),
             monitors: Monitors::new(scenario, params),
             collector: Collector::default(),
-            record: options.record.then(|| Record::new(scenario, required)),
+            record: options.record.then(|| Record::new(scenario, scenario.composition().required)),
             watcher: options.robustness.then(Watcher::default),
-        }
+            scenario: scenario.clone(),
+            frame,
+            done: 0,
+        })
     }
 
-    fn run(mut self, robots: &mut impl Robots<D>, progress: &mut dyn FnMut(u32)) -> Run {
-        let last = self.scenario.ticks();
-        for tick in 0..=last {
-            progress(tick);
-            want(self.scenario, tick, &mut self.frame);
-            robots.step(&mut self.frame, &mut self.liars);
-            self.monitors.watch(tick, &self.frame);
-            self.collector.watch(self.scenario, &self.frame, &self.monitors);
-            if let Some(record) = &mut self.record {
-                record.push(&self.frame);
-            }
-            self.watch_round(tick);
-            if tick < last {
-                robots.integrate(&mut self.frame);
-            }
+    /// How many ticks were computed.
+    #[must_use]
+    pub fn ticks_done(&self) -> u32 {
+        self.done
+    }
+
+    /// True once the last tick of the scenario was computed.
+    #[must_use]
+    pub fn is_over(&self) -> bool {
+        self.done > self.scenario.ticks()
+    }
+
+    /// What the last tick came to; before the first one, where robots start.
+    #[must_use]
+    pub fn frame(&self) -> &Frame<D> {
+        &self.frame
+    }
+
+    /// What is run.
+    #[must_use]
+    pub fn scenario(&self) -> &Scenario {
+        &self.scenario
+    }
+
+    /// What became of the laws, and least and greatest values, up to the last tick.
+    #[must_use]
+    pub fn monitors(&self) -> &Monitors<D> {
+        &self.monitors
+    }
+
+    /// Computes the next tick.
+    pub fn step(&mut self) -> &Frame<D> {
+        self.begin();
+        self.end()
+    }
+
+    /// Computes the next tick with what is `given` from outside instead of what the scenario says; refused if an array has another
+    /// length than the team, or a number is not finite.
+    pub fn step_with(&mut self, given: &Given<'_, D>) -> Result<&Frame<D>, GivenError> {
+        given.check(self.frame.positions_m.len())?;
+        self.begin();
+        if let Some(desired_m_s) = given.desired_m_s {
+            self.frame.desired_m_s.copy_from_slice(desired_m_s);
         }
-        let summary = self.collector.finish(self.scenario, &self.frame, &self.monitors);
-        Run { record: self.record, rounds: self.watcher.map(Watcher::finish).unwrap_or_default(), summary }
+        self.liars.give(given.levels, given.values);
+        Ok(self.end())
+    }
+
+    /// Moves everybody to the next tick and asks where they want to go.
+    fn begin(&mut self) {
+        if self.done > 0 {
+            self.bodies.integrate(&mut self.frame.positions_m, &self.frame.velocities_m_s);
+        }
+        want(&self.scenario, self.done, &mut self.frame);
+        self.liars.give(None, None);
+    }
+
+    fn end(&mut self) -> &Frame<D> {
+        let tick = self.done;
+        self.ask();
+        self.robots.step(&mut self.frame, &mut self.liars);
+        for (outcome, answer) in self.frame.outcomes.iter_mut().zip(&self.answers) {
+            *outcome = answer.outcome;
+        }
+        self.judge.judge(tick, &mut self.frame, self.robots.as_ref(), &self.bodies);
+        self.monitors.watch(tick, &self.frame);
+        self.collector.watch(&self.scenario, &self.frame, &self.monitors);
+        if let Some(record) = &mut self.record {
+            record.push(&self.frame);
+        }
+        self.watch_round(tick);
+        self.done = self.done.saturating_add(1);
+        &self.frame
+    }
+
+    /// What robots are asked for: what they want, or what a controller with global state makes of it.
+    fn ask(&mut self) {
+        let Frame { desired_m_s, asked_m_s, positions_m, velocities_m_s, .. } = &mut self.frame;
+        asked_m_s.copy_from_slice(desired_m_s);
+        let Some(global) = &mut self.global else { return };
+        let nothing = Answer { velocity_m_s: [0.0; D], outcome: Outcome::Free };
+        self.answers.resize(positions_m.len(), nothing);
+        global.velocities(
+            &TeamView { params: &self.params, positions_m, velocities_m_s, desired_m_s },
+            &mut self.answers,
+        );
+        for (asked, answer) in asked_m_s.iter_mut().zip(&self.answers) {
+            *asked = answer.velocity_m_s;
+        }
     }
 
     fn watch_round(&mut self, tick: u32) {
         if let Some(watcher) = &mut self.watcher
             && tick.is_multiple_of(self.scenario.ticks_per_round())
         {
-            watcher.watch(tick, &self.frame, self.scenario.radius_m, &self.malicious);
+            watcher.watch(tick, &self.frame, self.scenario.link.radius_m, self.monitors.malicious());
         }
+    }
+
+    /// Ends the run: the record, if one was asked for, and the row of the table.
+    #[must_use]
+    pub fn finish(self) -> Run {
+        let summary = self.collector.finish(&self.scenario, &self.frame, &self.monitors);
+        Run { record: self.record, rounds: self.watcher.map(Watcher::finish).unwrap_or_default(), summary }
     }
 }
 
@@ -222,9 +282,9 @@ pub fn want<const D: usize>(scenario: &Scenario, tick: u32, frame: &mut Frame<D>
     let time_s = f64::from(tick) * scenario.tick_s();
     for (index, (desired, position)) in frame.desired_m_s.iter_mut().zip(&frame.positions_m).enumerate() {
         let number = u16::try_from(index + 1).unwrap_or(u16::MAX);
-        *desired = match scenario.motion {
-            Motion::Wander => Motion::wandering(scenario.seed, number, time_s),
-            motion => motion.desired(number, scenario.robots, position),
+        *desired = match scenario.desired {
+            Desired::Wander => Desired::wandering(scenario.seed, number, time_s),
+            motion => motion.desired(number, scenario.team.robots, position),
         };
     }
 }

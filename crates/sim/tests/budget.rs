@@ -2,6 +2,8 @@
 
 #![expect(clippy::unwrap_used, reason = "helpers of tests")]
 
+use closeranks_core::settings::{BudgetSettings, Clock, LinkSettings, Team};
+use closeranks_sim::scenario::Limits;
 use core::time::Duration;
 
 use closeranks_core::controller::budget::knowledge::{Assume, Trust};
@@ -29,7 +31,7 @@ fn kept(scenario: &Scenario) {
     for law in [Law::Degree, Law::Distance, Law::Interval, Law::Agreement, Law::Input, Law::Feasible] {
         assert_eq!(run.summary.broken(law), 0, "{law:?}: {:?}, {scenario:?}", run.summary.verdicts);
     }
-    if scenario.assume == Assume::Obedient {
+    if scenario.budget.assume == Assume::Obedient {
         assert!(run.summary.extremes.h_min > -1e-9, "{} {scenario:?}", run.summary.extremes.h_min);
     }
     let outcomes = run.record.unwrap().outcome;
@@ -39,7 +41,7 @@ fn kept(scenario: &Scenario) {
 #[test]
 fn any_bias_is_survived() {
     for bias in [-1e6, -40.0, -10.0, -2.5, 0.0, 1.0, 3.5, 40.0, 1e6] {
-        kept(&Scenario { level_attack: LevelAttack::Bias(bias), ..budget() });
+        kept(&Scenario { attack: LevelAttack::Bias(bias).into(), ..budget() });
     }
 }
 
@@ -50,7 +52,11 @@ fn lies_that_change_with_time_are_survived() {
     let random = LevelAttack::Random { min: -20.0, max: 20.0 };
     for level_attack in [step, sine, random] {
         for q2 in [0.1, 0.9] {
-            kept(&Scenario { level_attack, q2, ..budget() });
+            kept(&Scenario {
+                attack: level_attack.into(),
+                link: LinkSettings { q2, ..budget().link },
+                ..budget()
+            });
         }
     }
 }
@@ -59,7 +65,12 @@ fn lies_that_change_with_time_are_survived() {
 fn long_ticks_are_survived() {
     for (tick_ms, q2) in [(20, 0.9), (50, 0.1), (50, 0.3), (50, 0.9), (100, 0.3)] {
         let (tau_1, tau_2) = (Duration::from_millis(tick_ms), Duration::from_millis(100));
-        kept(&Scenario { tau_1, tau_2, q2, level_attack: LevelAttack::Bias(3.5), ..budget() });
+        kept(&Scenario {
+            attack: LevelAttack::Bias(3.5).into(),
+            clock: Clock { level_period: tau_1, value_period: tau_2, ..budget().clock },
+            link: LinkSettings { q2, ..budget().link },
+            ..budget()
+        });
     }
 }
 
@@ -67,13 +78,26 @@ fn long_ticks_are_survived() {
 fn every_trust_and_assumption_in_two_and_three_dimensions() {
     for trust in [Trust::Told, Trust::ToldOrSeen, Trust::Seen] {
         for assume in [Assume::Obedient, Assume::Free] {
-            kept(&Scenario { trust, assume, level_attack: LevelAttack::Bias(6.0), ..budget() });
+            kept(&Scenario {
+                attack: LevelAttack::Bias(6.0).into(),
+                budget: BudgetSettings { trust, assume, ..budget().budget },
+                ..budget()
+            });
             let start = Start::Random { half_side_m: 0.8, distance_min_m: 0.45 };
             let corner = vec![1.5; 3];
             let low = vec![-1.5; 3];
-            let cube =
-                Scenario { dimension: 3, start, input_max_m_s: corner, input_min_m_s: low, ..budget() };
-            kept(&Scenario { trust, assume, robots: 12, level_attack: LevelAttack::Bias(-3.0), ..cube });
+            let cube = Scenario {
+                dimension: 3,
+                start,
+                limits: Limits { input_max_m_s: corner, input_min_m_s: low, ..budget().limits.clone() },
+                ..budget()
+            };
+            kept(&Scenario {
+                attack: LevelAttack::Bias(-3.0).into(),
+                budget: BudgetSettings { trust, assume, ..cube.budget },
+                team: Team { robots: 12, ..cube.team },
+                ..cube
+            });
         }
     }
 }
@@ -82,9 +106,9 @@ fn every_trust_and_assumption_in_two_and_three_dimensions() {
 fn random_starts_and_other_teams() {
     for seed in 0..12 {
         let start = Start::Random { half_side_m: 1.1, distance_min_m: 0.4 };
-        kept(&Scenario { seed, start, level_attack: LevelAttack::Bias(9.0), ..budget() });
+        kept(&Scenario { seed, start, attack: LevelAttack::Bias(9.0).into(), ..budget() });
         let start = Start::Random { half_side_m: 0.8, distance_min_m: 0.4 };
-        kept(&Scenario { seed, start, robots: 6, faults: 1, malicious: vec![4], ..budget() });
+        kept(&Scenario { seed, start, malicious: vec![4], team: Team { robots: 6, faults: 1 }, ..budget() });
     }
 }
 
@@ -102,8 +126,12 @@ fn a_start_outside_the_set_is_recovered_from() {
 /// The same lie and tick break `composed`: what the runs above survive is not nothing.
 #[test]
 fn the_papers_controller_does_not_survive_these() {
-    let slow =
-        Scenario { tau_1: Duration::from_millis(50), q2: 0.9, controller: Controller::Composed, ..budget() };
+    let slow = Scenario {
+        controller: Controller::Composed,
+        clock: Clock { level_period: Duration::from_millis(50), ..budget().clock },
+        link: LinkSettings { q2: 0.9, ..budget().link },
+        ..budget()
+    };
     let summary = recorded(&slow).summary;
     assert!(summary.broken(Law::Degree) + summary.broken(Law::Distance) > 0);
 }
@@ -113,7 +141,17 @@ fn the_papers_controller_does_not_survive_these() {
 fn ages_of_more_ticks_than_32_bits_count() {
     let hour = Duration::from_hours(1);
     let [tau_1, tau_2] = [1, 10].map(Duration::from_micros);
-    let slow = Scenario { tau_1, tau_2, told_max: hour, clock_error: hour, duration_s: 3e-5, ..budget() };
+    let slow = Scenario {
+        duration_s: 3e-5,
+        clock: Clock {
+            level_period: tau_1,
+            value_period: tau_2,
+            told_max: hour,
+            error: hour,
+            ..budget().clock
+        },
+        ..budget()
+    };
     let summary = recorded(&slow).summary;
     assert_eq!(
         (summary.covered_share, summary.violations(&slow).count()),

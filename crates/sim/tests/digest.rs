@@ -1,10 +1,12 @@
 //! A run is a pure function of scenario, seed and commit: a mixed scenario has a committed digest.
 #![expect(clippy::unwrap_used, reason = "helpers of tests")]
 
+use closeranks_core::settings::{BudgetSettings, Clock, ComposedSettings, LinkSettings, Team};
+use closeranks_sim::scenario::Limits;
 use core::time::Duration;
 
 use closeranks_core::controller::budget::knowledge::{Assume, Trust};
-use closeranks_core::equations::composition::Share;
+use closeranks_core::equations::composition::PhiSplit;
 use closeranks_sim::attack::LevelAttack;
 use closeranks_sim::scenario::start::Start;
 use closeranks_sim::scenario::{Controller, Scenario};
@@ -16,12 +18,11 @@ fn mixed() -> Scenario {
         name: "mixed".into(),
         duration_s: 5.0,
         seed: 20_261_122,
-        robots: 16,
-        faults: 3,
         malicious: vec![2, 7, 11],
-        share: Share::Own,
         start: Start::Random { half_side_m: 1.4, distance_min_m: 0.42 },
-        level_attack: LevelAttack::Bias(1.5),
+        attack: LevelAttack::Bias(1.5).into(),
+        team: Team { robots: 16, faults: 3 },
+        composed: ComposedSettings { phi_split: PhiSplit::Own, ..ComposedSettings::default() },
         ..Scenario::default()
     }
 }
@@ -48,24 +49,42 @@ fn budgets() -> Vec<Scenario> {
         for assume in [Assume::Obedient, Assume::Free] {
             for (bias, tick_ms, q2) in [(3.5, 5, 0.3), (-2.5, 5, 0.1), (0.0, 50, 0.3), (1e6, 100, 0.9)] {
                 let (level_attack, tau_1) = (LevelAttack::Bias(bias), Duration::from_millis(tick_ms));
-                runs.push(Scenario { trust, assume, level_attack, tau_1, q2, ..plain.clone() });
+                runs.push(Scenario {
+                    attack: level_attack.into(),
+                    budget: BudgetSettings { trust, assume, ..plain.budget },
+                    clock: Clock { level_period: tau_1, ..plain.clock },
+                    link: LinkSettings { q2, ..plain.link },
+                    ..plain.clone()
+                });
             }
             let cube = Scenario {
                 dimension: 3,
-                robots: 12,
                 start: Start::Random { half_side_m: 0.8, distance_min_m: 0.45 },
-                input_min_m_s: vec![-1.5; 3],
-                input_max_m_s: vec![1.5; 3],
+                team: Team { robots: 12, ..plain.team },
+                limits: Limits {
+                    input_min_m_s: vec![-1.5; 3],
+                    input_max_m_s: vec![1.5; 3],
+                    ..plain.limits.clone()
+                },
                 ..plain.clone()
             };
-            runs.push(Scenario { trust, assume, level_attack: LevelAttack::Bias(-3.0), ..cube });
+            runs.push(Scenario {
+                attack: LevelAttack::Bias(-3.0).into(),
+                budget: BudgetSettings { trust, assume, ..cube.budget },
+                ..cube
+            });
         }
     }
     runs.push(Scenario { start: Start::Published, duration_s: 10.0, ..plain.clone() });
     runs.push(Scenario { controller: Controller::Budget, ..mixed() });
-    runs.push(Scenario { radius_m: 30.0, q2: 0.9, ..plain.clone() });
+    runs.push(Scenario { link: LinkSettings { radius_m: 30.0, q2: 0.9, ..plain.link }, ..plain.clone() });
     let random = LevelAttack::Random { min: -20.0, max: 20.0 };
-    runs.push(Scenario { level_attack: random, share: Share::Own, duration_s: 10.0, ..plain });
+    runs.push(Scenario {
+        attack: random.into(),
+        duration_s: 10.0,
+        composed: ComposedSettings { phi_split: PhiSplit::Own, ..plain.composed },
+        ..plain
+    });
     runs
 }
 

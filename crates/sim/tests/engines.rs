@@ -1,11 +1,14 @@
 //! The team computed at once and robots one by one, with every message as bytes, give the same bits.
 #![expect(clippy::unwrap_used, reason = "helpers of tests")]
 
+use closeranks_core::settings::{BudgetSettings, Clock, ComposedSettings, Errors, LinkSettings, Team};
+use closeranks_sim::scenario::Limits;
 use core::time::Duration;
 
 use closeranks_core::controller::budget::knowledge::Trust;
-use closeranks_core::equations::composition::Share;
+use closeranks_core::equations::composition::PhiSplit;
 use closeranks_sim::attack::{LevelAttack, ValueAttack};
+use closeranks_sim::plant::Plant;
 use closeranks_sim::scenario::start::Start;
 use closeranks_sim::scenario::{Controller, Scenario};
 use closeranks_sim::world::{Engine, Options, Run, run};
@@ -30,7 +33,7 @@ fn short(name: &str) -> Scenario {
 fn the_papers_attacks_from_both_starts() {
     for start in [Start::Inside, Start::Published] {
         for attack in [LevelAttack::None, LevelAttack::Bias(-2.5), LevelAttack::Bias(3.5)] {
-            same_bits(&Scenario { start: start.clone(), level_attack: attack, ..short("paper") });
+            same_bits(&Scenario { start: start.clone(), attack: attack.into(), ..short("paper") });
         }
     }
 }
@@ -40,30 +43,40 @@ fn the_own_share_three_dimensions_and_no_value_attack() {
     let space = Start::Random { half_side_m: 0.9, distance_min_m: 0.4 };
     let cube = Scenario {
         dimension: 3,
-        robots: 12,
         start: space,
-        input_min_m_s: vec![-1.5; 3],
-        input_max_m_s: vec![1.5; 3],
-        value_attack: ValueAttack::None,
+        attack: ValueAttack::None.into(),
+        team: Team { robots: 12, ..short("cube").team },
+        limits: Limits {
+            input_min_m_s: vec![-1.5; 3],
+            input_max_m_s: vec![1.5; 3],
+            ..short("cube").limits.clone()
+        },
         ..short("cube")
     };
     same_bits(&cube);
-    same_bits(&Scenario { share: Share::Own, ..cube });
-    same_bits(&Scenario { share: Share::Own, level_attack: LevelAttack::Bias(3.5), ..short("own") });
+    same_bits(&Scenario { composed: ComposedSettings { phi_split: PhiSplit::Own, ..cube.composed }, ..cube });
+    same_bits(&Scenario {
+        attack: LevelAttack::Bias(3.5).into(),
+        composed: ComposedSettings { phi_split: PhiSplit::Own, ..short("own").composed },
+        ..short("own")
+    });
 }
 
 /// Lies so wild that plain exponentials overflow, and clusters in which slopes vanish below what `f64` holds.
 #[test]
 fn levels_and_radii_beyond_the_range_of_f64() {
     for bias in [-60.0, -20.0, -16.0, 60.0, 900_000.0, -900_000.0] {
-        same_bits(&Scenario { level_attack: LevelAttack::Bias(bias), ..short("wild") });
+        same_bits(&Scenario { attack: LevelAttack::Bias(bias).into(), ..short("wild") });
         same_bits(&Scenario {
-            level_attack: LevelAttack::Bias(bias),
-            radius_m: 9.0,
+            attack: LevelAttack::Bias(bias).into(),
+            link: LinkSettings { radius_m: 9.0, ..short("wild and wide").link },
             ..short("wild and wide")
         });
     }
-    same_bits(&Scenario { radius_m: 30.0, q2: 0.9, ..short("cluster") });
+    same_bits(&Scenario {
+        link: LinkSettings { radius_m: 30.0, q2: 0.9, ..short("cluster").link },
+        ..short("cluster")
+    });
 }
 
 #[test]
@@ -72,7 +85,7 @@ fn attacks_that_change_with_time() {
     let sine = LevelAttack::Sine { amplitude: 5.0, period_s: 0.9 };
     let random = LevelAttack::Random { min: -20.0, max: 20.0 };
     for level_attack in [step, sine, random] {
-        same_bits(&Scenario { level_attack, ..short("in time") });
+        same_bits(&Scenario { attack: level_attack.into(), ..short("in time") });
     }
 }
 
@@ -81,15 +94,32 @@ fn teams_of_other_sizes_and_no_liars() {
     for (robots, faults) in [(2, 0), (3, 1), (5, 0), (30, 4)] {
         let start = Start::Hexagon { spacing_m: 0.5 };
         let malicious = (1..=faults).collect();
-        same_bits(&Scenario { robots, faults, malicious, start, ..short("size") });
+        same_bits(&Scenario { malicious, start, team: Team { robots, faults }, ..short("size") });
     }
+}
+
+/// Bodies that lag belong to the world, whatever computes the robots.
+#[test]
+fn bodies_that_lag() {
+    for lag_s in [0.001, 0.02, 0.3] {
+        let plant = Plant::Lag { lag_s };
+        for controller in [Controller::Composed, Controller::None, Controller::Budget] {
+            let lagging = Scenario { plant, controller, ..short("lag") };
+            same_bits(&lagging);
+            same_bits(&Scenario { attack: LevelAttack::Bias(3.5).into(), ..lagging.clone() });
+            same_bits(&Scenario { errors: Errors { tracking_m: 0.05, position_m: 0.01 }, ..lagging });
+        }
+    }
+    let (start, plant) =
+        (Start::Random { half_side_m: 2.0, distance_min_m: 0.35 }, Plant::Lag { lag_s: 0.1 });
+    same_bits(&Scenario { start, plant, ..short("wide") });
 }
 
 #[test]
 fn teams_of_liars_only() {
     for value_attack in [ValueAttack::Sway, ValueAttack::Extreme, ValueAttack::None] {
         let (malicious, duration_s) = ((1..=11).collect(), 0.5);
-        same_bits(&Scenario { malicious, value_attack, duration_s, ..short("liars") });
+        same_bits(&Scenario { malicious, attack: value_attack.into(), duration_s, ..short("liars") });
     }
 }
 
@@ -114,7 +144,11 @@ fn budget_with_every_trust_and_lie() {
     ];
     for level_attack in lies {
         for trust in TRUSTS {
-            same_bits(&Scenario { trust, level_attack, ..budget("lies") });
+            same_bits(&Scenario {
+                attack: level_attack.into(),
+                budget: BudgetSettings { trust, ..budget("lies").budget },
+                ..budget("lies")
+            });
         }
     }
 }
@@ -127,11 +161,18 @@ fn budget_from_starts_inside_and_outside() {
         let (start, q2) =
             (Start::Random { half_side_m, distance_min_m }, [0.1, 0.3, 0.9][usize::from(index / 8)]);
         let (level_attack, trust) = (LevelAttack::Bias(2.0), TRUSTS[usize::from(index % 3)]);
-        same_bits(&Scenario { start, seed: u64::from(index), q2, level_attack, trust, ..budget("start") });
+        same_bits(&Scenario {
+            start,
+            seed: u64::from(index),
+            attack: level_attack.into(),
+            link: LinkSettings { q2, ..budget("start").link },
+            budget: BudgetSettings { trust, ..budget("start").budget },
+            ..budget("start")
+        });
     }
     same_bits(&Scenario { start: Start::Published, ..budget("published") });
     for bias in [3.5, -2.5] {
-        same_bits(&Scenario { duration_s: 10.0, level_attack: LevelAttack::Bias(bias), ..budget("long") });
+        same_bits(&Scenario { duration_s: 10.0, attack: LevelAttack::Bias(bias).into(), ..budget("long") });
     }
 }
 
@@ -145,14 +186,12 @@ fn budget_in_teams_and_spaces_of_any_size() {
             let (low, high) = (vec![-1.5; dimension], vec![1.5; dimension]);
             same_bits(&Scenario {
                 dimension,
-                robots,
-                faults,
                 malicious: malicious.clone(),
                 start,
                 seed: u64::from(robots),
-                input_min_m_s: low,
-                input_max_m_s: high,
-                level_attack: LevelAttack::Bias(0.3),
+                attack: LevelAttack::Bias(0.3).into(),
+                team: Team { robots, faults },
+                limits: Limits { input_min_m_s: low, input_max_m_s: high, ..budget("size").limits.clone() },
                 ..budget("size")
             });
         }
@@ -163,16 +202,35 @@ fn budget_in_teams_and_spaces_of_any_size() {
 fn budget_with_other_ticks_holds_clocks_and_ranges() {
     for (tick_ms, q2) in [(1, 0.3), (20, 0.9), (50, 0.3), (100, 0.1)] {
         let (tau_1, tau_2) = (Duration::from_millis(tick_ms), Duration::from_millis(100));
-        same_bits(&Scenario { tau_1, tau_2, q2, level_attack: LevelAttack::Bias(3.5), ..budget("ticks") });
+        same_bits(&Scenario {
+            attack: LevelAttack::Bias(3.5).into(),
+            clock: Clock { level_period: tau_1, value_period: tau_2, ..budget("ticks").clock },
+            link: LinkSettings { q2, ..budget("ticks").link },
+            ..budget("ticks")
+        });
     }
     let hold_max = Some(Duration::from_millis(30));
-    same_bits(&Scenario { hold_max, ..budget("hold") });
+    same_bits(&Scenario { clock: Clock { hold_max, ..budget("hold").clock }, ..budget("hold") });
     for clock_error in [1, 7, 2_000].map(Duration::from_millis) {
-        same_bits(&Scenario { clock_error, level_attack: LevelAttack::Bias(1.0), ..budget("clocks") });
+        same_bits(&Scenario {
+            attack: LevelAttack::Bias(1.0).into(),
+            clock: Clock { error: clock_error, ..budget("clocks").clock },
+            ..budget("clocks")
+        });
     }
-    same_bits(&Scenario { radius_m: 30.0, q2: 0.9, ..budget("cluster") });
-    same_bits(&Scenario { radius_m: 1.4, ..budget("near-sighted") });
-    same_bits(&Scenario { level_attack: LevelAttack::Bias(-900_000.0), radius_m: 9.0, ..budget("wild") });
+    same_bits(&Scenario {
+        link: LinkSettings { radius_m: 30.0, q2: 0.9, ..budget("cluster").link },
+        ..budget("cluster")
+    });
+    same_bits(&Scenario {
+        link: LinkSettings { radius_m: 1.4, ..budget("near-sighted").link },
+        ..budget("near-sighted")
+    });
+    same_bits(&Scenario {
+        attack: LevelAttack::Bias(-900_000.0).into(),
+        link: LinkSettings { radius_m: 9.0, ..budget("wild").link },
+        ..budget("wild")
+    });
 }
 
 #[test]

@@ -1,10 +1,12 @@
 //! Whatever a scenario may hold, a run ends with finite inputs in their box, and both engines agree on every bit.
 
+use closeranks_core::settings::{Clock, ComposedSettings, LinkSettings, Team};
+use closeranks_sim::scenario::Limits;
 use core::time::Duration;
 
-use closeranks_core::equations::composition::Share;
+use closeranks_core::equations::composition::PhiSplit;
 use closeranks_core::settings::params::MAGNITUDE_MAX;
-use closeranks_sim::attack::{LevelAttack, ValueAttack};
+use closeranks_sim::attack::{Attack, LevelAttack, ValueAttack};
 use closeranks_sim::law::Law;
 use closeranks_sim::random::{Random, Stream};
 use closeranks_sim::scenario::start::Start;
@@ -34,23 +36,31 @@ fn extreme(seed: u64) -> Scenario {
     Scenario {
         duration_s: 0.05,
         seed,
-        robots: 7,
-        faults: 2,
         start: Start::Listed(positions.collect()),
-        radius_m,
-        q2: sized(huge),
-        w_r: sized(huge),
-        w_c: sized(huge),
-        alpha: sized(huge),
-        distance_min_m: radius_m * sized(&[1e-9, 0.1, 0.999]),
-        share: if sized(&[0.0, 1.0]) > 0.5 { Share::Own } else { Share::Neighbours },
-        input_min_m_s: vec![-sized(huge), -sized(&[0.0, 1.0, 1e6])],
-        input_max_m_s: vec![sized(&[0.0, 1.0, 1e6]), sized(huge)],
-        level_attack: LevelAttack::Bias(sized(&[-1e6, -40.0, -1.0, 0.0, 3.0, 1e6])),
+        attack: Attack {
+            level: LevelAttack::Bias(sized(&[-1e6, -40.0, -1.0, 0.0, 3.0, 1e6])),
+            value: ValueAttack::Random { min: -1e6, max: 1e6 },
+            ..Attack::default()
+        },
         values: Values::Random { min: -1e6, max: 1e6 },
-        value_attack: ValueAttack::Random { min: -1e6, max: 1e6 },
-        tau_1: Duration::from_millis(5),
-        tau_2: Duration::from_millis(10),
+        team: Team { robots: 7, faults: 2 },
+        link: LinkSettings { radius_m, q2: sized(huge), ..LinkSettings::default() },
+        composed: ComposedSettings {
+            w_r: sized(huge),
+            w_c: sized(huge),
+            alpha: sized(huge),
+            phi_split: if sized(&[0.0, 1.0]) > 0.5 { PhiSplit::Own } else { PhiSplit::Neighbors },
+        },
+        limits: Limits {
+            distance_min_m: radius_m * sized(&[1e-9, 0.1, 0.999]),
+            input_min_m_s: vec![-sized(huge), -sized(&[0.0, 1.0, 1e6])],
+            input_max_m_s: vec![sized(&[0.0, 1.0, 1e6]), sized(huge)],
+        },
+        clock: Clock {
+            level_period: Duration::from_millis(5),
+            value_period: Duration::from_millis(10),
+            ..Clock::default()
+        },
         ..Scenario::default()
     }
 }
@@ -78,9 +88,9 @@ fn any_scenario_runs_to_its_end() {
 #[test]
 fn the_largest_crowd_is_refused_within_seconds() {
     let crowd = Scenario {
-        robots: 10_000,
         start: Start::Random { half_side_m: 30.0, distance_min_m: 0.6 },
+        team: Team { robots: 10_000, ..Team::default() },
         ..Scenario::default()
     };
-    assert!(crowd.start.positions::<2>(&crowd).is_err());
+    assert!(crowd.positions::<2>().is_err());
 }

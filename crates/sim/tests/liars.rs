@@ -5,12 +5,13 @@ use closeranks_core::message::{Message, VALUE_MAX};
 use closeranks_core::program::InputBox;
 use closeranks_core::time::Instant;
 use closeranks_sim::attack::liars::Liars;
-use closeranks_sim::attack::{LevelAttack, MotionAttack, ValueAttack};
+use closeranks_sim::attack::{Attack, LevelAttack, MotionAttack, ValueAttack};
 use closeranks_sim::scenario::Scenario;
 
 /// Robots 1 and 2 lie; the normal ones hold 10, 11, ... 18.
-fn liars(level_attack: LevelAttack, value_attack: ValueAttack) -> Liars {
-    Liars::new(&Scenario { level_attack, value_attack, ..Scenario::default() })
+fn liars(level: LevelAttack, value: ValueAttack) -> Liars {
+    let attack = Attack { level, value, ..Attack::default() };
+    Liars::new(&Scenario { attack, ..Scenario::default() })
 }
 
 /// What robot 1 tells of a level of 7 in each tick.
@@ -64,7 +65,7 @@ fn values_are_constant_extreme_or_those_that_sway() {
 #[test]
 fn where_nobody_is_normal_they_sway_nobody() {
     let scenario =
-        Scenario { malicious: (1..=11).collect(), value_attack: ValueAttack::Sway, ..Scenario::default() };
+        Scenario { malicious: (1..=11).collect(), attack: ValueAttack::Sway.into(), ..Scenario::default() };
     let mut liars = Liars::new(&scenario);
     liars.begin_tick(0);
     liars.begin_round((0..11).map(f64::from));
@@ -98,8 +99,8 @@ fn liars_fall_silent_or_send_garbage() {
 fn the_disobedient_flee_or_wander_as_fast_as_they_can() {
     let input = InputBox { min_m_s: [-1.5; 2], max_m_s: [1.5; 2] };
     let positions = [[1.0, 0.0], [0.0, 0.0], [0.0, 0.1]];
-    let velocity = |motion_attack| {
-        let mut liars = Liars::new(&Scenario { motion_attack, ..Scenario::default() });
+    let velocity = |motion: MotionAttack| {
+        let mut liars = Liars::new(&Scenario { attack: motion.into(), ..Scenario::default() });
         liars.begin_tick(0);
         assert_eq!(liars.velocity(2, &positions, &input), None, "a normal robot");
         liars.velocity(0, &positions, &input)

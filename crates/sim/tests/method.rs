@@ -1,8 +1,9 @@
-//! What METHOD.md section 2 says does not hold as printed, shown in whole runs. 2.1, 2.3 and 2.5 are about single robots,
+//! What docs/theory/paper.md says does not hold as printed, shown in whole runs. The other sections are about single robots,
 //! sums and networks: `crates/core/tests/split.rs` and `consensus.rs`.
 
 #![expect(clippy::unwrap_used, reason = "helpers of tests")]
 
+use closeranks_core::settings::{Clock, ComposedSettings, LinkSettings};
 use core::time::Duration;
 
 use closeranks_sim::attack::{LevelAttack, ValueAttack};
@@ -18,17 +19,17 @@ fn summary(scenario: &Scenario) -> Summary {
     run(scenario, Options::default(), &mut |_| ()).unwrap().summary
 }
 
-/// METHOD 2.2: φ_i falls below 0 with no attack, no new link and nearly continuous time, while every h_i stays positive.
+/// docs/theory, sec:phi: φ_i falls below 0 with no attack, no new link and nearly continuous time, while every h_i stays positive.
 //= paper thm:cbf-qp type=test
 #[test]
 fn phi_i_is_not_protected() {
     let scenario = Scenario {
         duration_s: 1.5,
-        tau_1: Duration::from_micros(200),
-        alpha: 1.0,
-        q2: 0.1,
         malicious: Vec::new(),
-        value_attack: ValueAttack::None,
+        attack: ValueAttack::None.into(),
+        clock: Clock { level_period: Duration::from_micros(200), ..Clock::default() },
+        composed: ComposedSettings { alpha: 1.0, ..ComposedSettings::default() },
+        link: LinkSettings { q2: 0.1, ..LinkSettings::default() },
         ..Scenario::default()
     };
     let run = run(&scenario, Options { record: true, ..Options::default() }, &mut |_| ()).unwrap();
@@ -40,17 +41,17 @@ fn phi_i_is_not_protected() {
     assert!(record.h[..=first].iter().all(|h| *h > 0.0), "while every robot keeps its degree");
 }
 
-/// METHOD 2.2, end: then programs become infeasible, which lem:equivalence rules out.
+/// docs/theory, sec:phi, end: then programs become infeasible, which lem:equivalence rules out.
 //= paper lem:equivalence type=test
 #[test]
 fn programs_become_infeasible_without_any_attack() {
     let scenario = Scenario {
         duration_s: 3.0,
-        tau_1: Duration::from_millis(1),
-        alpha: 10.0,
-        q2: 0.1,
         malicious: Vec::new(),
-        value_attack: ValueAttack::None,
+        attack: ValueAttack::None.into(),
+        clock: Clock { level_period: Duration::from_millis(1), ..Clock::default() },
+        composed: ComposedSettings { alpha: 10.0, ..ComposedSettings::default() },
+        link: LinkSettings { q2: 0.1, ..LinkSettings::default() },
         ..Scenario::default()
     };
     let summary = summary(&scenario);
@@ -58,12 +59,12 @@ fn programs_become_infeasible_without_any_attack() {
     assert!(summary.broken(Law::Feasible) > 0, "programs without a solution");
 }
 
-/// METHOD 2.4: the published start is outside the safe set in every scenario; it comes inside by itself.
+/// docs/theory, sec:start: the published start is outside the safe set in every scenario; it comes inside by itself.
 #[test]
 fn the_published_start_is_outside_the_safe_set() {
     for attack in ATTACKS {
         let summary =
-            summary(&Scenario { start: Start::Published, level_attack: attack, ..Scenario::default() });
+            summary(&Scenario { start: Start::Published, attack: attack.into(), ..Scenario::default() });
         assert!(!summary.start.inside);
         assert!(summary.start.distance_min_m < 0.3);
         assert!(summary.extremes.inside_from.is_some_and(|tick| tick > 0));
@@ -71,13 +72,18 @@ fn the_published_start_is_outside_the_safe_set() {
     }
 }
 
-/// METHOD 2.4: `inside` is inside in all three scenarios, for every steepness that is likely to be tried.
+/// docs/theory, sec:start: `inside` is inside in all three scenarios, for every steepness that is likely to be tried.
 //= paper eq:phi_i type=test
 #[test]
 fn our_start_is_inside_the_safe_set() {
     for q2 in [0.1, 0.3, 0.9] {
         for level_attack in ATTACKS {
-            let scenario = Scenario { q2, level_attack, duration_s: 0.0, ..Scenario::default() };
+            let scenario = Scenario {
+                attack: level_attack.into(),
+                duration_s: 0.0,
+                link: LinkSettings { q2, ..LinkSettings::default() },
+                ..Scenario::default()
+            };
             let summary = summary(&scenario);
             assert!(summary.start.phi_min > 0.0, "q2 = {q2}, {level_attack:?}: {}", summary.start.phi_min);
             assert!(summary.start.degree_min >= 7);
@@ -85,12 +91,12 @@ fn our_start_is_inside_the_safe_set() {
     }
 }
 
-/// METHOD 2.4: the paper's three effects, together, from `inside`.
+/// docs/theory, sec:start: the paper's three effects, together, from `inside`.
 //= paper sec:sim type=test
 #[test]
 fn the_papers_three_effects_show_from_our_start() {
     let [nominal, under, over] =
-        ATTACKS.map(|level_attack| summary(&Scenario { level_attack, ..Scenario::default() }));
+        ATTACKS.map(|level_attack| summary(&Scenario { attack: level_attack.into(), ..Scenario::default() }));
     assert!(under.gyration_m < nominal.gyration_m && nominal.gyration_m < over.gyration_m);
     assert!(
         under.liar_distance_m < nominal.liar_distance_m && nominal.liar_distance_m < over.liar_distance_m
@@ -100,22 +106,32 @@ fn the_papers_three_effects_show_from_our_start() {
         for law in [Law::Degree, Law::Distance, Law::Interval, Law::Agreement, Law::Input, Law::Feasible] {
             assert_eq!(summary.broken(law), 0, "{law:?}");
         }
-        assert!(summary.broken(Law::Shares) > 0, "METHOD 2.2 in the paper's own runs");
+        assert!(summary.broken(Law::Shares) > 0, "docs/theory, sec:phi, in the paper's own runs");
     }
 }
 
-/// METHOD 2.6: a lie that begins later, or swings, breaks what a constant one does not.
+/// docs/theory, sec:wide-attacks: a lie that begins later, or swings, breaks what a constant one does not.
 #[test]
 fn wider_lies_break_the_papers_controller() {
     let step = LevelAttack::Step { bias: -4.0, from_s: 2.0 };
-    let crowded = summary(&Scenario { level_attack: step, q2: 0.1, alpha: 1.0, ..Scenario::default() });
+    let crowded = summary(&Scenario {
+        attack: step.into(),
+        link: LinkSettings { q2: 0.1, ..LinkSettings::default() },
+        composed: ComposedSettings { alpha: 1.0, ..ComposedSettings::default() },
+        ..Scenario::default()
+    });
     assert!(
         crowded.start.inside && crowded.extremes.distance_min_m < 0.1,
         "{}",
         crowded.extremes.distance_min_m
     );
     let sine = LevelAttack::Sine { amplitude: 5.0, period_s: 0.9 };
-    let torn = summary(&Scenario { level_attack: sine, q2: 0.1, alpha: 1.0, ..Scenario::default() });
+    let torn = summary(&Scenario {
+        attack: sine.into(),
+        link: LinkSettings { q2: 0.1, ..LinkSettings::default() },
+        composed: ComposedSettings { alpha: 1.0, ..ComposedSettings::default() },
+        ..Scenario::default()
+    });
     assert!(torn.extremes.h_min < 0.0 || torn.extremes.distance_min_m < 0.1, "{:?}", torn.extremes);
 }
 

@@ -27,15 +27,15 @@ struct Mutant {
     lines: &'static [(&'static str, &'static str, &'static str)],
 }
 
-const LIMITS: &str = "core/src/controller/budget/limits.rs";
-const TIE: &str = "core/src/controller/budget/tie.rs";
+const TICK: &str = "core/src/controller/budget/mod.rs";
+const INEQUALITY: &str = "core/src/controller/budget/inequality.rs";
 
 const MUTANTS: [Mutant; 20] = [
     Mutant {
         name: "gradient with the wrong sign",
         law: "decay",
         lines: &[(
-            LIMITS,
+            TICK,
             "add_scaled(&own.gradient, 1.0, &gradient)",
             "add_scaled(&own.gradient, -1.0, &gradient)",
         )],
@@ -45,12 +45,12 @@ const MUTANTS: [Mutant; 20] = [
         law: "spare",
         lines: &[
             (
-                TIE,
+                INEQUALITY,
                 "self.loss_max(known.budget) / (known.degree_max + 1.0)",
                 "self.loss_max(known.budget) / 2.0",
             ),
             (
-                LIMITS,
+                INEQUALITY,
                 "self.loss_max(own.h.max(0.0)) / (own.degree + 1.0)",
                 "self.loss_max(own.h.max(0.0)) / 2.0",
             ),
@@ -59,17 +59,13 @@ const MUTANTS: [Mutant; 20] = [
     Mutant {
         name: "|v|² left out of (far')",
         law: "decay",
-        lines: &[(
-            "core/src/program/balls/row.rs",
-            "-component), bend, spend)",
-            "-component), 0.0 * bend, spend)",
-        )],
+        lines: &[(INEQUALITY, "-component), bend, spend)", "-component), 0.0 * bend, spend)")],
     },
     Mutant {
         name: "no row of its own",
         law: "spare",
         lines: &[(
-            LIMITS,
+            TICK,
             "        if self.form() == Form::Level {\n            let spend",
             "        if false {\n            let spend",
         )],
@@ -88,7 +84,7 @@ const MUTANTS: [Mutant; 20] = [
         law: "decay",
         lines: &[(
             "core/src/controller/budget/knowledge.rs",
-            "ticks => self.left(larger(spare, 0.0), ticks)",
+            "ticks => self.decayed(larger(spare, 0.0), ticks)",
             "_ => larger(spare, 0.0)",
         )],
     },
@@ -114,7 +110,7 @@ const MUTANTS: [Mutant; 20] = [
         name: "near rows give too much",
         law: "path",
         lines: &[(
-            TIE,
+            INEQUALITY,
             "0.5 * self.gamma_c * larger(spare_m2, 0.0)",
             "2.0 * self.gamma_c * larger(spare_m2, 0.0) + 0.05",
         )],
@@ -122,7 +118,7 @@ const MUTANTS: [Mutant; 20] = [
     Mutant {
         name: "no near rows",
         law: "distance",
-        lines: &[(LIMITS, "            self.push_near(offset_m, tie, rows);\n", "")],
+        lines: &[(TICK, "            self.push_near(neighbor, rows);\n", "")],
     },
     Mutant {
         name: "rows left out where robots can break them",
@@ -130,7 +126,7 @@ const MUTANTS: [Mutant; 20] = [
         lines: &[("core/src/program/balls/reach.rs", "most * SURELY", "0.2 * most")],
     },
     Mutant {
-        name: "a guess that nobody looks at",
+        name: "a warm start that nobody checks",
         law: "decay",
         lines: &[(
             "core/src/program/balls/warm_start.rs",
@@ -142,8 +138,8 @@ const MUTANTS: [Mutant; 20] = [
         name: "no margin for distances",
         law: "distance",
         lines: &[
-            (LIMITS, "self.spare_m2(tie, -error_m)", "self.spare_m2(tie, 0.0)"),
-            (TIE, "self.spare_m2(&tie, -error_m)", "self.spare_m2(&tie, 0.0)"),
+            (TICK, "self.spare_m2(neighbor.pair, -error_m)", "self.spare_m2(neighbor.pair, 0.0)"),
+            (INEQUALITY, "self.spare_m2(&pair, -error_m)", "self.spare_m2(&pair, 0.0)"),
         ],
     },
     Mutant {
@@ -168,7 +164,7 @@ const MUTANTS: [Mutant; 20] = [
         name: "the box forgotten",
         law: "input",
         lines: &[(
-            "core/src/controller/budget/answer.rs",
+            "core/src/controller/budget/decision.rs",
             "velocity_m_s: self.settings().input.clip(&velocity),",
             "velocity_m_s: velocity.map(|component| 1.1 * component),",
         )],
@@ -178,23 +174,23 @@ const MUTANTS: [Mutant; 20] = [
         law: "mode",
         lines: &[
             (
-                "core/src/controller/budget/answer.rs",
+                "core/src/controller/budget/decision.rs",
                 "Some(reason) => Mode::Degraded(reason),",
                 "Some(_) => Mode::Guaranteed,",
             ),
             (
-                "core/src/controller/budget/answer.rs",
+                "core/src/controller/budget/decision.rs",
                 "_ if degree_low => Mode::Degraded(Reason::Degree),",
                 "",
             ),
             (
-                "core/src/controller/budget/answer.rs",
+                "core/src/controller/budget/decision.rs",
                 "None if exact && h < 0.0 => Mode::Degraded(Reason::OutsideSafeSet),",
                 "",
             ),
             (
-                "core/src/controller/budget/answer.rs",
-                "let exact = self.budget().margin.offset_m == 0.0;",
+                "core/src/controller/budget/decision.rs",
+                "let exact = self.budget().errors.offset_m == 0.0;",
                 "let _ = (degree_low, h);",
             ),
         ],
@@ -212,7 +208,7 @@ const MUTANTS: [Mutant; 20] = [
         name: "budgets below 0 taken as they are",
         law: "feasible",
         lines: &[
-            (TIE, "0.5 * self.gamma_c * larger(spare_m2, 0.0)", "0.5 * self.gamma_c * spare_m2"),
+            (INEQUALITY, "0.5 * self.gamma_c * larger(spare_m2, 0.0)", "0.5 * self.gamma_c * spare_m2"),
             ("core/src/program/balls/row.rs", "bound: (scale * bound).max(0.0),", "bound: scale * bound,"),
         ],
     },
@@ -220,9 +216,9 @@ const MUTANTS: [Mutant; 20] = [
         name: "one neighbour fewer required",
         law: "degree",
         lines: &[(
-            "core/src/controller/budget/interval.rs",
-            "crate::barrier::required_degree(self.robots, self.faults)",
-            "crate::barrier::required_degree(self.robots, self.faults) - 1",
+            "core/src/need.rs",
+            "Self { robots, each: faults.saturating_add(half) }",
+            "Self { robots, each: faults.saturating_add(half).saturating_sub(1) }",
         )],
     },
 ];

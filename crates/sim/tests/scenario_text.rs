@@ -1,5 +1,6 @@
 //! Scenario texts: what is refused, and how it is said.
 
+use closeranks_core::settings::LinkSettings;
 use closeranks_sim::parse::{Problem, scenario};
 use closeranks_sim::scenario::Scenario;
 use closeranks_sim::scenario::start::Start;
@@ -25,7 +26,11 @@ fn an_empty_text_is_the_default_scenario() {
 #[test]
 fn the_file_with_every_field_says_what_an_empty_one_does() {
     let text = include_str!("../../../scenarios/everything.toml");
-    let named = Scenario { name: "everything".into(), epsilon: Some(0.099), ..Scenario::default() };
+    let named = Scenario {
+        name: "everything".into(),
+        link: LinkSettings { epsilon: Some(0.099), ..LinkSettings::default() },
+        ..Scenario::default()
+    };
     assert_eq!(scenario(text), Ok(named));
 }
 
@@ -118,7 +123,7 @@ fn budget_has_limits_of_its_own() {
     refused(
         "[controller]\nkind = \"budget\"\ngamma = 1.5",
         "1.5",
-        "`controller.gamma` is 1.5, allowed is more than 0 and at most 1",
+        "`controller.gamma` is 1.5, allowed is a number, more than 0 and at most 1",
     );
     let fast = problems("[controller]\nkind = \"budget\"\ninput_max_m_s = [300, 300]");
     assert!(fast[0].to_string().contains("two longest moves"), "{}", fast[0]);
@@ -127,10 +132,12 @@ fn budget_has_limits_of_its_own() {
 /// Only teams of a plain world hold less than every pair of robots.
 #[test]
 fn large_teams_need_a_plain_world() {
-    let expected = "`team.robots` is 1001, allowed is at most 1000 with controller.kind = \"budget\", and wherever \
-                    something goes wrong or liars have faces, fall silent, send garbage or disobey";
+    let expected = "`team.robots` is 1001, allowed is at most 1000 where robots run one by one: wherever something goes \
+                    wrong, liars have faces, fall silent, send garbage or disobey, and with controller.kind = \"budget\" under \
+                    assume = \"free\" or stated errors";
     for heavy in [
-        "controller = { kind = \"budget\" }",
+        "controller = { kind = \"budget\", assume = \"free\" }",
+        "controller = { kind = \"budget\", position_error_m = 0.01 }",
         "network = { loss = 0.1 }",
         "plant = { missed = 0.1 }\ncontroller = { kind = \"none\" }",
         "attack = { motion = \"flee\" }",
@@ -140,6 +147,8 @@ fn large_teams_need_a_plain_world() {
         assert!(scenario(&format!("duration_s = 1.0\nteam = {{ robots = 1000 }}\n{heavy}")).is_ok());
     }
     assert!(scenario("duration_s = 1.0\nteam = { robots = 1001 }").is_ok());
+    let budget = "duration_s = 1.0\nteam = { robots = 1001 }\ncontroller = { kind = \"budget\" }";
+    assert!(scenario(budget).is_ok());
 }
 
 #[test]
@@ -227,7 +236,7 @@ fn troubles_do_not_end_before_they_begin() {
     );
     let partition = problems("[network]\npartition = { from_s = 2, to_s = 1 }");
     assert_eq!(partition[0].field, "network.partition.to_s");
-    let spell = |times: &str| scenario(&crash(times)).unwrap().trouble.plant.crash.unwrap();
+    let spell = |times: &str| scenario(&crash(times)).unwrap().faults.outages.crash.unwrap();
     assert_eq!(spell("from_s = 1.0, to_s = 1.0").to_s, 1.0);
     assert_eq!(spell("from_s = 1e6").to_s, 1e6);
     assert_eq!((spell("to_s = 1.5").from_s, spell("from_s = 3.0").to_s), (1.0, 4.0));

@@ -31,14 +31,14 @@ fn refused(text: &str, marked: &str, expected: &str) {
 #[test]
 fn whole_numbers_reach_both_ends_evenly() {
     let teams = scenarios("[team]\nrobots = { draw = [4, 6] }", 300);
-    let count = |robots: u16| teams.iter().filter(|team| team.robots == robots).count();
+    let count = |robots: u16| teams.iter().filter(|team| team.team.robots == robots).count();
     assert!((4..=6).all(|robots| (70..130).contains(&count(robots))), "{} {}", count(4), count(6));
     assert_eq!(count(4) + count(5) + count(6), 300);
 }
 
 #[test]
 fn numbers_fill_their_interval_evenly_or_in_the_logarithm() {
-    let q2 = |text: &str| scenarios(text, 400).into_iter().map(|one| one.q2).collect::<Vec<f64>>();
+    let q2 = |text: &str| scenarios(text, 400).into_iter().map(|one| one.link.q2).collect::<Vec<f64>>();
     let even = q2("[link]\nq2 = { draw = [0.1, 10] }");
     assert!(even.iter().all(|q2| (0.1..10.0).contains(q2)));
     let below = |numbers: &[f64]| numbers.iter().filter(|number| **number < 1.0).count();
@@ -121,7 +121,7 @@ fn every_controller_runs_the_same_scenario() {
     assert_eq!(run.under(Controller::None), run.scenarios[1].1);
     let composed = closeranks_sim::parse::scenario(&run.under(Controller::Composed)).unwrap();
     assert_eq!((composed.controller, composed.seed), (Controller::Composed, none.seed));
-    assert_eq!(composed.robots, none.robots);
+    assert_eq!(composed.team.robots, none.team.robots);
 }
 
 /// A table without a kind goes by the names of its fields, inside another choice too.
@@ -146,7 +146,7 @@ fn what_cannot_be_run_is_drawn_again() {
     let text = "[team]\nrobots = { draw = [4, 12] }\nfaults = { draw = [0, 4] }";
     let all = runs(text, 60);
     assert!(all.iter().any(|run| run.redraws > 0) && all.iter().any(|run| run.redraws == 0));
-    assert!(all.iter().all(|run| run.scenarios[0].0.faults * 2 < run.scenarios[0].0.robots));
+    assert!(all.iter().all(|run| run.scenarios[0].0.team.faults * 2 < run.scenarios[0].0.team.robots));
     let problems = plan("[team]\nrobots = 4\nfaults = { draw = [2, 3] }").draw(1, 0).unwrap_err();
     assert_eq!(problems[0].field, "team.faults");
     assert_eq!(problems[0].span, 27..44, "the place in the text with draws");

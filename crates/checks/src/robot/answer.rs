@@ -2,7 +2,7 @@
 
 use closeranks_core::num::{Vector, is_finite};
 use closeranks_core::program::Outcome;
-use closeranks_core::robot::report::{Mode, Output, Report};
+use closeranks_core::robot::report::{Mode, Output, Reason, Report};
 
 use super::calls::Play;
 
@@ -24,28 +24,31 @@ impl<const D: usize> Play<'_, D> {
     /// After a tick: the velocity is in its box, the report is of numbers, the mode does not promise too much.
     pub(super) fn check_answer(&self, desired: &Vector<D>, output: &Output<D>) {
         let Output { velocity_m_s, report } = output;
-        let input = &self.params.settings().input;
+        let input = &self.params.settings().limits.input;
         assert!(is_finite(velocity_m_s) && input.contains(velocity_m_s), "{velocity_m_s:?} in {input:?}");
         self.check_numbers(report);
         self.check_round(report);
         if !self.placed {
             assert_eq!((report.mode, *velocity_m_s), (Mode::Stopped, [0.0; D]));
         }
+        if self.placed && !self.sensed {
+            assert_eq!((report.mode, *velocity_m_s), (Mode::Degraded(Reason::NotSensed), [0.0; D]));
+            return;
+        }
         if !is_finite(desired) {
             assert!(matches!(report.mode, Mode::Hold | Mode::Stopped), "{report:?}");
             assert!(report.outcome != Outcome::Free || *velocity_m_s == [0.0; D], "{velocity_m_s:?}");
         }
         // With a margin, what is sensed may be less than what is promised to be there.
-        let exact = self.params.budget().margin.offset_m == 0.0;
+        let exact = self.params.kept().errors.offset_m == 0.0;
         if report.mode == Mode::Guaranteed && exact {
-            assert!(report.margin >= 0 && report.h >= 0.0, "{report:?}");
+            assert!(report.degree_margin >= 0 && report.h >= 0.0, "{report:?}");
         }
     }
 
     fn check_numbers(&self, report: &Report) {
-        let share = 1.0 / f64::from(self.params.settings().robots);
-        let phi = report.phi.unwrap_or_else(|| self.robot.phi());
-        assert!(phi.is_finite() && phi <= share, "{phi}: {report:?}");
+        let largest = 1.0 / f64::from(self.params.settings().team.robots);
+        assert!(report.phi.is_none_or(|phi| phi.is_finite() && phi <= largest), "{report:?}");
         assert!(report.h.is_finite() && report.level.is_finite() && report.level >= 0.0, "{report:?}");
         assert!(usize::from(report.degree) <= self.slots && report.untold <= report.degree, "{report:?}");
     }

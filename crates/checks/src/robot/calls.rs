@@ -3,29 +3,48 @@
 use closeranks_core::message::{MESSAGE_BYTES, Message};
 use closeranks_core::num::is_finite;
 use closeranks_core::robot::Robot;
-use closeranks_core::robot::neighbor::RobotId;
+use closeranks_core::robot::neighbor::{RobotId, Slot};
+use closeranks_core::robot::scratch::Scratch;
 use closeranks_core::settings::params::Params;
 use closeranks_core::time::Instant;
 
-use super::ME;
 use crate::source::Source;
 
 /// A robot with everything that was done to it.
 pub(super) struct Play<'memory, const D: usize> {
     pub(super) params: Params<D>,
-    pub(super) robot: Robot<'memory, D>,
+    pub(super) robot: Robot<D, Vec<Slot<D>>>,
+    scratch: Scratch<'memory, D>,
     pub(super) slots: usize,
     /// Least and greatest value that it was ever told, its first included.
     pub(super) hull: [f64; 2],
     /// Whether the last `sense` gave a usable position.
     pub(super) placed: bool,
+    /// Whether `sense` was called since the last tick.
+    pub(super) sensed: bool,
     now: u64,
     sequence: u32,
 }
 
 impl<'memory, const D: usize> Play<'memory, D> {
-    pub(super) fn new(params: Params<D>, robot: Robot<'memory, D>, slots: usize, value: f64) -> Self {
-        Self { params, robot, slots, hull: [value; 2], placed: false, now: 0, sequence: 0 }
+    pub(super) fn new(
+        params: Params<D>,
+        robot: Robot<D, Vec<Slot<D>>>,
+        scratch: Scratch<'memory, D>,
+        slots: usize,
+        value: f64,
+    ) -> Self {
+        Self {
+            params,
+            robot,
+            scratch,
+            slots,
+            hull: [value; 2],
+            placed: false,
+            sensed: false,
+            now: 0,
+            sequence: 0,
+        }
     }
 
     /// Plays every call of `source`.
@@ -53,6 +72,7 @@ impl<'memory, const D: usize> Play<'memory, D> {
         let rises = now >= self.now;
         let position = source.position();
         self.placed = rises && is_finite(&position);
+        self.sensed = true;
         let taken = self.robot.sense(Instant::from_nanos(now), position);
         assert_eq!(taken.is_ok(), self.placed, "{taken:?} for {position:?}");
         if rises {
@@ -64,11 +84,14 @@ impl<'memory, const D: usize> Play<'memory, D> {
         let id = other(source);
         let position = source.position();
         let taken = self.robot.observe(id, position);
-        assert!(taken.is_err() || (self.placed && id != ME && is_finite(&position)), "{taken:?}");
+        assert!(
+            taken.is_err() || (self.placed && id != self.robot.id() && is_finite(&position)),
+            "{taken:?}"
+        );
     }
 
     fn share(&mut self) {
-        let shared = self.robot.share();
+        let shared = self.robot.share(&mut self.scratch);
         if let Some(message) = shared {
             assert!(self.placed);
             assert_eq!(Message::parse(&message.encode()), Ok(message));
@@ -82,7 +105,7 @@ impl<'memory, const D: usize> Play<'memory, D> {
         let told = if source.byte() < 224 { self.built(source) } else { Message::parse(&raw(source)).ok() };
         let Some(message) = told else { return };
         if self.robot.receive(id, &message).is_ok() {
-            assert!(self.placed && id != ME);
+            assert!(self.placed && id != self.robot.id());
             let value = message.value().unwrap_or(self.hull[0]);
             self.hull = [self.hull[0].min(value), self.hull[1].max(value)];
         }
@@ -100,8 +123,9 @@ impl<'memory, const D: usize> Play<'memory, D> {
 
     fn tick(&mut self, source: &mut Source<'_>) {
         let desired = core::array::from_fn(|_| source.number());
-        let output = self.robot.tick(desired);
+        let output = self.robot.tick(desired, &mut self.scratch);
         self.check_answer(&desired, &output);
+        self.sensed = false;
     }
 
     /// The documented order, with as many neighbours as fit.

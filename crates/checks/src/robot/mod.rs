@@ -10,13 +10,14 @@ use closeranks_core::program::balls::row::Row;
 use closeranks_core::robot::Robot;
 use closeranks_core::robot::error::RobotError;
 use closeranks_core::robot::neighbor::{RobotId, Slot};
+use closeranks_core::robot::scratch::{Needs, Scratch};
 use closeranks_core::settings::params::Params;
 
 use crate::source::Source;
 use calls::Play;
 
-/// The robot's own number, in the middle of the others.
-const ME: RobotId = RobotId(5);
+/// The robot's own number, in the middle of the others where there are so many.
+const ME: u16 = 5;
 
 /// Any calls with any numbers give answers that are finite and in their box, and modes that do not promise too much.
 pub fn robot(bytes: &[u8]) {
@@ -31,7 +32,8 @@ fn live<const D: usize>(source: &mut Source<'_>) {
     }
 }
 
-/// Lends 0 to 12 slots and, once in a while, too little of the rest; then plays the calls to the end of the bytes.
+/// Lends 0 to 12 slots and, once in a while, too little of the rest, which is refused; then plays the calls to the end of the
+/// bytes.
 fn play<const D: usize>(params: Params<D>, source: &mut Source<'_>) {
     let slots = source.below(13);
     let short = |source: &mut Source<'_>, enough: usize| match source.byte() {
@@ -39,20 +41,22 @@ fn play<const D: usize>(params: Params<D>, source: &mut Source<'_>) {
         16..=31 => source.below(enough + 1),
         _ => enough,
     };
-    let wide = if source.byte() & 1 == 0 { slots } else { slots * slots };
-    let numbers = short(source, wide);
-    let mut memory = (vec![Slot::default(); slots], vec![0.0; numbers]);
-    let nobody = Sighting::new([0.0; D], None);
-    let mut sightings = vec![nobody; short(source, slots)];
-    let mut rows = vec![Row::default(); short(source, 2 * D + (1 << D) * (2 * slots + 1))];
+    let needs = Needs::new(&params, slots);
+    let mut values = vec![0.0; short(source, needs.values)];
+    let mut sightings = vec![Sighting::NOBODY; short(source, needs.sightings)];
+    let mut rows = vec![Row::default(); short(source, needs.rows)];
+    let given = Needs { values: values.len(), sightings: sightings.len(), rows: rows.len() };
     let value = if source.byte() < 240 { source.near() } else { source.number() };
-    match Robot::new(params, ME, value, &mut memory.0, &mut memory.1) {
+    let own = RobotId(ME.min(params.settings().team.robots));
+    let scratch = match Scratch::new(&params, slots, &mut values, &mut sightings, &mut rows) {
+        Ok(scratch) => scratch,
+        Err(error) => return assert!(error == RobotError::Scratch(needs) && given != needs),
+    };
+    match Robot::new(params, own, value, vec![Slot::default(); slots]) {
         Ok(robot) => {
-            assert!(numbers >= slots && value.abs() <= VALUE_MAX);
-            let robot = robot.with_budget_memory(&mut sightings, &mut rows);
-            Play::new(params, robot, slots, value).all(source);
+            assert!(given == needs && value.abs() <= VALUE_MAX);
+            Play::new(params, robot, scratch, slots, value).all(source);
         }
-        Err(RobotError::Memory) => assert!(numbers < slots),
-        Err(_) => assert!(value.is_nan() || value.abs() > VALUE_MAX),
+        Err(error) => assert!(error == RobotError::Value && !(value.abs() <= VALUE_MAX)),
     }
 }

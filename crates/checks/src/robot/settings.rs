@@ -1,24 +1,29 @@
 //! Settings of any kind, from ordinary to refused.
 
 use closeranks_core::controller::budget::knowledge::{Assume, Trust};
-use closeranks_core::equations::composition::Share;
+use closeranks_core::equations::composition::PhiSplit;
+use closeranks_core::settings::field::TABLE;
 use closeranks_core::settings::params::{Controller, MAGNITUDE_MAX, Settings};
+use closeranks_core::settings::{BudgetSettings, ComposedSettings};
 
 use crate::source::Source;
 
 /// What the source says: a few choices, and half of the time some fields replaced by anything.
 pub(super) fn settings<const D: usize>(source: &mut Source<'_>) -> Settings<D> {
-    let mut settings = Settings {
-        controller: source.pick(&[Controller::Composed, Controller::Budget]),
-        share: source.pick(&[Share::Neighbours, Share::Own]),
-        trust: source.pick(&[Trust::Told, Trust::ToldOrSeen, Trust::Seen]),
-        assume: source.pick(&[Assume::Obedient, Assume::Free]),
-        faults: u16::try_from(source.below(6)).unwrap_or(0),
-        ..Settings::default()
+    let composed = source.pick(&[true, false]);
+    let phi_split = source.pick(&[PhiSplit::Neighbors, PhiSplit::Own]);
+    let trust = source.pick(&[Trust::Told, Trust::ToldOrSeen, Trust::Seen]);
+    let assume = source.pick(&[Assume::Obedient, Assume::Free]);
+    let controller = if composed {
+        Controller::Composed(ComposedSettings { phi_split, ..ComposedSettings::default() })
+    } else {
+        Controller::Budget(BudgetSettings { trust, assume, ..BudgetSettings::default() })
     };
+    let mut settings = Settings { controller, ..Settings::default() };
+    settings.team.faults = u16::try_from(source.below(6)).unwrap_or(0);
     if source.byte() & 1 == 0 {
         // Small enough that a few neighbours are enough.
-        settings.robots = 2 * settings.faults + 1 + u16::try_from(source.below(6)).unwrap_or(0);
+        settings.team.robots = 2 * settings.team.faults + 1 + u16::try_from(source.below(6)).unwrap_or(0);
     }
     for _ in 0..source.below(12).saturating_sub(6) {
         replace(&mut settings, source);
@@ -26,31 +31,17 @@ pub(super) fn settings<const D: usize>(source: &mut Source<'_>) -> Settings<D> {
     settings
 }
 
+/// Any number of the table replaced by any number, or a side of the input box.
 fn replace<const D: usize>(settings: &mut Settings<D>, source: &mut Source<'_>) {
-    match source.below(20) {
-        0 => settings.robots = u16::from_le_bytes(source.take()),
-        1 => settings.faults = u16::from_le_bytes(source.take()),
-        2 => settings.radius_m = size(source),
-        3 => settings.distance_min_m = size(source),
-        4 => settings.epsilon = Some(size(source)),
-        5 => settings.q2 = size(source),
-        6 => settings.w_r = size(source),
-        7 => settings.w_c = size(source),
-        8 => settings.alpha = size(source),
-        9 => settings.gamma = Some(size(source)),
-        10 => settings.gamma_c = size(source),
-        11 => settings.level_period = source.period(),
-        12 => settings.value_period = source.period(),
-        13 => settings.hold_max = Some(source.period()),
-        14 => settings.told_max = source.period(),
-        15 => settings.clock_error = source.period(),
-        16 => settings.position_error_m = size(source),
-        17 => settings.tracking_error_m = size(source),
-        18 => settings.rise = size(source),
-        _ => {
+    match TABLE.get(source.below(TABLE.len() + 1)) {
+        Some(row) => {
+            let number = size(source);
+            (row.set)(&mut settings.parts(f64::INFINITY), number);
+        }
+        None => {
             let axis = source.below(D);
-            settings.input.min_m_s[axis] = -size(source);
-            settings.input.max_m_s[axis] = size(source);
+            settings.limits.input.min_m_s[axis] = -size(source);
+            settings.limits.input.max_m_s[axis] = size(source);
         }
     }
 }

@@ -44,7 +44,7 @@ pub(super) fn check(arguments: &Check, name: &str, file: Vec<u8>, folder: Option
     let mut watch = Watch::new(arguments.time_limit, arguments.quiet);
     let rounds = rounds(&recording, &scenario, every, &mut watch)?;
     watch.finish();
-    let faults = arguments.faults.map_or(scenario.faults, u16::from);
+    let faults = arguments.faults.map_or(scenario.team.faults, u16::from);
     let answer = answer(&recording, &scenario, faults, &rounds, arguments);
     if let Some(folder) = folder {
         save(folder, name, &answer, &rounds, faults)?;
@@ -58,7 +58,7 @@ fn rounds(recording: &Recording, scenario: &Scenario, every: usize, watch: &mut 
     let mut rounds: Vec<Round> = Vec::new();
     let mut before: Option<Graph> = None;
     for tick in (0..recording.ticks()).step_by(every) {
-        let graph = geometric(recording.at(tick), scenario.radius_m)?;
+        let graph = geometric(recording.at(tick), scenario.link.radius_m)?;
         let (r_max, f_max) = match rounds.last() {
             Some(last) if before.as_ref() == Some(&graph) => (last.r_max, last.f_max),
             _ => largest(&graph, watch),
@@ -107,7 +107,7 @@ fn answer(
         sentence,
         caption: format!("{}: r and F of every round", scenario.name),
         why: if exact { Vec::new() } else { vec![open.to_owned()] },
-        graph: format!("{}, {} ticks, radius {} m", scenario.name, recording.ticks(), scenario.radius_m),
+        graph: format!("{}, {} ticks, radius {} m", scenario.name, recording.ticks(), scenario.link.radius_m),
         numbers: numbers(recording, faults, survived, exact, rounds),
         ..Answer::default()
     }

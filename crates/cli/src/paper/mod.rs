@@ -105,13 +105,12 @@ fn start(name: &'static str, texts: &[&'static str; 3], seed: u64, bar: &Progres
     let unfiltered = world::run(&unfiltered, Options::default(), &mut |_| ())?;
     let work = scenarios.into_par_iter().zip(texts.par_iter());
     let runs = work.map(|(scenario, text)| done(scenario, text, bar)).collect::<Result<Vec<_>>>()?;
-    let params = runs[0].scenario.params::<2>()?;
     let record = |index: usize| {
         runs.get(index).and_then(|done: &Done| done.run.record.as_ref()).context("a run was not recorded")
     };
     let five = SectionFive {
-        required: params.required_degree(),
-        distance_min_m: runs[0].scenario.distance_min_m,
+        required: runs[0].scenario.composition().required,
+        distance_min_m: runs[0].scenario.limits.distance_min_m,
         runs: [0, 1, 2].map(|index| &runs[index].run.summary),
         records: [record(0)?, record(1)?, record(2)?],
         unfiltered: &unfiltered.summary,

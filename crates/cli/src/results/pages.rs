@@ -55,7 +55,7 @@ pub(crate) fn robustness_of<'a>(
     run: &Run,
 ) -> Option<RobustnessSeries<'a>> {
     let points = points(&run.rounds, scenario.tick_s());
-    (!points.is_empty()).then_some(RobustnessSeries { title, faults: scenario.faults, points })
+    (!points.is_empty()).then_some(RobustnessSeries { title, faults: scenario.team.faults, points })
 }
 
 /// Adds each figure as SVG and as PNG, and says so.

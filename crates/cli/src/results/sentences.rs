@@ -4,30 +4,32 @@ use core::fmt::Write as _;
 
 use closeranks_report::content::{LawLine, Mark};
 use closeranks_report::table::{number, telling, uses_phi};
+use closeranks_sim::controllers::{Counted, Inside};
 use closeranks_sim::law::{Law, Verdict};
 use closeranks_sim::output::summary::Summary;
-use closeranks_sim::scenario::{Controller, Scenario};
+use closeranks_sim::scenario::Scenario;
 
 /// Where the start lies, and when a start outside came inside.
 pub(crate) fn start(scenario: &Scenario, summary: &Summary) -> String {
     let start = &summary.start;
-    let measure = match scenario.controller {
-        Controller::Composed => format!("least phi_i {}", telling(start.phi_min, 4)),
-        _ => format!("least h {}", number(start.h_min, 3)),
+    let row = scenario.controller.row();
+    let measure = match row.inside {
+        Inside::Shares => format!("least phi_i {}", telling(start.phi_min, 4)),
+        Inside::Margins => format!("least h {}", number(start.h_min, 3)),
     };
     let place = format!(
         "{measure}, least degree {}, least distance {} m",
         start.degree_min,
         number(start.distance_min_m, 3)
     );
-    if scenario.controller == Controller::None {
-        return format!("start: {place}; no controller keeps any of it");
+    if !row.promises.contains(&Law::Degree) || row.counted == Counted::All {
+        return format!("start: {place}; {} keeps no degrees", row.name);
     }
     if start.inside {
         return format!("start: inside the safe set ({place})");
     }
     let came = match summary.extremes.inside_from {
-        _ if scenario.controller == Controller::Budget => "recovering".to_owned(),
+        _ if row.inside == Inside::Margins => "recovering".to_owned(),
         Some(tick) => format!("inside from t = {}", time(scenario, tick)),
         None => "never inside".to_owned(),
     };
@@ -41,10 +43,10 @@ pub(crate) fn start(scenario: &Scenario, summary: &Summary) -> String {
 /// A warning when more robots lie than the team is prepared for.
 pub(crate) fn warning(scenario: &Scenario) -> Option<String> {
     let liars = scenario.malicious.len();
-    (liars > usize::from(scenario.faults)).then(|| {
+    (liars > usize::from(scenario.team.faults)).then(|| {
         format!(
             "note: {liars} malicious robots, but the team is prepared for F = {}: no theorem covers this run",
-            scenario.faults
+            scenario.team.faults
         )
     })
 }
@@ -67,7 +69,8 @@ fn law_line(scenario: &Scenario, verdict: &Verdict) -> Option<LawLine> {
     let mut detail = String::new();
     if verdict.count > 0 {
         detail = violation(scenario, verdict);
-        if scenario.controller == Controller::Budget && Law::PROMISED.contains(&verdict.law) {
+        if scenario.controller.promises(verdict.law) && scenario.controller.row().counted == Counted::Covered
+        {
             detail = format!("{detail}; {}", covered(scenario, verdict));
         }
     }

@@ -1,7 +1,5 @@
 //! The constraint functions: degree, told degree and distance.
 
-use crate::num::Vector;
-
 /// `F′ = F + ⌊n/2⌋`: the number of neighbours that every normal robot must keep.
 ///
 /// Enough for resilient consensus by W-MSR with parameter F under F-total malicious robots, for `F ≤ (n−1)/2`.
@@ -24,18 +22,11 @@ pub fn degree_barrier(level: f64, required: u16) -> f64 {
 
 /// `h^col_ij = ‖x_i − x_j‖² − Δ_d²`, m², from the squared distance.
 ///
-/// Its gradient with respect to x_i is `2 (x_i − x_j)`, m: see [`collision_gradient`].
+/// Its gradient with respect to x_i is `2 (x_i − x_j)`, m.
 //= paper eq:collision
 #[must_use]
 pub fn collision_barrier(distance_m2: f64, distance_min_m: f64) -> f64 {
     distance_m2 - distance_min_m * distance_min_m
-}
-
-/// ∂h^col_ij/∂x_i = `2 (x_i − x_j)`, m.
-//= paper eq:collision
-#[must_use]
-pub fn collision_gradient<const D: usize>(offset: &Vector<D>) -> Vector<D> {
-    offset.map(|component| 2.0 * component)
 }
 
 #[cfg(test)]
@@ -60,11 +51,8 @@ mod tests {
 
     //= paper eq:collision type=test
     #[test]
-    fn the_collision_gradient_is_the_derivative_of_the_barrier() {
-        let step = 1e-6;
-        let at = |x: f64| collision_barrier(x * x + 0.4 * 0.4 + 0.1 * 0.1, 0.3);
-        let slope = (at(0.7 + step) - at(0.7 - step)) / (2.0 * step);
-        assert!((collision_gradient(&[0.7, 0.4, -0.1])[0] - slope).abs() < 1e-8);
+    fn the_collision_barrier_is_zero_at_the_least_distance() {
         assert_eq!(collision_barrier(0.3 * 0.3, 0.3), 0.0);
+        assert_eq!(collision_barrier(1.25, 0.5), 1.0);
     }
 }

@@ -3,16 +3,17 @@
 //! Exactly as printed: no recovery, no slack. The one choice is the share (METHOD.md 2.3).
 
 use crate::equations::barrier::{collision_barrier, degree_barrier};
-use crate::equations::link::Link;
+use crate::equations::link::{LANES, Link};
+use crate::num::exponential::exps;
 use crate::num::scaled::{Number, Scaled};
-use crate::num::{Vector, is_finite};
+use crate::num::{Vector, exp, is_finite};
 use crate::program::box_row::Row;
 
 /// How the composition is shared out among the robots in φ_i; the row H_i is the same for both.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Share {
+pub enum PhiSplit {
     /// `Σ_{k∈B_i} Ê_k/(F′+1)`, as printed in eq:phi_i: exact only if every degree is F′.
-    Neighbours,
+    Neighbors,
     /// `Ê_i`: the sum over all robots is φ exactly, and φ_i does not jump when a link forms.
     Own,
 }
@@ -21,7 +22,7 @@ pub enum Share {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Composed {
     /// Which φ_i.
-    pub share: Share,
+    pub split: PhiSplit,
     /// `w_r` of the degree terms, dimensionless, positive.
     pub w_r: f64,
     /// `w_c` of the collision terms, 1/m², positive.
@@ -72,6 +73,18 @@ impl Composed {
     #[must_use]
     pub fn collision_term<N: Number>(&self, distance_m2: f64) -> N {
         N::exp(-self.w_c * collision_barrier(distance_m2, self.distance_min_m))
+    }
+
+    /// [`collision_term`](Self::collision_term) of many pairs, with the bits of each, in place of their squared distances, m².
+    pub fn collision_terms(&self, distances_m2: &mut [f64]) {
+        let exponent = |distance_m2: f64| -self.w_c * collision_barrier(distance_m2, self.distance_min_m);
+        let (pairs, rest) = distances_m2.as_chunks_mut::<LANES>();
+        for distances_m2 in pairs {
+            *distances_m2 = exps(distances_m2.map(exponent));
+        }
+        for distance_m2 in rest {
+            *distance_m2 = exp(exponent(*distance_m2));
+        }
     }
 
     /// φ_i and the row `H_i·u ≥ −α φ_i` of one robot, from its own `Ê_i` and its neighbours in order of their number.
@@ -151,17 +164,17 @@ impl Composed {
     /// What a neighbour's `Ê_j` adds to the first sum of φ_i.
     #[must_use]
     pub fn shared<N: Number>(&self, told: N) -> N {
-        match self.share {
-            Share::Neighbours => told,
-            Share::Own => N::ZERO,
+        match self.split {
+            PhiSplit::Neighbors => told,
+            PhiSplit::Own => N::ZERO,
         }
     }
 
     /// What the first sum of φ_i is multiplied with.
     fn portion(&self) -> f64 {
-        match self.share {
-            Share::Neighbours => 1.0 / (f64::from(self.required) + 1.0),
-            Share::Own => 1.0,
+        match self.split {
+            PhiSplit::Neighbors => 1.0 / (f64::from(self.required) + 1.0),
+            PhiSplit::Own => 1.0,
         }
     }
 }
@@ -181,6 +194,12 @@ impl<const D: usize, N: Number> Sum<D, N> {
     #[must_use]
     pub fn new(own: N) -> Self {
         Self { normal: [N::ZERO; D], degrees: own, collisions: N::ZERO }
+    }
+
+    /// With another first sum of φ_i: that of `Ê_i` and of what all neighbours told.
+    #[must_use]
+    pub fn with_terms(self, degrees: N) -> Self {
+        Self { degrees, ..self }
     }
 
     /// Adds what a neighbour told: the number of [`Composed::shared`].

@@ -3,10 +3,11 @@
 use core::time::Duration;
 
 use crate::controller::budget::knowledge::Assume;
+use crate::controller::budget::settings::Budget;
 use crate::num::{Vector, add_scaled, length, subtract};
 use crate::robot::neighbor::Slot;
 use crate::robot::report::Reason;
-use crate::settings::params::{Controller, Params};
+use crate::settings::params::Params;
 use crate::time::Instant;
 
 /// Rounding of a position and of a clock in one tick, as shares; what they miss is no reason to complain.
@@ -35,35 +36,35 @@ impl<const D: usize> Assurance<D> {
     /// Notes when it is not where it should be, or was not called in time. It then begins anew from where it is.
     pub(crate) fn place(&mut self, params: &Params<D>, now: Instant, sensed: Vector<D>) -> Vector<D> {
         self.anew = true;
+        let Some(Budget { errors, .. }) = params.budget() else { return sensed };
         let Some((then, position, velocity)) = self.last else { return sensed };
-        let (elapsed, hold_max) = (now.since(then), params.settings().hold_max());
+        let (elapsed, hold_max) = (now.since(then), params.settings().clock.hold_max());
         let expected = add_scaled(&position, elapsed.min(hold_max).as_secs_f64(), &velocity);
         if elapsed > hold_max {
             self.broken = Some((now, Reason::Late));
             return sensed;
         }
-        let margin = params.budget().margin;
         let blur_m = ROUNDING * (1.0 + length(&sensed)) + CLOCK * length(&subtract(&expected, &position));
         let away_m = length(&subtract(&sensed, &expected));
         // The error of one sensed position against a reference that is known; else those of two.
-        let most_m = if margin.away_m > 0.0 { margin.sensed_m() } else { margin.offset_m };
+        let most_m = if errors.away_m > 0.0 { errors.sensed_m() } else { errors.offset_m };
         if away_m.is_nan() || away_m > most_m + blur_m {
             self.broken = Some((now, Reason::Moved));
             return sensed;
         }
         self.anew = false;
-        if margin.away_m > 0.0 { expected } else { sensed }
+        if errors.away_m > 0.0 { expected } else { sensed }
     }
 
     /// Notes a neighbour that went farther since the last tick than it can.
     pub(crate) fn watch(&mut self, params: &Params<D>, now: Instant, slot: &Slot<D>, offset_m: &Vector<D>) {
         let Some((then, _, _)) = self.last else { return };
-        let obedient = params.settings().assume == Assume::Obedient;
-        if !obedient || now.since(then) > params.settings().hold_max() {
+        let Some(budget) = params.budget() else { return };
+        if budget.assume != Assume::Obedient || now.since(then) > params.settings().clock.hold_max() {
             return;
         }
         let went_m = length(&subtract(offset_m, &slot.offset_m));
-        let most_m = 2.0 * params.reach().longest_m() + 2.0 * params.budget().margin.offset_m;
+        let most_m = 2.0 * params.reach().longest_m() + 2.0 * budget.errors.offset_m;
         if went_m > most_m * (1.0 + CLOCK) + ROUNDING {
             self.broken = Some((now, Reason::Moved));
         }
@@ -93,9 +94,4 @@ impl<const D: usize> Assurance<D> {
         let recent = self.broken.filter(|(then, _)| now.since(*then) <= told_max);
         self.doubt.or(recent.map(|(_, reason)| reason))
     }
-}
-
-/// Only `budget` promises anything.
-pub(crate) fn watches<const D: usize>(params: &Params<D>) -> bool {
-    params.settings().controller == Controller::Budget
 }

@@ -2,6 +2,8 @@
 
 use core::fmt;
 
+use crate::robot::scratch::Needs;
+
 /// What [`Robot::observe`](crate::robot::Robot::observe) made of a position.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Observed {
@@ -16,8 +18,15 @@ pub enum Observed {
 /// Why a robot cannot be made.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum RobotError {
-    /// `values` is shorter than `slots`.
-    Memory,
+    /// Scratch is too short; holds how much is needed.
+    Scratch(Needs),
+    /// The number of the robot is not one of its team.
+    Id {
+        /// What was given.
+        id: u16,
+        /// n.
+        robots: u16,
+    },
     /// The initial value is NaN or beyond ±[`VALUE_MAX`](crate::message::VALUE_MAX).
     Value,
 }
@@ -40,6 +49,8 @@ pub enum ObserveError {
     NoPosition,
     /// That is the robot itself.
     OwnId,
+    /// No robot of the team has that number: it is not one of 1 to n.
+    UnknownId,
     /// Every slot holds a neighbour sensed in this tick; the observation is dropped.
     Full,
 }
@@ -55,10 +66,14 @@ pub enum ReceiveError {
 
 impl fmt::Display for RobotError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(match self {
-            Self::Memory => "fewer values than slots were lent",
-            Self::Value => "initial value is not a number of at most 1e300",
-        })
+        match self {
+            Self::Scratch(Needs { values, sightings, rows }) => write!(
+                f,
+                "scratch is too short, needed are {values} values, {sightings} sightings and {rows} rows"
+            ),
+            Self::Value => f.write_str("initial value is not a number of at most 1e300"),
+            Self::Id { id, robots } => write!(f, "robot {id} is not one of 1 to {robots}"),
+        }
     }
 }
 
@@ -77,6 +92,7 @@ impl fmt::Display for ObserveError {
             Self::NotFinite => "observed position is not finite",
             Self::NoPosition => "own position is unknown",
             Self::OwnId => "observed itself",
+            Self::UnknownId => "observed a robot that is not one of 1 to n",
             Self::Full => "no slot is left for another neighbour",
         })
     }

@@ -5,22 +5,25 @@ pub mod error;
 pub mod neighbor;
 pub mod report;
 mod round;
+pub mod scratch;
+pub mod sized;
 mod slots;
 
-use crate::controller::budget::knowledge::Sighting;
-use crate::equations::composition::{Composition, Term};
-use crate::equations::link::Link;
+use crate::controller::View;
 use crate::message::{Message, VALUE_MAX};
-use crate::num::scaled::Scaled;
 use crate::num::{Vector, dot, is_finite, subtract};
-use crate::program::balls::row::Row;
-use crate::program::box_row::closest;
-use crate::robot::assurance::{Assurance, watches};
+use crate::robot::assurance::Assurance;
 use crate::robot::error::{ObserveError, Observed, ReceiveError, RobotError, SenseError};
 use crate::robot::neighbor::{NO_LINK, RobotId, Slot, Told};
-use crate::robot::report::{Mode, Output};
-use crate::settings::params::{Controller, Params};
+use crate::robot::report::{Mode, Output, Reason};
+use crate::robot::scratch::Scratch;
+use crate::settings::params::Params;
 use crate::time::{Instant, Timer};
+
+/// Where a robot keeps its neighbours: an array, a vector, a slice that is lent to it.
+pub trait Slots<const D: usize>: AsRef<[Slot<D>]> + AsMut<[Slot<D>]> {}
+
+impl<const D: usize, S: AsRef<[Slot<D>]> + AsMut<[Slot<D>]>> Slots<D> for S {}
 
 /// A robot between its planner and its motion controller.
 ///
@@ -38,19 +41,18 @@ use crate::time::{Instant, Timer};
 /// is finite and in its box. The answer does not depend on the order of `observe` or `receive`, unless
 /// there are more neighbours than slots: then the first observed are kept.
 #[derive(Debug)]
-pub struct Robot<'memory, const D: usize> {
+pub struct Robot<const D: usize, S> {
     pub(crate) params: Params<D>,
     pub(crate) id: RobotId,
-    pub(crate) slots: &'memory mut [Slot<D>],
-    pub(crate) values: &'memory mut [f64],
-    pub(crate) sightings: &'memory mut [Sighting<D>],
-    pub(crate) rows: &'memory mut [Row<D>],
+    pub(crate) slots: S,
     pub(crate) count: usize,
     /// Where to look first for the next slot.
     pub(crate) next: usize,
     pub(crate) now: Instant,
     position: Option<Vector<D>>,
-    /// The last velocity under `budget`, m/s.
+    /// Whether `sense` was called since the last tick.
+    sensed_now: bool,
+    /// The velocity that was last decided on, m/s.
     pub(crate) before: Vector<D>,
     pub(crate) assurance: Assurance<D>,
     level_timer: Timer,
@@ -67,38 +69,31 @@ pub struct Robot<'memory, const D: usize> {
     pub(crate) round_news: bool,
 }
 
-impl<'memory, const D: usize> Robot<'memory, D> {
-    /// A robot with initial value `y_i(t₀)`, due to share at once.
+impl<const D: usize, S: Slots<D>> Robot<D, S> {
+    /// A robot with initial value `y_i(t₀)`, due to share at once. `slots` bound how many neighbours it can have.
     ///
-    /// `slots` bounds how many neighbours it can have; `values` is scratch of at least the same length.
-    pub fn new(
-        params: Params<D>,
-        id: RobotId,
-        value: f64,
-        slots: &'memory mut [Slot<D>],
-        values: &'memory mut [f64],
-    ) -> Result<Self, RobotError> {
-        if values.len() < slots.len() {
-            return Err(RobotError::Memory);
-        }
+    /// Refused are a value that is NaN or beyond ±[`VALUE_MAX`], and a number that is not one of 1 to n.
+    pub fn new(params: Params<D>, id: RobotId, value: f64, slots: S) -> Result<Self, RobotError> {
         if !(-VALUE_MAX..=VALUE_MAX).contains(&value) {
             return Err(RobotError::Value);
+        }
+        let (clock, team) = (params.settings().clock, params.settings().team);
+        if !(1..=team.robots).contains(&id.0) {
+            return Err(RobotError::Id { id: id.0, robots: team.robots });
         }
         Ok(Self {
             params,
             id,
             slots,
-            values,
-            sightings: &mut [],
-            rows: &mut [],
             count: 0,
             next: 0,
             now: Instant::START,
             position: None,
+            sensed_now: false,
             before: [0.0; D],
             assurance: Assurance::NEW,
-            level_timer: Timer::new(Instant::START, params.settings().level_period),
-            value_timer: Timer::new(Instant::START, params.settings().value_period),
+            level_timer: Timer::new(Instant::START, clock.level_period),
+            value_timer: Timer::new(Instant::START, clock.value_period),
             sequence: 0,
             level: 0.0,
             level_at: Instant::START,
@@ -108,19 +103,6 @@ impl<'memory, const D: usize> Robot<'memory, D> {
             round: None,
             round_news: false,
         })
-    }
-
-    /// Lends what [`Controller::Budget`] needs besides: as many `sightings` as slots, and `2·D + 2·N + 1` `rows` for N of
-    /// them, with a margin for errors `2·D + 2ᴰ (2·N + 1)`. With 3·N `values`, N² with free liars, it is
-    /// faster than with N. With too little of it the robot stands still.
-    #[must_use]
-    pub fn with_budget_memory(
-        mut self,
-        sightings: &'memory mut [Sighting<D>],
-        rows: &'memory mut [Row<D>],
-    ) -> Self {
-        (self.sightings, self.rows) = (sightings, rows);
-        self
     }
 
     /// Begins anew with `value`, as after a restart: neighbours, what they told and everything else is forgotten, but for
@@ -138,8 +120,8 @@ impl<'memory, const D: usize> Robot<'memory, D> {
 
     /// Begins a tick at `now` with the robot's own position x_i, m.
     pub fn sense(&mut self, now: Instant, position: Vector<D>) -> Result<(), SenseError> {
-        self.position = None;
-        for slot in &mut self.slots[..self.count] {
+        (self.position, self.sensed_now) = (None, true);
+        for slot in &mut self.slots.as_mut()[..self.count] {
             slot.seen_before = slot.sensed;
             slot.sensed = false;
         }
@@ -150,8 +132,8 @@ impl<'memory, const D: usize> Robot<'memory, D> {
         if !is_finite(&position) {
             return Err(SenseError::NotFinite);
         }
-        let watches = watches(&self.params);
-        let place = if watches { self.assurance.place(&self.params, now, position) } else { position };
+        let promises = self.params.controller().promises();
+        let place = if promises { self.assurance.place(&self.params, now, position) } else { position };
         self.position = Some(place);
         Ok(())
     }
@@ -162,19 +144,22 @@ impl<'memory, const D: usize> Robot<'memory, D> {
         if id == self.id {
             return Err(ObserveError::OwnId);
         }
+        if !(1..=self.params.settings().team.robots).contains(&id.0) {
+            return Err(ObserveError::UnknownId);
+        }
         if !is_finite(&position) {
             return Err(ObserveError::NotFinite);
         }
         let offset_m = subtract(&own, &position);
         let distance_m2 = dot(&offset_m, &offset_m);
-        let link = self.link_at(distance_m2);
+        let link = self.params.link().link_at(distance_m2);
         if link.is_none() && distance_m2 > self.params.sight_m2() {
             self.lose(id);
             return Ok(Observed::OutOfRange);
         }
         let index = self.slot(id)?;
-        let slot = &mut self.slots[index];
-        if slot.seen_before && watches(&self.params) {
+        let slot = &mut self.slots.as_mut()[index];
+        if slot.seen_before && self.params.controller().promises() {
             self.assurance.watch(&self.params, self.now, slot, &offset_m);
         }
         (slot.sensed, slot.seen_before, slot.offset_m) = (true, false, offset_m);
@@ -186,15 +171,16 @@ impl<'memory, const D: usize> Robot<'memory, D> {
     /// What to tell now: the level when τ₁ has passed, with the value when τ₂ has. A robot that is late for a round by more
     /// than a velocity may be held, as after a crash, waits for the next one, so that all have theirs at the same time.
     ///
-    /// Forgets robots that were not observed in this tick. `None` while nothing is due or the own position is unknown.
+    /// Forgets robots that were not observed in this tick. `None` while nothing is due, the own position is unknown, or `scratch` is
+    /// too short for the robot.
     //= paper eq:connectivity
-    pub fn share(&mut self) -> Option<Message> {
-        self.position?;
+    pub fn share(&mut self, scratch: &mut Scratch<'_, D>) -> Option<Message> {
+        self.position.filter(|_| scratch.is_for(self.slots.as_ref().len()))?;
         self.forget_unsensed();
         let level_due = self.level_timer.fires(self.now);
-        let value_due = self.value_timer.fires_in_turn(self.now, self.params.settings().hold_max());
+        let value_due = self.value_timer.fires_in_turn(self.now, self.params.settings().clock.hold_max());
         if level_due {
-            self.level = self.own_level();
+            self.level = self.params.controller().level(&self.view(), scratch);
             self.level_at = self.now;
             self.told_level = self.level;
         }
@@ -213,7 +199,7 @@ impl<'memory, const D: usize> Robot<'memory, D> {
         let (now, stamp) = (self.now, message.stamp());
         let in_round = message.value().is_some() && self.in_round(stamp);
         let index = self.find(sender).ok_or(ReceiveError::NotNeighbor)?;
-        let slot = &mut self.slots[index];
+        let slot = &mut self.slots.as_mut()[index];
         if !slot.sensed {
             return Err(ReceiveError::NotNeighbor);
         }
@@ -238,32 +224,43 @@ impl<'memory, const D: usize> Robot<'memory, D> {
         }
     }
 
-    /// Ends the tick: the velocity closest to `desired` (m/s) that satisfies the robot's row, and W-MSR if a round is on.
-    pub fn tick(&mut self, desired: Vector<D>) -> Output<D> {
-        let round = self.end_round();
-        let Some(position) = self.position else {
+    /// Ends the tick: the velocity closest to `desired` (m/s) that its controller allows, and W-MSR if a round is on.
+    ///
+    /// With a `scratch` that is too short for the robot it stands still and says so ([`Reason::Scratch`]).
+    pub fn tick(&mut self, desired: Vector<D>, scratch: &mut Scratch<'_, D>) -> Output<D> {
+        if !scratch.is_for(self.slots.as_ref().len()) {
+            return self.stand(Mode::Degraded(Reason::Scratch), None);
+        }
+        let round = self.end_round(scratch.values);
+        let sensed = core::mem::take(&mut self.sensed_now);
+        let Some(position) = self.position.filter(|_| sensed) else {
             self.assurance.lose(self.now);
-            return self.stopped(round);
+            let unknown = self.position.is_none();
+            return self
+                .stand(if unknown { Mode::Stopped } else { Mode::Degraded(Reason::NotSensed) }, round);
         };
         let known = is_finite(&desired);
         let desired = if known { desired } else { [0.0; D] };
-        let (velocity_m_s, outcome, phi) = match self.params.settings().controller {
-            Controller::Composed => {
-                let Composition { row, phi } = self.composition();
-                let solution = closest(&desired, &row, &self.params.settings().input);
-                (solution.velocity_m_s, solution.outcome, Some(phi))
-            }
-            Controller::Budget => {
-                let (velocity_m_s, outcome) = self.budget_velocity(&desired);
-                (velocity_m_s, outcome, None)
-            }
-        };
-        let mut report = self.report(phi, outcome, round);
+        let decision = self.params.controller().alone(&self.view(), &desired, scratch);
+        self.before = decision.velocity_m_s;
+        self.assurance.doubt(self.now, decision.doubt);
+        let mut report = self.report(Some(&decision), round);
         if !known {
             report.mode = Mode::Hold;
         }
-        self.assurance.moved(self.now, position, velocity_m_s);
-        Output { velocity_m_s, report }
+        self.assurance.moved(self.now, position, decision.velocity_m_s);
+        Output { velocity_m_s: decision.velocity_m_s, report }
+    }
+
+    /// What the controller is given.
+    fn view(&self) -> View<'_, D> {
+        View {
+            id: self.id,
+            now: self.now,
+            told_level: self.told_level,
+            before_m_s: self.before,
+            slots: self.neighbors(),
+        }
     }
 
     /// When the next share is due.
@@ -304,22 +301,10 @@ impl<'memory, const D: usize> Robot<'memory, D> {
         self.told_level
     }
 
-    /// φ_i (eq:phi_i) of what the robot senses and was told, whatever the controller. Under `budget` nothing depends on it,
-    /// so that it is not computed unless somebody asks.
-    #[must_use]
-    pub fn phi(&self) -> f64 {
-        if self.position.is_none() {
-            return self.composition().phi;
-        }
-        let levels = self.linked().filter_map(|slot| slot.told.map(|told| told.level));
-        let distances_m2 = self.linked().map(|slot| dot(&slot.offset_m, &slot.offset_m));
-        self.params.composed().phi(self.told_level, levels, distances_m2)
-    }
-
     /// The neighbours in order of their number.
     #[must_use]
     pub fn neighbors(&self) -> &[Slot<D>] {
-        &self.slots[..self.count]
+        &self.slots.as_ref()[..self.count]
     }
 
     pub(crate) fn sensed(&self) -> impl Iterator<Item = &Slot<D>> + Clone {
@@ -329,24 +314,5 @@ impl<'memory, const D: usize> Robot<'memory, D> {
     /// Those of them within R as sensed: all of them unless there is a margin.
     pub(crate) fn linked(&self) -> impl Iterator<Item = &Slot<D>> + Clone {
         self.sensed().filter(|slot| slot.linked)
-    }
-
-    /// Only the row of `composed` needs slopes that `f64` takes for 0.
-    fn link_at(&self, distance_m2: f64) -> Option<Link> {
-        let shape = self.params.link();
-        match self.params.settings().controller {
-            Controller::Composed => shape.link_at(distance_m2),
-            Controller::Budget => shape.link_at::<f64>(distance_m2).map(Link::from),
-        }
-    }
-
-    /// Without a position nobody is a neighbour, and the robot itself counts for nothing.
-    fn composition(&self) -> Composition<D> {
-        let composed = self.params.composed();
-        if self.position.is_none() {
-            return composed.compose(Scaled::ZERO, core::iter::empty::<Term<D>>());
-        }
-        let own = composed.degree_term(self.told_level);
-        composed.compose(own, self.linked().map(|slot| slot.term(composed)))
     }
 }

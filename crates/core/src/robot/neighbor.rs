@@ -2,14 +2,12 @@
 
 use core::time::Duration;
 
-use crate::equations::composition::{Composed, Term};
 use crate::equations::link::Link;
-use crate::num::scaled::Scaled;
-use crate::num::{Vector, dot};
+use crate::num::Vector;
 use crate::time::Instant;
 
 /// Of a robot that is out of range.
-pub(crate) const NO_LINK: Link = Link { weight: 0.0, slope: Scaled::ZERO };
+pub(crate) const NO_LINK: Link<f64> = Link { weight: 0.0, slope: 0.0 };
 
 /// Number of a robot in its team; the paper counts from 1.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -41,7 +39,7 @@ pub struct Slot<const D: usize> {
     pub(crate) offset_m: Vector<D>,
     /// As sensed.
     pub(crate) position_m: Vector<D>,
-    pub(crate) link: Link,
+    pub(crate) link: Link<f64>,
     /// Within R as sensed; false for a robot that only the margin of `budget` brings into view.
     pub(crate) linked: bool,
     pub(crate) told: Option<Told>,
@@ -79,7 +77,7 @@ impl<const D: usize> Slot<D> {
 
     /// The link to it.
     #[must_use]
-    pub fn link(&self) -> Link {
+    pub fn link(&self) -> Link<f64> {
         self.link
     }
 
@@ -105,14 +103,5 @@ impl<const D: usize> Slot<D> {
     #[must_use]
     pub fn discarded(&self) -> bool {
         self.discarded
-    }
-
-    pub(crate) fn term(&self, composed: &Composed) -> Term<D> {
-        Term {
-            offset_m: self.offset_m,
-            link: self.link,
-            collision: composed.collision_term(dot(&self.offset_m, &self.offset_m)),
-            told: self.told.map_or(Scaled::ZERO, |told| composed.degree_term(told.level)),
-        }
     }
 }

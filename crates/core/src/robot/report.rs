@@ -2,11 +2,11 @@
 
 use core::time::Duration;
 
+use crate::controller::{Decision, Standing};
 use crate::equations::barrier::degree_barrier;
 use crate::num::Vector;
 use crate::program::Outcome;
-use crate::robot::Robot;
-use crate::settings::params::Controller;
+use crate::robot::{Robot, Slots};
 
 /// Velocity and everything a caller should look at before using it.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -22,14 +22,13 @@ pub struct Output<const D: usize> {
 pub struct Report {
     /// δ_i, neighbours sensed within R, whatever the margin.
     pub degree: u16,
-    /// δ_i − F′; negative when the condition of thm:rs_robust does not hold here.
-    pub margin: i32,
+    /// δ_i less what must be there; negative when the condition of thm:rs_robust does not hold here.
+    pub degree_margin: i32,
     /// c_i as sensed at the last update, before any restatement.
     pub level: f64,
     /// h_i = c_i − F′ (eq:h_i); under `budget` with free liars T_i − θ, with a margin the least that it can be.
     pub h: f64,
     /// φ_i (eq:phi_i) if the answer depends on it: under `composed`. May be negative while all is well (METHOD.md 2.2).
-    /// [`Robot::phi`](crate::robot::Robot::phi) has it whatever the controller.
     pub phi: Option<f64>,
     /// What the program found.
     pub outcome: Outcome,
@@ -90,59 +89,51 @@ pub enum Reason {
     Uncertain,
     /// A neighbour has told no level.
     Untold,
+    /// There is no controller: the desired velocity is only cut to its box.
+    Unfiltered,
+    /// `tick` was called again without `sense`: the robot stands still, because it does not know where it is by now.
+    NotSensed,
+    /// The scratch handed to the call is too short for the robot; it stands still.
+    Scratch,
     /// thm:cbf-qp needs continuous time and a constant bias; a robot that ticks cannot have the first.
     ContinuousTime,
 }
 
-impl<const D: usize> Robot<'_, D> {
-    pub(crate) fn report(&self, phi: Option<f64>, outcome: Outcome, round: Option<RoundReport>) -> Report {
+impl<const D: usize, S: Slots<D>> Robot<D, S> {
+    /// What the robot says after a decision; `None` where it could not decide.
+    pub(crate) fn report(&self, decision: Option<&Decision<D>>, round: Option<RoundReport>) -> Report {
         let degree = small(self.linked().count());
         let untold = small(self.linked().filter(|slot| slot.told.is_none()).count());
         let oldest = self.sensed().filter_map(|slot| slot.told.map(|told| told.at)).min();
-        let required = self.required();
-        let h = degree_barrier(self.level, required);
-        let mode = match self.params.settings().controller {
-            Controller::Composed => Mode::Degraded(composed_reason(degree < required, outcome, phi, untold)),
-            // With a margin, whoever is in view may be a neighbour.
-            Controller::Budget => self.budget_mode(small(self.sensed().count()), h),
-        };
+        let need = self.params.need().need(self.id);
+        let h = degree_barrier(self.level, need);
+        let phi = decision.and_then(|decision| decision.phi);
+        let outcome = decision.map_or(Outcome::Infeasible, |decision| decision.outcome);
         Report {
             degree,
-            margin: i32::from(degree) - i32::from(required),
+            degree_margin: i32::from(degree) - i32::from(need),
             level: self.level,
             h,
             phi,
             outcome,
-            mode,
+            mode: self.mode(Standing { degree: 0, need, h, phi, outcome, untold, reason: None }),
             untold,
             told_age_max: oldest.map_or(Duration::ZERO, |at| self.now.since(at)),
             round,
         }
     }
 
-    /// F′, or θ under `budget` with free liars.
-    fn required(&self) -> u16 {
-        match self.params.settings().controller {
-            Controller::Composed => self.params.required_degree(),
-            Controller::Budget => self.params.budget().required(),
-        }
+    /// With stated errors, whoever is in sight may be a neighbour.
+    fn mode(&self, standing: Standing) -> Mode {
+        let reason = self.assurance.reason(self.now, self.params.settings().clock.told_max);
+        let degree = small(self.sensed().count());
+        self.params.controller().mode(&Standing { degree, reason, ..standing })
     }
 
-    pub(crate) fn stopped(&self, round: Option<RoundReport>) -> Output<D> {
-        let watched = self.params.settings().controller == Controller::Composed;
-        let report = self.report(watched.then(|| self.phi()), Outcome::Infeasible, round);
-        Output { velocity_m_s: [0.0; D], report: Report { mode: Mode::Stopped, ..report } }
-    }
-}
-
-/// The gravest of what speaks against an answer of `composed`.
-fn composed_reason(degree_low: bool, outcome: Outcome, phi: Option<f64>, untold: u16) -> Reason {
-    match outcome {
-        _ if degree_low => Reason::Degree,
-        Outcome::Infeasible => Reason::Infeasible,
-        _ if phi.is_some_and(|phi| phi < 0.0) => Reason::OutsideSafeSet,
-        _ if untold > 0 => Reason::Untold,
-        _ => Reason::ContinuousTime,
+    /// Stands still in a `mode` that says why.
+    pub(crate) fn stand(&self, mode: Mode, round: Option<RoundReport>) -> Output<D> {
+        let report = self.report(None, round);
+        Output { velocity_m_s: [0.0; D], report: Report { mode, ..report } }
     }
 }
 

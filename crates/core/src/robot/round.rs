@@ -1,17 +1,17 @@
 //! A consensus round as the robot lives it: values told since it began, W-MSR as soon as they are there.
 
-use crate::robot::Robot;
 use crate::robot::neighbor::{Slot, Told};
 use crate::robot::report::{RoundReport, small};
+use crate::robot::{Robot, Slots};
 use crate::time::Instant;
 use crate::wmsr;
 
-impl<const D: usize> Robot<'_, D> {
+impl<const D: usize, S: Slots<D>> Robot<D, S> {
     /// Takes up the value of the last round and forgets what was told in it.
     pub(crate) fn begin_round(&mut self) {
         self.value = self.next_value;
         (self.round, self.round_news) = (Some(self.now), true);
-        for slot in &mut self.slots[..self.count] {
+        for slot in &mut self.slots.as_mut()[..self.count] {
             slot.discarded = false;
             slot.told = slot.told.map(|told| Told { value: None, ..told });
         }
@@ -20,25 +20,25 @@ impl<const D: usize> Robot<'_, D> {
     /// True for a value told since the round began, as far as clocks agree. A value is told with the last level, which may
     /// be τ₁ older.
     pub(crate) fn in_round(&self, stamp: Instant) -> bool {
-        let settings = self.params.settings();
-        let latest = stamp.after(settings.clock_error).after(settings.level_period);
+        let clock = &self.params.settings().clock;
+        let latest = stamp.after(clock.error).after(clock.level_period);
         self.round.is_some_and(|began| latest > began)
     }
 
     /// Runs W-MSR on what was told since the round began; again when more of it came late. What comes after the next round
     /// began is not used.
-    pub(crate) fn end_round(&mut self) -> Option<RoundReport> {
+    pub(crate) fn end_round(&mut self, values: &mut [f64]) -> Option<RoundReport> {
         if !core::mem::take(&mut self.round_news) {
             return None;
         }
         let mut heard = 0;
-        for slot in &self.slots[..self.count] {
+        for slot in self.neighbors() {
             if let Some(value) = slot.told_value() {
-                self.values[heard] = value;
+                values[heard] = value;
                 heard += 1;
             }
         }
-        let round = wmsr::update(self.value, &mut self.values[..heard], self.params.settings().faults);
+        let round = wmsr::update(self.value, &mut values[..heard], self.params.settings().team.faults);
         self.mark_discarded(&round);
         self.next_value = round.value;
         Some(RoundReport {
@@ -53,7 +53,7 @@ impl<const D: usize> Robot<'_, D> {
         let values = |slots: &[Slot<D>], beyond: fn(f64, f64) -> bool, edge: f64| {
             slots.iter().filter(|slot| slot.told_value().is_some_and(|value| beyond(value, edge))).count()
         };
-        let slots = &mut self.slots[..self.count];
+        let slots = &mut self.slots.as_mut()[..self.count];
         let mut low_ties = round.below.saturating_sub(values(slots, |value, edge| value < edge, round.low));
         let mut high_ties = round.above.saturating_sub(values(slots, |value, edge| value > edge, round.high));
         for slot in slots {

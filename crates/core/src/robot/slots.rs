@@ -1,25 +1,26 @@
 //! Slots of neighbours in order of their number, in memory that is never more than was lent.
 
-use crate::robot::Robot;
 use crate::robot::error::ObserveError;
 use crate::robot::neighbor::{RobotId, Slot};
+use crate::robot::{Robot, Slots};
 
-impl<const D: usize> Robot<'_, D> {
+impl<const D: usize, S: Slots<D>> Robot<D, S> {
     /// Where the slot of `id` is, made anew in its place in the order if it had none. When all are taken, one of a robot that was
     /// not yet sensed in this tick is given up.
     pub(crate) fn slot(&mut self, id: RobotId) -> Result<usize, ObserveError> {
         if let Some(index) = self.find(id) {
             return Ok(index);
         }
-        if self.count == self.slots.len() {
+        if self.count == self.slots.as_ref().len() {
             let unsensed =
                 self.neighbors().iter().rposition(|slot| !slot.sensed).ok_or(ObserveError::Full)?;
-            self.slots.copy_within(unsensed + 1..self.count, unsensed);
+            self.slots.as_mut().copy_within(unsensed + 1..self.count, unsensed);
             self.count -= 1;
         }
         let index = self.neighbors().partition_point(|slot| slot.id < id);
-        self.slots.copy_within(index..self.count, index + 1);
-        self.slots[index] = Slot { id, ..Slot::default() };
+        let slots = self.slots.as_mut();
+        slots.copy_within(index..self.count, index + 1);
+        slots[index] = Slot { id, ..Slot::default() };
         self.count += 1;
         Ok(index)
     }
@@ -39,17 +40,17 @@ impl<const D: usize> Robot<'_, D> {
     /// A robot seen out of range is not a neighbour, whatever was observed before.
     pub(crate) fn lose(&mut self, id: RobotId) {
         if let Some(index) = self.find(id) {
-            self.slots[index].sensed = false;
+            self.slots.as_mut()[index].sensed = false;
         }
     }
 
     /// Frees the slots of robots that were not sensed in this tick.
     pub(crate) fn forget_unsensed(&mut self) {
-        let mut kept = 0;
+        let (mut kept, slots) = (0, self.slots.as_mut());
         for index in 0..self.count {
-            if self.slots[index].sensed {
+            if slots[index].sensed {
                 if kept < index {
-                    self.slots[kept] = self.slots[index];
+                    slots[kept] = slots[index];
                 }
                 kept += 1;
             }

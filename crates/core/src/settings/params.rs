@@ -1,13 +1,15 @@
-//! What a robot is told once, at construction: checked here and constant from then on.
+//! Checked settings: what a robot is told once, constant from then on.
 
-use crate::controller::budget::curvature::Curvature;
-use crate::controller::budget::settings::{Budget, Form};
-use crate::equations::barrier::required_degree;
+use crate::controller::AnyController;
+use crate::controller::budget::margin::ErrorBounds;
+use crate::controller::budget::settings::Budget;
 use crate::equations::composition::Composed;
 use crate::equations::link::LinkShape;
-use crate::num::is_finite;
+use crate::need::{Keep, Need};
+use crate::num::{Vector, is_finite};
 use crate::program::balls::reach::Reach;
-use crate::settings::range::{Allowed, Field, ParamsError};
+use crate::settings::field::{Field, TABLE};
+use crate::settings::range::{Allowed, ParamsError};
 pub use crate::settings::{Controller, Settings};
 
 /// Greatest number of robots in a team.
@@ -20,90 +22,22 @@ pub const MAGNITUDE_MAX: f64 = 1e6;
 pub struct Params<const D: usize> {
     settings: Settings<D>,
     link: LinkShape,
-    composed: Composed,
-    budget: Budget,
+    need: Need,
+    controller: AnyController<D>,
     reach: Reach<D>,
     sight_m2: f64,
     hold_s: f64,
 }
 
-impl<const D: usize> Settings<D> {
-    fn check(&self) -> Result<(), ParamsError> {
-        let positive = Allowed::LeftOpen(0.0, MAGNITUDE_MAX);
-        let (n, radius) = (f64::from(self.robots), self.radius_m);
-        let faults_max = f64::from(self.robots.saturating_sub(1) / 2);
-        let period_s = self.level_period.as_secs_f64();
-        let error = Allowed::Closed(0.0, MAGNITUDE_MAX);
-        let checks = [
-            (Field::Robots, n, Allowed::Closed(2.0, f64::from(ROBOTS_MAX))),
-            (Field::Faults, f64::from(self.faults), Allowed::Closed(0.0, faults_max)),
-            (Field::RadiusM, radius, positive),
-            (Field::PositionErrorM, self.position_error_m, error),
-            (Field::TrackingErrorM, self.tracking_error_m, error),
-            (Field::DistanceMinM, self.distance_min_m, Allowed::Open(0.0, self.distance_limit())),
-            (Field::Epsilon, self.epsilon(), Allowed::Open(0.0, 1.0 / (n - 1.0))),
-            (Field::Q2, self.q2, positive),
-            (Field::WR, self.w_r, positive),
-            (Field::WC, self.w_c, positive),
-            (Field::Alpha, self.alpha, positive),
-            (Field::LevelPeriod, self.level_period.as_secs_f64(), positive),
-            (Field::ValuePeriod, self.value_period.as_secs_f64(), positive),
-            (Field::Gamma, self.gamma(), Allowed::LeftOpen(0.0, 1.0)),
-            (Field::Rise, self.rise, Allowed::Closed(0.0, MAGNITUDE_MAX)),
-            (Field::GammaC, self.gamma_c, Allowed::LeftOpen(0.0, 1.0)),
-            (Field::HoldMax, self.hold_max().as_secs_f64(), Allowed::Closed(period_s, MAGNITUDE_MAX)),
-            (Field::ToldMax, self.told_max.as_secs_f64(), positive),
-            (Field::ClockError, self.clock_error.as_secs_f64(), Allowed::Closed(0.0, MAGNITUDE_MAX)),
-        ];
-        let failed = checks.into_iter().find(|(_, value, allowed)| !allowed.holds(*value));
-        failed.map_or(Ok(()), |(field, value, allowed)| Err(ParamsError { field, value, allowed }))
-    }
-
-    /// Δ_d must be below R, and with `budget` below R − 2ρ − 4A: robots that are not linked have no row for their distance.
-    fn distance_limit(&self) -> f64 {
-        match self.controller {
-            Controller::Composed => self.radius_m,
-            Controller::Budget => self.radius_m - 2.0 * self.reach().longest_m() - 4.0 * self.margin().away_m,
-        }
-    }
-
-    /// `T U_i`, T the longest that a velocity is held.
-    fn reach(&self) -> Reach<D> {
-        Reach::new(&self.input, self.hold_max().as_secs_f64())
-    }
-
-    fn budget(&self, link: LinkShape) -> Budget {
-        let margin = self.margin();
-        let link = LinkShape { radius_m: link.radius_m - 2.0 * margin.away_m, ..link };
-        Budget {
-            curvature: Curvature::new(link),
-            robots: self.robots,
-            faults: self.faults,
-            distance_min_m: self.distance_min_m + 2.0 * margin.away_m,
-            move_max_m: self.reach().longest_m(),
-            gamma: self.gamma(),
-            rise: self.rise,
-            gamma_c: self.gamma_c,
-            trust: self.trust,
-            assume: self.assume,
-            form: Form::Level,
-            margin,
-        }
-    }
-
-    fn check_input(&self) -> Result<(), ParamsError> {
-        let low = Allowed::Closed(-MAGNITUDE_MAX, 0.0);
-        let high = Allowed::Closed(0.0, MAGNITUDE_MAX);
-        for (field, corner, allowed) in
-            [(Field::InputMinMS, self.input.min_m_s, low), (Field::InputMaxMS, self.input.max_m_s, high)]
-        {
-            if let Some(&value) = corner.iter().find(|&&value| !allowed.holds(value)) {
-                return Err(ParamsError { field, value, allowed });
-            }
-        }
-        debug_assert!(is_finite(&self.input.min_m_s) && is_finite(&self.input.max_m_s));
-        Ok(())
-    }
+/// What a controller keeps among references: where velocities have taken each robot ([`ErrorBounds`]).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Kept {
+    /// Shape of their links.
+    pub link: LinkShape,
+    /// How near two of them may come, m.
+    pub distance_min_m: f64,
+    /// How far they are from the robots.
+    pub errors: ErrorBounds,
 }
 
 impl<const D: usize> Params<D> {
@@ -111,20 +45,19 @@ impl<const D: usize> Params<D> {
     pub fn new(settings: Settings<D>) -> Result<Self, ParamsError> {
         settings.check_input()?;
         settings.check()?;
-        let link = LinkShape { radius_m: settings.radius_m, q1: 2.0 + settings.epsilon(), q2: settings.q2 };
-        let composed = Composed {
-            share: settings.share,
-            w_r: settings.w_r,
-            w_c: settings.w_c,
-            alpha: settings.alpha,
-            robots: settings.robots,
-            required: required_degree(settings.robots, settings.faults),
-            distance_min_m: settings.distance_min_m,
-        };
-        let (budget, reach) = (settings.budget(link), settings.reach());
-        let sight_m = budget.curvature.link().radius_m + budget.margin.offset_m;
-        let hold_s = settings.hold_max().as_secs_f64();
-        Ok(Self { settings, link, composed, budget, reach, sight_m2: sight_m * sight_m, hold_s })
+        let q1 = 2.0 + settings.epsilon();
+        let link = LinkShape { radius_m: settings.link.radius_m, q1, q2: settings.link.q2 };
+        let controller = AnyController::new(&settings, link);
+        let sight_m = controller.sight_m(&link);
+        Ok(Self {
+            link,
+            need: *controller.need(),
+            controller,
+            reach: settings.reach(),
+            sight_m2: sight_m * sight_m,
+            hold_s: settings.clock.hold_max().as_secs_f64(),
+            settings,
+        })
     }
 
     /// The settings as they were given.
@@ -139,16 +72,51 @@ impl<const D: usize> Params<D> {
         &self.link
     }
 
-    /// The paper's controller.
+    /// Who counts for whom, and how many of them each robot must keep.
     #[must_use]
-    pub fn composed(&self) -> &Composed {
-        &self.composed
+    pub fn need(&self) -> &Need {
+        &self.need
     }
 
-    /// Our controller.
+    /// The controller with its parameters.
     #[must_use]
-    pub fn budget(&self) -> &Budget {
-        &self.budget
+    pub fn controller(&self) -> &AnyController<D> {
+        &self.controller
+    }
+
+    /// The paper's controller, if the robot runs it.
+    #[must_use]
+    pub fn composed(&self) -> Option<&Composed> {
+        match &self.controller {
+            AnyController::Composed(composed) => Some(&composed.composed),
+            _ => None,
+        }
+    }
+
+    /// Our controller, if the robot runs it.
+    #[must_use]
+    pub fn budget(&self) -> Option<&Budget> {
+        match &self.controller {
+            AnyController::Budget(budget) => Some(&budget.budget),
+            _ => None,
+        }
+    }
+
+    /// What the controller keeps: with stated errors, among references and not among positions.
+    #[must_use]
+    pub fn kept(&self) -> Kept {
+        match self.budget() {
+            Some(budget) => Kept {
+                link: *budget.curvature.link(),
+                distance_min_m: budget.distance_min_m,
+                errors: budget.errors,
+            },
+            None => Kept {
+                link: self.link,
+                distance_min_m: self.settings.limits.distance_min_m,
+                errors: ErrorBounds::NONE,
+            },
+        }
     }
 
     /// The displacements of one tick, `T U_i`.
@@ -157,7 +125,7 @@ impl<const D: usize> Params<D> {
         &self.reach
     }
 
-    /// Square of the distance up to which sensed robots matter, m²: R, and the margin of `budget`.
+    /// Square of the distance up to which sensed robots matter, m²: R, and what stated errors add to it.
     #[must_use]
     pub fn sight_m2(&self) -> f64 {
         self.sight_m2
@@ -169,10 +137,60 @@ impl<const D: usize> Params<D> {
         self.hold_s
     }
 
-    /// F′.
+    /// How far `desired` (m/s) goes while a velocity is held, m.
     #[must_use]
-    pub fn required_degree(&self) -> u16 {
-        self.composed.required
+    pub fn desired_m(&self, desired: &Vector<D>) -> Vector<D> {
+        desired.map(|component| component * self.hold_s)
+    }
+}
+
+impl<const D: usize> Settings<D> {
+    fn check(mut self) -> Result<(), ParamsError> {
+        let limit_m = self.distance_limit();
+        let parts = self.parts(limit_m);
+        for row in &TABLE {
+            let Some(value) = (row.get)(&parts) else { continue };
+            let allowed = row.allowed(&parts);
+            if !allowed.holds(value) {
+                return Err(ParamsError { field: row.field, value, allowed });
+            }
+        }
+        Ok(())
+    }
+
+    /// Δ_d must be below R, and with `budget` below R − 2ρ − 4A: robots that are not linked have no row for their distance.
+    fn distance_limit(&self) -> f64 {
+        match self.controller {
+            Controller::Composed(_) | Controller::None => self.link.radius_m,
+            Controller::Budget(_) => {
+                self.link.radius_m - 2.0 * self.reach().longest_m() - 4.0 * self.error_bounds().away_m
+            }
+        }
+    }
+
+    /// `T U_i`, T the longest that a velocity is held.
+    pub(crate) fn reach(&self) -> Reach<D> {
+        Reach::new(&self.limits.input, self.clock.hold_max().as_secs_f64())
+    }
+
+    /// F′, for controllers that count all neighbours.
+    pub(crate) fn need_of_neighbors(&self) -> Need {
+        Need::new(self.team.robots, self.team.faults, Keep::Neighbors)
+    }
+
+    fn check_input(&self) -> Result<(), ParamsError> {
+        let low = Allowed::Closed(-MAGNITUDE_MAX, 0.0);
+        let high = Allowed::Closed(0.0, MAGNITUDE_MAX);
+        let input = &self.limits.input;
+        for (field, corner, allowed) in
+            [(Field::InputMinMS, input.min_m_s, low), (Field::InputMaxMS, input.max_m_s, high)]
+        {
+            if let Some(&value) = corner.iter().find(|&&value| !allowed.holds(value)) {
+                return Err(ParamsError { field, value, allowed });
+            }
+        }
+        debug_assert!(is_finite(&input.min_m_s) && is_finite(&input.max_m_s));
+        Ok(())
     }
 }
 
@@ -181,13 +199,27 @@ mod tests {
     use core::time::Duration;
 
     use super::*;
+    use crate::robot::neighbor::RobotId;
+    use crate::settings::{BudgetSettings, ComposedSettings};
 
     type Change = fn(&mut Settings<2>);
+
+    fn composed(settings: &mut Settings<2>, change: impl FnOnce(&mut ComposedSettings)) {
+        if let Controller::Composed(composed) = &mut settings.controller {
+            change(composed);
+        }
+    }
+
+    fn budget(settings: &mut Settings<2>, change: impl FnOnce(&mut BudgetSettings)) {
+        let mut parameters = BudgetSettings::default();
+        change(&mut parameters);
+        settings.controller = Controller::Budget(parameters);
+    }
 
     #[test]
     fn the_defaults_are_the_papers() {
         let params = Params::<2>::new(Settings::default()).unwrap();
-        assert_eq!(params.required_degree(), 7);
+        assert_eq!(params.need().need(RobotId(1)), 7);
         assert!((params.link().q1 - 2.099).abs() < 1e-12);
         Params::<3>::new(Settings::default()).unwrap();
     }
@@ -195,23 +227,26 @@ mod tests {
     #[test]
     fn each_setting_is_refused_outside_its_range() {
         let wrong: [(Field, Change); 17] = [
-            (Field::Robots, |s| s.robots = 1),
-            (Field::Robots, |s| s.robots = ROBOTS_MAX + 1),
-            (Field::Faults, |s| s.faults = 6),
-            (Field::RadiusM, |s| s.radius_m = f64::NAN),
-            (Field::DistanceMinM, |s| s.distance_min_m = 3.0),
-            (Field::Epsilon, |s| s.epsilon = Some(0.1)),
-            (Field::Epsilon, |s| s.epsilon = Some(0.0)),
-            (Field::Q2, |s| s.q2 = 0.0),
-            (Field::WR, |s| s.w_r = -1.0),
-            (Field::WC, |s| s.w_c = f64::INFINITY),
-            (Field::Alpha, |s| s.alpha = 2e6),
-            (Field::Gamma, |s| s.gamma = Some(0.0)),
-            (Field::GammaC, |s| s.gamma_c = 1.1),
-            (Field::DistanceMinM, |s| (s.controller, s.distance_min_m) = (Controller::Budget, 2.98)),
-            (Field::InputMinMS, |s| s.input.min_m_s[1] = 0.1),
-            (Field::InputMaxMS, |s| s.input.max_m_s[0] = f64::NAN),
-            (Field::LevelPeriod, |s| s.level_period = Duration::ZERO),
+            (Field::Robots, |s| s.team.robots = 1),
+            (Field::Robots, |s| s.team.robots = ROBOTS_MAX + 1),
+            (Field::Faults, |s| s.team.faults = 6),
+            (Field::RadiusM, |s| s.link.radius_m = f64::NAN),
+            (Field::DistanceMinM, |s| s.limits.distance_min_m = 3.0),
+            (Field::Epsilon, |s| s.link.epsilon = Some(0.1)),
+            (Field::Epsilon, |s| s.link.epsilon = Some(0.0)),
+            (Field::Q2, |s| s.link.q2 = 0.0),
+            (Field::WR, |s| composed(s, |composed| composed.w_r = -1.0)),
+            (Field::WC, |s| composed(s, |composed| composed.w_c = f64::INFINITY)),
+            (Field::Alpha, |s| composed(s, |composed| composed.alpha = 2e6)),
+            (Field::Gamma, |s| budget(s, |budget| budget.gamma = Some(0.0))),
+            (Field::GammaC, |s| budget(s, |budget| budget.gamma_c = 1.1)),
+            (Field::DistanceMinM, |s| {
+                budget(s, |_| ());
+                s.limits.distance_min_m = 2.98;
+            }),
+            (Field::InputMinMS, |s| s.limits.input.min_m_s[1] = 0.1),
+            (Field::InputMaxMS, |s| s.limits.input.max_m_s[0] = f64::NAN),
+            (Field::LevelPeriod, |s| s.clock.level_period = Duration::ZERO),
         ];
         for (field, change) in wrong {
             let mut settings = Settings::default();
@@ -221,8 +256,18 @@ mod tests {
     }
 
     #[test]
+    fn an_error_names_the_field_of_a_file_and_what_is_allowed() {
+        let mut settings = Settings::<2>::default();
+        settings.team.faults = 6;
+        let error = Params::new(settings).unwrap_err();
+        extern crate std;
+        assert_eq!(std::format!("{error}"), "team.faults is 6, allowed is 0 to 5 (2F + 1 <= n)");
+    }
+
+    #[test]
     fn the_largest_team_has_an_epsilon() {
-        let settings = Settings::<2> { robots: ROBOTS_MAX, ..Settings::default() };
+        let mut settings = Settings::<2>::default();
+        settings.team.robots = ROBOTS_MAX;
         Params::new(settings).unwrap();
     }
 }

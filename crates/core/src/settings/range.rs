@@ -1,36 +1,11 @@
 //! What a setting may be, and the error that says so.
 
-/// The name of a setting in an error.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[expect(missing_docs, reason = "each names the field of Settings")]
-pub enum Field {
-    Robots,
-    Faults,
-    RadiusM,
-    DistanceMinM,
-    Epsilon,
-    Q2,
-    WR,
-    WC,
-    Alpha,
-    Gamma,
-    GammaC,
-    Rise,
-    InputMinMS,
-    InputMaxMS,
-    LevelPeriod,
-    ValuePeriod,
-    HoldMax,
-    ToldMax,
-    ClockError,
-    PositionErrorM,
-    TrackingErrorM,
-}
+use crate::settings::field::Field;
 
 /// A setting outside what is allowed.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ParamsError {
-    /// Which.
+    /// Which number.
     pub field: Field,
     /// What it is (s for periods).
     pub value: f64,
@@ -73,7 +48,9 @@ impl core::fmt::Display for Allowed {
 
 impl core::fmt::Display for ParamsError {
     fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
-        write!(f, "{:?} is {}, allowed is {}", self.field, self.value, self.allowed)
+        write!(f, "{} is {}, allowed is {}", self.field.name(), self.value, self.allowed)?;
+        let why = self.field.why();
+        if why.is_empty() { Ok(()) } else { write!(f, " ({why})") }
     }
 }
 

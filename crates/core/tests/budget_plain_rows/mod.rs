@@ -1,12 +1,15 @@
-//! The rows of a tick, one after the other, each from the formula and nothing kept from one to the next.
+//! The rows of a tick, one after the other, each from its formula. Nothing is kept from one row to the next.
 
-use closeranks_core::controller::budget::knowledge::{Assume, Known, Sighting};
+use closeranks_core::controller::budget::knowledge::{Assume, KnownMargin, Sighting};
 use closeranks_core::controller::budget::settings::{Budget, Form};
 use closeranks_core::equations::link::Link;
 use closeranks_core::num::{Vector, add_scaled, dot, is_finite, length};
 use closeranks_core::program::balls::Program;
 use closeranks_core::program::balls::reach::Reach;
 use closeranks_core::program::balls::row::Row;
+use closeranks_core::robot::neighbor::RobotId;
+
+use crate::budget_literal::{count, known, level};
 
 /// What a tick comes to.
 pub(crate) struct Plain<const D: usize> {
@@ -31,31 +34,33 @@ struct Tick<'a, const D: usize> {
 /// (far) or (far′), then (near), of each neighbour in range; at last (far′) of the robot itself.
 pub(crate) fn plain<const D: usize>(
     budget: &Budget,
+    own: RobotId,
     sightings: &[Sighting<D>],
     desired_m: &Vector<D>,
     reach: Reach<D>,
     memory: &mut [Row<D>],
 ) -> Plain<D> {
-    let sight_m = budget.curvature.link().radius_m + budget.margin.offset_m;
+    let sight_m = budget.curvature.link().radius_m + budget.errors.offset_m;
     let in_range = |offset: &Vector<D>| sight_m * sight_m - dot(offset, offset) >= 0.0;
-    let scratch = &mut vec![0.0; sightings.len()][..];
     let mut tick = Tick {
         budget,
         program: Program::new(memory, reach),
         desired_m: *desired_m,
-        h: budget.level(sightings, scratch) - f64::from(budget.required()),
+        h: level(budget, own, sightings) - f64::from(budget.need.need(own)),
         degree: count(sightings.iter().filter(|sighting| in_range(&sighting.offset_m)).count()),
         gradient: [0.0; D],
         bend: 0.0,
         wrong: 0.0,
         broken: 0,
     };
+    if !sightings.iter().all(|sighting| is_finite(&sighting.offset_m)) {
+        tick.program.push(Row::new([0.0; D], 1.0, 0.0));
+        let rows = tick.program.rows().to_vec();
+        return Plain { rows, desired_m: *desired_m, h: 0.0, broken: 0 };
+    }
     for (index, Sighting { offset_m, .. }) in sightings.iter().enumerate() {
-        if !is_finite(offset_m) {
-            tick.program.push(Row::new([0.0; D], 1.0, 0.0));
-        } else if in_range(offset_m) {
-            let known = budget.known(index, sightings, scratch);
-            tick.far(offset_m, &known);
+        if in_range(offset_m) {
+            tick.far(offset_m, &known(budget, own, index, sightings));
             tick.near(offset_m);
         }
     }
@@ -65,9 +70,9 @@ pub(crate) fn plain<const D: usize>(
 }
 
 impl<const D: usize> Tick<'_, D> {
-    fn far(&mut self, offset_m: &Vector<D>, known: &Known) {
+    fn far(&mut self, offset_m: &Vector<D>, known: &KnownMargin) {
         let (budget, distance_m) = (self.budget, length(offset_m));
-        let (curvature, move_m, error_m) = (&budget.curvature, budget.move_max_m, budget.margin.offset_m);
+        let (curvature, move_m, error_m) = (&budget.curvature, budget.move_max_m, budget.errors.offset_m);
         let link: Option<Link<f64>> = curvature.link().link(offset_m);
         let gradient = link.map_or([0.0; D], |link| link.gradient(offset_m));
         self.gradient = add_scaled(&self.gradient, 1.0, &gradient);
@@ -90,7 +95,7 @@ impl<const D: usize> Tick<'_, D> {
     }
 
     fn near(&mut self, offset_m: &Vector<D>) {
-        let (error_m, least_m) = (self.budget.margin.offset_m, self.budget.distance_min_m);
+        let (error_m, least_m) = (self.budget.errors.offset_m, self.budget.distance_min_m);
         let spare_m2 = |more_m: f64| {
             let distance_m = (length(offset_m) + more_m).max(0.0);
             (if more_m == 0.0 { dot(offset_m, offset_m) } else { distance_m * distance_m })
@@ -113,7 +118,7 @@ impl<const D: usize> Tick<'_, D> {
             self.push(&gradient, self.wrong, |gradient| Row::far_level(gradient, bend, spend));
         }
         if self.h < 0.0 {
-            let weight_error = 2.0 * self.budget.margin.offset_m * self.budget.curvature.fall_max();
+            let weight_error = 2.0 * self.budget.errors.offset_m * self.budget.curvature.fall_max();
             self.broken += usize::from(self.h + self.degree * weight_error < 0.0);
             self.raise(&gradient, (-self.h / length(&gradient)).min(self.budget.move_max_m));
         }
@@ -139,8 +144,4 @@ impl<const D: usize> Tick<'_, D> {
             }
         }
     }
-}
-
-fn count(number: usize) -> f64 {
-    u32::try_from(number).map_or(f64::MAX, f64::from)
 }

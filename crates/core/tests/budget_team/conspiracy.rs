@@ -5,7 +5,7 @@ use closeranks_core::num::{Vector, add_scaled, dot, length, subtract};
 use closeranks_core::program::balls::Program;
 use closeranks_core::program::balls::row::Row;
 
-use crate::budget_team::{Builder, DISTANCE_MIN_M, ROWS_MAX, Team};
+use crate::budget_team::{Builder, DISTANCE_MIN_M, ROWS_MAX, Team, id};
 use crate::seeded::Seeded;
 
 /// Of positions of some metres and sums of a dozen weights.
@@ -14,7 +14,7 @@ const ROUNDING: f64 = 1e-12;
 impl<const D: usize> Team<D> {
     /// The worst of some admissible moves of robot i for robot k.
     fn worst_move(&self, i: usize, k: usize, builder: Builder<'_, D>, random: &mut Seeded) -> Vector<D> {
-        let rows = builder(&self.budget, &self.sightings(i), self.reach);
+        let rows = builder(&self.budget, id(i), &self.sightings(i), self.reach);
         let far = 5.0 * self.reach.longest_m();
         let away = self.outward(i, k);
         let mut worst = ([0.0; D], f64::INFINITY);
@@ -104,7 +104,7 @@ impl<const D: usize> Team<D> {
         let desired = closest.map_or([0.0; D], |offset| offset.map(|component| -component));
         let mut memory = [Row::default(); ROWS_MAX];
         let mut program = Program::new(&mut memory, self.reach);
-        for row in builder(&self.budget, &sightings, self.reach) {
+        for row in builder(&self.budget, id(i), &sightings, self.reach) {
             program.push(row);
         }
         program.closest(&desired).displacement_m
@@ -121,7 +121,7 @@ impl<const D: usize> Team<D> {
             let after = self.at(moves, share);
             for k in self.honest() {
                 let (before, now) = (self.kept(&self.positions, k), self.kept(&after, k));
-                let floor = if before < 0.0 { before } else { self.budget.left(before, 1) };
+                let floor = if before < 0.0 { before } else { self.budget.decayed(before, 1) };
                 if now < floor - ROUNDING {
                     return Err(format!("h of {k} from {before:e} to {now:e}, allowed is {floor:e}"));
                 }

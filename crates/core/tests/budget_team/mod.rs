@@ -4,14 +4,16 @@
 
 use closeranks_core::controller::budget::curvature::Curvature;
 use closeranks_core::controller::budget::knowledge::{Assume, Claim, Sighting, Trust};
-use closeranks_core::controller::budget::margin::Margin;
+use closeranks_core::controller::budget::margin::ErrorBounds;
 use closeranks_core::controller::budget::rows::Memory;
 use closeranks_core::controller::budget::settings::{Budget, Form};
 use closeranks_core::equations::link::LinkShape;
+use closeranks_core::need::Need;
 use closeranks_core::num::{Vector, add_scaled, dot, length, subtract};
 use closeranks_core::program::InputBox;
 use closeranks_core::program::balls::reach::Reach;
 use closeranks_core::program::balls::row::Row;
+use closeranks_core::robot::neighbor::RobotId;
 
 use crate::seeded::Seeded;
 
@@ -22,18 +24,20 @@ const SPACING_M: f64 = 0.31;
 const DISTANCE_MIN_M: f64 = 0.3;
 
 /// The rows of robot i from what it senses and hears.
-pub(crate) type Builder<'a, const D: usize> = &'a dyn Fn(&Budget, &[Sighting<D>], Reach<D>) -> Vec<Row<D>>;
+pub(crate) type Builder<'a, const D: usize> =
+    &'a dyn Fn(&Budget, RobotId, &[Sighting<D>], Reach<D>) -> Vec<Row<D>>;
 
 /// The rows of the crate.
 pub(crate) fn crate_rows<const D: usize>(
     budget: &Budget,
+    own: RobotId,
     sightings: &[Sighting<D>],
     reach: Reach<D>,
 ) -> Vec<Row<D>> {
-    // every other time with memory for the weights of the neighbours alone: the answer must be the same
-    let scratch = if sightings.len().is_multiple_of(2) { 144 } else { sightings.len() };
+    // every other time with so little memory that trimmed sums compute each weight twice: the answer must be the same
+    let scratch = if sightings.len().is_multiple_of(2) { 144 } else { 3 * sightings.len() };
     let memory = Memory { rows: &mut [Row::default(); ROWS_MAX], weights: &mut vec![0.0; scratch] };
-    budget.rows(sightings, &[0.0; D], reach, memory).program.rows().to_vec()
+    budget.rows(own, sightings, &[0.0; D], reach, memory).program.rows().to_vec()
 }
 
 #[derive(Clone, Debug)]
@@ -63,17 +67,17 @@ impl<const D: usize> Team<D> {
         let reach = Reach::new(&InputBox { min_m_s: [-1.5; D], max_m_s: [1.5; D] }, period_s);
         let budget = Budget {
             curvature: Curvature::new(link),
-            robots,
+            need: Need::new(robots, faults, assume.keep()),
             faults,
             distance_min_m: DISTANCE_MIN_M,
             move_max_m: reach.longest_m(),
             gamma: [0.2, 0.2, 0.7, 1.0][random.below(4)],
-            rise: if seed % 4 == 3 { 5.0 } else { 0.0 },
+            gain_slope: if seed % 4 == 3 { 5.0 } else { 0.0 },
             gamma_c: [0.2, 1.0][random.below(2)],
             trust: [Trust::Told, Trust::ToldOrSeen, Trust::Seen][random.below(3)],
             assume,
             form,
-            margin: Margin::NONE,
+            errors: ErrorBounds::NONE,
         };
         let mut malicious = vec![false; count];
         for _ in 0..faults {
@@ -106,6 +110,10 @@ impl<const D: usize> Team<D> {
         pairs.map(|(i, j)| distance(i, j)).fold(f64::INFINITY, f64::min)
     }
 
+    pub(crate) fn need(&self) -> u16 {
+        self.budget.need.need(RobotId(1))
+    }
+
     pub(crate) fn count(&self) -> usize {
         self.positions.len()
     }
@@ -132,8 +140,7 @@ impl<const D: usize> Team<D> {
             (0..self.count()).filter(|&j| j != k).map(|j| self.weight(x, k, j)).collect();
         weights.sort_by(f64::total_cmp);
         let trimmed = if self.budget.assume == Assume::Free { usize::from(self.budget.faults) } else { 0 };
-        weights[..weights.len().saturating_sub(trimmed)].iter().sum::<f64>()
-            - f64::from(self.budget.required())
+        weights[..weights.len().saturating_sub(trimmed)].iter().sum::<f64>() - f64::from(self.need())
     }
 
     /// What the theorem keeps at 0 or more: h_k, or under `Free` the sum over normal neighbours less θ.
@@ -142,7 +149,7 @@ impl<const D: usize> Team<D> {
             Assume::Obedient => self.h(x, k),
             Assume::Free => {
                 let normal = self.honest().filter(|&j| j != k).map(|j| self.weight(x, k, j));
-                normal.sum::<f64>() - f64::from(self.budget.required())
+                normal.sum::<f64>() - f64::from(self.need())
             }
         }
     }
@@ -155,7 +162,7 @@ impl<const D: usize> Team<D> {
 
     /// Everybody tells everybody; some messages are lost; malicious robots tell each neighbour another number.
     pub(crate) fn talk(&mut self) {
-        let required = f64::from(self.budget.required());
+        let required = f64::from(self.need());
         let levels: Vec<f64> = (0..self.count()).map(|k| self.told_level(k, required)).collect();
         let mut random = Seeded(self.random);
         for i in 0..self.count() {
@@ -179,7 +186,7 @@ impl<const D: usize> Team<D> {
         if self.error_m == 0.0 {
             return self.h(&self.positions, k) + required;
         }
-        self.budget.level(&self.sightings(k), &mut [0.0; 16])
+        self.budget.level(id(k), &self.sightings(k), &mut [0.0; 16])
     }
 
     pub(crate) fn radius_m(&self) -> f64 {
@@ -193,7 +200,7 @@ impl<const D: usize> Team<D> {
     pub(crate) fn sightings(&self, i: usize) -> Vec<Sighting<D>> {
         let near = (0..self.count()).filter(|&j| self.in_range(i, j) || (self.error_m > 0.0 && i != j));
         let own = self.sensed(i, i);
-        near.map(|j| Sighting::new(subtract(&own, &self.sensed(i, j)), self.heard[i][j])).collect()
+        near.map(|j| Sighting::new(id(j), subtract(&own, &self.sensed(i, j)), self.heard[i][j])).collect()
     }
 
     /// Where i senses j in this tick: anywhere up to the error from where it is, as a rule right at the bound.
@@ -203,6 +210,11 @@ impl<const D: usize> Team<D> {
         let size = length(&any).max(1e-9) * [1.0, 1.0, 3.0][random.below(3)];
         add_scaled(&self.positions[j], self.error_m / size, &any)
     }
+}
+
+/// The number of a robot.
+pub(crate) fn id(index: usize) -> RobotId {
+    RobotId(u16::try_from(index + 1).unwrap_or(u16::MAX))
 }
 
 /// Places in a box of some 2 m, or 8 m long, no two closer than [`SPACING_M`].

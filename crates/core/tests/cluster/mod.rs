@@ -2,7 +2,7 @@
 
 #![allow(dead_code, reason = "not every file of tests needs every equation")]
 
-use closeranks_core::equations::composition::{Composed, Composition, Share, Term};
+use closeranks_core::equations::composition::{Composed, Composition, PhiSplit, Term};
 use closeranks_core::equations::link::{Link, LinkShape};
 use closeranks_core::num::scaled::Scaled;
 use closeranks_core::num::{Vector, dot, subtract};
@@ -20,7 +20,7 @@ pub(crate) struct Cluster<const D: usize> {
 
 impl<const D: usize> Cluster<D> {
     /// 3 to 12 robots, each in range of an earlier one; no pair closer than 0.35 m or within 1 mm of the rim.
-    pub(crate) fn random(seed: u64, share: Share) -> Self {
+    pub(crate) fn random(seed: u64, split: PhiSplit) -> Self {
         let mut random = Seeded(seed);
         let count = 3 + random.below(10);
         let robots = u16::try_from(count).unwrap_or(0);
@@ -28,7 +28,7 @@ impl<const D: usize> Cluster<D> {
         let q1 = 2.0 + random.between(0.1, 0.9) / f64::from(robots - 1);
         let shape = LinkShape { radius_m: 3.0, q1, q2: random.between(0.05, 0.9) };
         let composed = Composed {
-            share,
+            split,
             w_r: random.between(0.3, 2.0),
             w_c: random.between(10.0, 25.0),
             alpha: random.between(0.05, 5.0),

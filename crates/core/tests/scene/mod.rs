@@ -4,15 +4,17 @@
 
 use closeranks_core::message::Message;
 use closeranks_core::num::Vector;
-use closeranks_core::robot::Robot;
-use closeranks_core::robot::neighbor::{RobotId, Slot};
+use closeranks_core::robot::neighbor::RobotId;
 use closeranks_core::robot::report::Output;
+use closeranks_core::robot::sized::SizedRobot;
 use closeranks_core::settings::params::{Params, Settings};
 use closeranks_core::time::Instant;
 
 use crate::seeded::Seeded;
 
 pub(crate) const SLOTS: usize = 12;
+/// Robot [`ME`] with room for [`SLOTS`] neighbours, whatever errors are stated.
+pub(crate) type TestRobot<const D: usize> = SizedRobot<D, SLOTS, 20>;
 pub(crate) const ME: RobotId = RobotId(5);
 
 /// What robot [`ME`] senses and is told in one tick.
@@ -45,7 +47,7 @@ impl<const D: usize> Scene<D> {
     }
 
     /// One tick at `ms` in the documented order of calls.
-    pub(crate) fn play(&self, robot: &mut Robot<'_, D>, ms: u64) -> Output<D> {
+    pub(crate) fn play(&self, robot: &mut TestRobot<D>, ms: u64) -> Output<D> {
         robot.sense(at(ms), self.own).expect("a finite position, and time rises");
         for (id, position, _) in &self.others {
             robot.observe(*id, *position).expect("a slot for each");
@@ -72,15 +74,15 @@ pub(crate) fn message_at(stamp: Instant, sequence: u32, level: f64, value: Optio
     Message::new(sequence, stamp, level, value).expect("finite numbers")
 }
 
-pub(crate) fn lend<const D: usize, R>(play: impl FnOnce(Params<D>, &mut [Slot<D>], &mut [f64]) -> R) -> R {
+/// Calls `play` with the paper's parameters.
+pub(crate) fn lend<const D: usize, R>(play: impl FnOnce(Params<D>) -> R) -> R {
     lend_with(Settings::default(), play)
 }
 
-/// Memory for [`SLOTS`] neighbours.
-pub(crate) fn lend_with<const D: usize, R>(
-    settings: Settings<D>,
-    play: impl FnOnce(Params<D>, &mut [Slot<D>], &mut [f64]) -> R,
-) -> R {
-    let params = Params::new(settings).expect("settings in range");
-    play(params, &mut [Slot::default(); SLOTS], &mut [0.0; SLOTS])
+pub(crate) fn lend_with<const D: usize, R>(settings: Settings<D>, play: impl FnOnce(Params<D>) -> R) -> R {
+    play(Params::new(settings).expect("settings in range"))
+}
+
+pub(crate) fn new_robot<const D: usize>(params: Params<D>) -> TestRobot<D> {
+    TestRobot::new(params, ME, 1.0).expect("memory and a value")
 }

@@ -42,14 +42,14 @@ fn least_at(record: &Record, tick: usize) -> f64 {
 /// From 0 to above all that is shown, m.
 #[must_use]
 pub(crate) fn range(cases: &[Case<'_>], lines: &[Vec<f64>]) -> Range {
-    let demanded = cases.iter().map(|case| case.scenario.distance_min_m);
+    let demanded = cases.iter().map(|case| case.scenario.limits.distance_min_m);
     let all = Range::of(lines.iter().flatten().copied().chain(demanded).chain([0.0]));
     Range { min: 0.0, max: all.max + 0.06 * all.width() }
 }
 
 /// Draws the shaded region below the distance that is demanded, its limit, and the line.
 pub(crate) fn draw(svg: &mut Svg, axes: &Axes, case: &Case<'_>, line: &[f64]) {
-    let demanded_m = case.scenario.distance_min_m;
+    let demanded_m = case.scenario.limits.distance_min_m;
     let [left, top] = axes.at_cut([axes.x.min, demanded_m]);
     let place = Place { left, top, height: axes.place.bottom() - top, ..axes.place };
     svg.add(place.element().text("fill", SHADE));
@@ -86,6 +86,7 @@ pub(crate) fn limit_style(line: Element) -> Element {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use closeranks_sim::scenario::Limits;
     use closeranks_sim::scenario::Scenario;
     use closeranks_sim::world::{Options, run};
 
@@ -95,11 +96,14 @@ mod tests {
             let scenario = Scenario {
                 duration_s: 0.5,
                 dimension,
-                input_min_m_s: vec![-1.5; dimension],
-                input_max_m_s: vec![1.5; dimension],
                 start: closeranks_sim::scenario::start::Start::Random {
                     half_side_m: 0.9,
                     distance_min_m: 0.4,
+                },
+                limits: Limits {
+                    input_min_m_s: vec![-1.5; dimension],
+                    input_max_m_s: vec![1.5; dimension],
+                    ..Limits::default()
                 },
                 ..Scenario::default()
             };

@@ -4,7 +4,7 @@ use closeranks_graph::verdict::Interval;
 use closeranks_sim::law::Law;
 use closeranks_sim::monitors::robustness::{Round, weakest};
 use closeranks_sim::output::summary::Summary;
-use closeranks_sim::scenario::{Controller, Scenario};
+use closeranks_sim::scenario::Scenario;
 
 use super::content::Table;
 pub use super::text_table::text;
@@ -63,7 +63,7 @@ const PHI: [usize; 2] = [10, 11];
 /// True if the controller of `scenario` uses φ and φ_i.
 #[must_use]
 pub fn uses_phi(scenario: &Scenario) -> bool {
-    scenario.controller == Controller::Composed
+    scenario.controller.row().uses_phi
 }
 
 fn row(line: &Line<'_>) -> Vec<String> {

@@ -187,7 +187,7 @@ impl Tally {
 /// True if sweeps hold the controller `name` to the law.
 #[must_use]
 pub fn promises(name: &str, law: &str) -> bool {
-    let laws = Controller::named(name).map_or(&[][..], Controller::promises);
+    let laws = Controller::named(name).map_or(&[][..], |controller| controller.row().promises);
     laws.iter().any(|promised| promised.name() == law)
 }
 

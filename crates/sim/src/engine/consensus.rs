@@ -21,7 +21,7 @@ impl Consensus {
     /// For the robots of `scenario` with initial `values`.
     pub(crate) fn new(scenario: &Scenario, values: &[f64]) -> Self {
         Self {
-            faults: scenario.faults,
+            faults: scenario.team.faults,
             ticks_per_round: scenario.ticks_per_round(),
             malicious: scenario.malicious_mask(),
             next_values: values.to_vec(),

@@ -3,84 +3,86 @@
 //! This is the whole path that a robot in the world takes; [`crate::engine::team`] gives the same bits faster where the world is
 //! perfect.
 
-use closeranks_core::controller::budget::knowledge::Assume;
+use closeranks_core::equations::composition::Composed;
 use closeranks_core::message::Message;
-use closeranks_core::num::Vector;
+use closeranks_core::num::dot;
 use closeranks_core::program::Outcome;
 use closeranks_core::robot::Robot;
 use closeranks_core::robot::error::RobotError;
-use closeranks_core::robot::neighbor::RobotId;
+use closeranks_core::robot::neighbor::{RobotId, Slot};
 use closeranks_core::robot::report::Mode;
 use closeranks_core::settings::params::Params;
 
-use crate::attack::MotionAttack;
 use crate::attack::liars::Liars;
-use crate::engine::memory::{Lent, Memory};
-use crate::faults::clocks::Shown;
-use crate::faults::network::{Parcel, Wire};
-use crate::faults::plant::Bodies;
-use crate::faults::sensing::Senses;
+use crate::engine::memory::Memory;
+use crate::faults::edges::Edges;
+use crate::faults::network::{FaultyNetwork, LATE_MAX};
+use crate::faults::outages::Downtime;
 use crate::frame::Frame;
-use crate::scenario::start::squared_distance;
-use crate::scenario::{Controller, Scenario};
+use crate::geometry::squared_distance;
+use crate::scenario::Scenario;
+use crate::transport::memory::InMemory;
+use crate::transport::{Parcel, Transport};
 
 /// All robots of a run, with whatever goes wrong around them.
 #[derive(Debug)]
-pub struct Fleet<'memory, const D: usize> {
-    robots: Vec<Robot<'memory, D>>,
+pub struct Fleet<const D: usize, T = FaultyNetwork<InMemory>> {
+    robots: Vec<Robot<D, Vec<Slot<D>>>>,
+    memory: Memory<D>,
+    composed: Composed,
     params: Params<D>,
     /// Their initial values.
     values: Vec<f64>,
     malicious: Vec<bool>,
-    /// Runs without a controller: the desired velocity is only cut to the box.
-    unfiltered: bool,
-    disobeyed: bool,
     outbox: Vec<Option<Message>>,
-    wire: Wire,
-    clocks: Shown,
-    senses: Senses<D>,
-    bodies: Bodies<D>,
+    transport: T,
+    edges: Edges<D>,
     ticks_per_round: u32,
     tick: u32,
     tick_s: f64,
 }
 
-impl<'memory, const D: usize> Fleet<'memory, D> {
-    /// The robots of `scenario` at `positions_m` with initial `values`, in memory made for as many.
-    pub fn new(
+impl<const D: usize> Fleet<D> {
+    /// The robots of `scenario` with initial `values`, over the network of `scenario`.
+    pub fn new(scenario: &Scenario, params: Params<D>, values: &[f64]) -> Result<Self, RobotError> {
+        let (network, seed, robots) = (scenario.faults.network, scenario.seed, scenario.team.robots);
+        // Every robot may send twice to every other one in a tick, and everything that is late may arrive in one.
+        let capacity = 2 * values.len() * values.len() + LATE_MAX;
+        let perfect = InMemory::new(capacity);
+        let transport = FaultyNetwork::new(perfect, network, seed, robots, scenario.tick_s());
+        Self::over(transport, scenario, params, values)
+    }
+}
+
+impl<const D: usize, T: Transport> Fleet<D, T> {
+    /// The robots of `scenario` with initial `values`, over `transport`.
+    pub fn over(
+        transport: T,
         scenario: &Scenario,
         params: Params<D>,
-        positions_m: &[Vector<D>],
         values: &[f64],
-        memory: &'memory mut Memory<D>,
     ) -> Result<Self, RobotError> {
-        let robots = (1..).zip(values).zip(memory.lend());
-        let robots = robots.map(|((id, value), Lent { slots, values, sightings, rows })| {
-            let robot = Robot::new(params, RobotId(id), *value, slots, values)?;
-            Ok(robot.with_budget_memory(sightings, rows))
-        });
-        let obedient = params.settings().assume == Assume::Obedient;
+        let others = values.len().saturating_sub(1);
+        let robots = (0..)
+            .zip(values)
+            .map(|(index, value)| Robot::new(params, id(index), *value, vec![Slot::default(); others]));
         Ok(Self {
             robots: robots.collect::<Result<_, _>>()?,
+            memory: Memory::new(&params, others),
+            composed: scenario.composition(),
             params,
             values: values.to_vec(),
             malicious: scenario.malicious_mask(),
-            unfiltered: scenario.controller == Controller::None,
-            disobeyed: obedient
-                && scenario.motion_attack != MotionAttack::Obedient
-                && !scenario.malicious.is_empty(),
             outbox: vec![None; values.len()],
-            wire: Wire::new(scenario),
-            clocks: Shown::new(scenario),
-            senses: Senses::new(scenario),
-            bodies: Bodies::new(scenario, positions_m),
+            transport,
+            edges: Edges::new(scenario),
             ticks_per_round: scenario.ticks_per_round(),
             tick: 0,
-            tick_s: params.settings().level_period.as_secs_f64(),
+            tick_s: params.settings().clock.level_period.as_secs_f64(),
         })
     }
 
-    /// One tick: fills everything in `frame` but positions and desired velocities.
+    /// One tick: fills everything in `frame` but positions, desired velocities, references and assumptions.
     pub fn step(&mut self, frame: &mut Frame<D>, liars: &mut Liars) {
         self.begin_tick(frame, liars);
         self.sense(frame);
@@ -88,13 +90,19 @@ impl<'memory, const D: usize> Fleet<'memory, D> {
         self.send(liars);
         self.deliver();
         self.control(frame, liars);
-        self.judge(frame);
         self.tick = self.tick.saturating_add(1);
     }
 
-    /// Moves everybody to the next tick.
-    pub fn integrate(&mut self, frame: &mut Frame<D>) {
-        self.bodies.integrate(&mut frame.positions_m, &frame.velocities_m_s);
+    /// What stands between the robots and the world in this tick.
+    #[must_use]
+    pub fn edges(&self) -> &Edges<D> {
+        &self.edges
+    }
+
+    /// The robot `index`, unless it is down in this tick.
+    #[must_use]
+    pub fn running(&self, index: usize) -> Option<&Robot<D, Vec<Slot<D>>>> {
+        self.robots.get(index).filter(|_| !self.edges.downtime.down(index))
     }
 
     fn time_s(&self) -> f64 {
@@ -103,18 +111,14 @@ impl<'memory, const D: usize> Fleet<'memory, D> {
 
     fn begin_tick(&mut self, frame: &mut Frame<D>, liars: &mut Liars) {
         let time_s = self.time_s();
-        frame.unsteady = false;
         if self.tick.is_multiple_of(self.ticks_per_round) {
             frame.heard.fill([0; 2]);
         }
-        self.bodies.begin_tick(time_s);
-        self.senses.begin_tick(time_s, &frame.positions_m);
-        self.wire.begin_tick();
+        self.edges.begin_tick(time_s, &frame.positions_m);
+        self.transport.begin_tick(self.tick);
         liars.begin_tick(self.tick);
         for (index, robot) in self.robots.iter_mut().enumerate() {
-            let reborn = self.bodies.reborn(index);
-            frame.unsteady |= !self.malicious[index] && (reborn || self.bodies.down(index));
-            if reborn {
+            if self.edges.downtime.reborn(index) {
                 // The value was good once.
                 let _ = robot.restart(self.values[index]);
             }
@@ -122,18 +126,18 @@ impl<'memory, const D: usize> Fleet<'memory, D> {
     }
 
     fn sense(&mut self, frame: &Frame<D>) {
-        let sight_m2 = self.params.settings().radius_m * self.params.settings().radius_m;
+        let sight_m2 = self.params.link().radius_m * self.params.link().radius_m;
+        let Edges { clocks, senses, downtime } = &mut self.edges;
         for (observer, robot) in self.robots.iter_mut().enumerate() {
-            if self.bodies.down(observer) {
+            if downtime.down(observer) {
                 continue;
             }
             let own = &frame.positions_m[observer];
             // Sensed positions are finite and clocks rise, so nothing here is refused.
-            let _ =
-                robot.sense(self.clocks.now(observer, self.tick), self.senses.sense(observer, observer, own));
+            let _ = robot.sense(clocks.now(observer, self.tick), senses.sense(observer, observer, own));
             for (index, position) in frame.positions_m.iter().enumerate() {
                 if index != observer && squared_distance(own, position) <= sight_m2 {
-                    let _ = robot.observe(id(index), self.senses.sense(observer, index, position));
+                    let _ = robot.observe(id(index), senses.sense(observer, index, position));
                 }
             }
         }
@@ -141,8 +145,9 @@ impl<'memory, const D: usize> Fleet<'memory, D> {
 
     /// Every robot shares; by Assumption 1 liars hold the level that they tell.
     fn share(&mut self, liars: &mut Liars) {
+        let mut scratch = self.memory.lend();
         for (index, (robot, slot)) in self.robots.iter_mut().zip(&mut self.outbox).enumerate() {
-            *slot = if self.bodies.down(index) { None } else { robot.share() };
+            *slot = if self.edges.downtime.down(index) { None } else { robot.share(&mut scratch) };
         }
         if self.outbox.iter().flatten().any(|message| message.value().is_some()) {
             liars.begin_round(self.robots.iter().map(Robot::value));
@@ -165,15 +170,16 @@ impl<'memory, const D: usize> Fleet<'memory, D> {
                     continue;
                 }
                 if let Some(bytes) = liars.bytes(sender, message, robot.value()) {
-                    self.wire.send(self.tick, Parcel { sender, receiver, bytes });
+                    // A message for which there is no room is lost.
+                    let _ = self.transport.send(Parcel { sender, receiver, bytes });
                 }
             }
         }
     }
 
     fn deliver(&mut self) {
-        for Parcel { sender, receiver, bytes } in self.wire.arrivals(self.tick) {
-            if self.bodies.down(receiver) {
+        while let Some(Parcel { sender, receiver, bytes }) = self.transport.poll() {
+            if self.edges.downtime.down(receiver) {
                 continue;
             }
             if let Ok(message) = Message::parse(&bytes) {
@@ -184,27 +190,27 @@ impl<'memory, const D: usize> Fleet<'memory, D> {
     }
 
     fn control(&mut self, frame: &mut Frame<D>, liars: &mut Liars) {
-        let input = self.params.settings().input;
+        let input = self.params.settings().limits.input;
+        let mut scratch = self.memory.lend();
         let mut ends: u32 = 0;
         for (index, robot) in self.robots.iter_mut().enumerate() {
-            if self.bodies.down(index) {
-                stand(index, frame, &self.bodies);
+            if self.edges.downtime.down(index) {
+                stand(index, frame, &self.edges.downtime);
                 continue;
             }
-            let output = robot.tick(frame.desired_m_s[index]);
+            let output = robot.tick(frame.asked_m_s[index], &mut scratch);
             frame.velocities_m_s[index] = match liars.velocity(index, &frame.positions_m, &input) {
                 Some(velocity) => velocity,
-                None if self.unfiltered => input.clip(&frame.desired_m_s[index]),
                 None => output.velocity_m_s,
             };
             frame.degrees[index] = output.report.degree;
             frame.levels[index] =
                 robot.neighbors().iter().fold(0.0, |level, slot| level + slot.link().weight);
-            frame.spares[index] = output.report.h;
+            frame.h[index] = output.report.h;
             frame.told[index] = robot.told_level();
             frame.phis[index] = match output.report.phi {
                 Some(phi) => phi,
-                None if frame.wants_phi => robot.phi(),
+                None if frame.wants_phi => phi(robot, &self.composed),
                 None => f64::NAN,
             };
             frame.outcomes[index] = output.report.outcome;
@@ -217,55 +223,11 @@ impl<'memory, const D: usize> Fleet<'memory, D> {
         }
         frame.links = ends / 2;
     }
-
-    /// Which assumptions of the theorem hold in this tick, as only the world can know.
-    fn judge(&mut self, frame: &mut Frame<D>) {
-        self.refer(frame);
-        let settings = self.params.settings();
-        let error_m = settings.position_error_m + STILL_M;
-        for (index, wrong) in frame.sensed_wrong.iter_mut().enumerate() {
-            *wrong = self.senses.error_m(index) > error_m;
-        }
-        frame.broken = self.disobeyed
-            || self.bodies.blind()
-            || self.clocks.difference_s(self.tick) > settings.clock_error.as_secs_f64() + 1e-9
-            || self.away(frame)
-            || frame.sensed_wrong.contains(&true)
-            || frame.renewed;
-    }
-
-    /// Takes over where robots count themselves, which is what the theorem is about; whoever is down stays where it was.
-    fn refer(&mut self, frame: &mut Frame<D>) {
-        frame.renewed = false;
-        if self.params.budget().margin.away_m == 0.0 {
-            return frame.references_m.clone_from_slice(&frame.positions_m);
-        }
-        for (index, robot) in self.robots.iter().enumerate() {
-            let reference = robot.reference().filter(|_| !self.bodies.down(index));
-            frame.renewed |= reference.is_none() || robot.began_anew();
-            frame.references_m[index] = reference.unwrap_or(self.bodies.references_m()[index]);
-        }
-    }
-
-    /// True if some robot is farther from its reference than is stated.
-    fn away(&self, frame: &Frame<D>) -> bool {
-        let most_m = self.params.budget().margin.away_m;
-        if most_m == 0.0 {
-            return self.bodies.away_m(&frame.positions_m) > STILL_M;
-        }
-        let away = frame.references_m.iter().zip(&frame.positions_m);
-        away.map(|(x, y)| squared_distance(x, y)).any(|away_m2| away_m2 > most_m * most_m * (1.0 + ROUNDING))
-    }
 }
 
-/// Rounding of a position, m.
-const STILL_M: f64 = 1e-13;
-/// Of positions and errors.
-const ROUNDING: f64 = 1e-9;
-
 /// What is known of a robot that is down: how it moves. It has no φ_i and solves no program; the rest stays as it was.
-fn stand<const D: usize>(index: usize, frame: &mut Frame<D>, bodies: &Bodies<D>) {
-    frame.velocities_m_s[index] = bodies.without_command(index, frame.velocities_m_s[index]);
+fn stand<const D: usize>(index: usize, frame: &mut Frame<D>, downtime: &Downtime) {
+    frame.velocities_m_s[index] = downtime.without_command(index, frame.velocities_m_s[index]);
     frame.modes[index] = Mode::Stopped;
     frame.outcomes[index] = Outcome::Free;
     frame.phis[index] = f64::NAN;
@@ -275,8 +237,15 @@ fn id(index: usize) -> RobotId {
     RobotId(u16::try_from(index + 1).unwrap_or(u16::MAX))
 }
 
+/// φ_i of a robot whose controller does not use it, from what it senses and was told.
+fn phi<const D: usize>(robot: &Robot<D, Vec<Slot<D>>>, composed: &Composed) -> f64 {
+    let slots = || robot.neighbors().iter();
+    let distances_m2 = slots().map(|slot| dot(&slot.offset_m(), &slot.offset_m()));
+    composed.phi(robot.told_level(), slots().filter_map(Slot::told_level), distances_m2)
+}
+
 /// How many values a robot used in its round, and how many of them were those of normal robots.
-fn heard<const D: usize>(robot: &Robot<'_, D>, malicious: &[bool]) -> [u16; 2] {
+fn heard<const D: usize>(robot: &Robot<D, Vec<Slot<D>>>, malicious: &[bool]) -> [u16; 2] {
     let spoke = || robot.neighbors().iter().filter(|slot| slot.told_value().is_some());
     let normal = spoke().filter(|slot| !malicious[usize::from(slot.id().0) - 1]).count();
     [spoke().count(), normal].map(|count| u16::try_from(count).unwrap_or(u16::MAX))

@@ -1,57 +1,37 @@
-//! Memory that a fleet lends to its robots.
+//! Scratch for a whole team: one piece, because robots take turns.
 
 use closeranks_core::controller::budget::knowledge::Sighting;
 use closeranks_core::program::balls::row::Row;
-use closeranks_core::robot::neighbor::Slot;
+use closeranks_core::robot::scratch::{Needs, Scratch};
+use closeranks_core::settings::params::Params;
 
-/// For all robots of a run.
+/// Scratch for robots that may all be neighbours of each other.
 #[derive(Clone, Debug)]
 pub struct Memory<const D: usize> {
-    slots: Vec<Slot<D>>,
+    params: Params<D>,
+    robots: usize,
     values: Vec<f64>,
     sightings: Vec<Sighting<D>>,
     rows: Vec<Row<D>>,
-    robots: usize,
-    rows_each: usize,
-}
-
-/// What one robot is lent.
-pub(crate) struct Lent<'memory, const D: usize> {
-    pub(crate) slots: &'memory mut [Slot<D>],
-    pub(crate) values: &'memory mut [f64],
-    pub(crate) sightings: &'memory mut [Sighting<D>],
-    pub(crate) rows: &'memory mut [Row<D>],
 }
 
 impl<const D: usize> Memory<D> {
-    /// For `robots` robots that may all be neighbours of each other, whose rows have a margin or none.
+    /// For a team of `robots` with these `params`.
     #[must_use]
-    pub fn new(robots: usize, margin: bool) -> Self {
-        let corners = if margin { 1 << D } else { 1 };
-        let rows_each = 2 * D + corners * (2 * robots + 1);
-        let nobody = Sighting::new([0.0; D], None);
+    pub fn new(params: &Params<D>, robots: usize) -> Self {
+        let needs = Needs::new(params, robots);
         Self {
-            slots: vec![Slot::default(); robots * robots],
-            values: vec![0.0; robots * values_each(robots)],
-            sightings: vec![nobody; robots * robots],
-            rows: vec![Row::default(); robots * rows_each],
+            params: *params,
             robots,
-            rows_each,
+            values: vec![0.0; needs.values],
+            sightings: vec![Sighting::NOBODY; needs.sightings],
+            rows: vec![Row::default(); needs.rows],
         }
     }
 
-    /// The share of each robot.
-    pub(crate) fn lend(&mut self) -> impl Iterator<Item = Lent<'_, D>> {
-        let robots = self.robots.max(1);
-        let values = self.values.chunks_mut(values_each(robots));
-        let slots = self.slots.chunks_mut(robots).zip(values);
-        let rows = self.rows.chunks_mut(self.rows_each.max(1));
-        let more = self.sightings.chunks_mut(robots).zip(rows);
-        slots.zip(more).map(|((slots, values), (sightings, rows))| Lent { slots, values, sightings, rows })
+    /// The scratch to hand to a call.
+    pub fn lend(&mut self) -> Scratch<'_, D> {
+        Scratch::new(&self.params, self.robots, &mut self.values, &mut self.sightings, &mut self.rows)
+            .expect("made for these params")
     }
-}
-
-/// Enough for `budget` to compute each pair once; with free liars that takes a table, which large teams do without.
-fn values_each(robots: usize) -> usize {
-    if robots <= 64 { robots * robots.max(3) } else { 3 * robots }
 }

@@ -1,8 +1,62 @@
 //! What computes the robots of a tick: one by one, or all at once with the same bits.
 
-pub mod allies;
 mod consensus;
 pub mod fleet;
+pub(crate) mod judge;
+mod links;
 pub mod memory;
+mod near;
+pub(crate) mod robots;
+mod sees;
 pub mod team;
-mod ties;
+
+use closeranks_core::controller::AnyController;
+use closeranks_core::robot::error::RobotError;
+use closeranks_core::settings::params::Params;
+
+use crate::engine::fleet::Fleet;
+use crate::engine::robots::Robots;
+use crate::engine::team::Team;
+use crate::frame::Frame;
+use crate::scenario::Scenario;
+
+/// How robots are computed; both give the same bits.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Engine {
+    /// All at once ([`team`]). A world in which something goes wrong, `budget` with free liars or stated errors, and robots
+    /// far from the origin run one by one all the same.
+    #[default]
+    Team,
+    /// One by one, with every message as bytes ([`fleet`]).
+    Robots,
+}
+
+/// What computes the robots of a run: all at once where the world is perfect and the controller can, else one by one.
+pub(crate) fn robots<const D: usize>(
+    scenario: &Scenario,
+    params: Params<D>,
+    frame: &Frame<D>,
+    values: &[f64],
+    engine: Engine,
+) -> Result<Box<dyn Robots<D>>, RobotError> {
+    let controller = *params.controller();
+    let steady = !controller.promises() || is_near(scenario, &params, frame);
+    let at_once = scenario.is_plain() && controller.can_be_computed_at_once() && steady;
+    if engine == Engine::Robots || !at_once {
+        return Ok(Box::new(Fleet::new(scenario, params, values)?));
+    }
+    Ok(match controller {
+        AnyController::Composed(composed) => Box::new(Team::new(scenario, params, composed, values)),
+        AnyController::Budget(budget) => Box::new(Team::new(scenario, params, budget, values)),
+        AnyController::None(none) => Box::new(Team::new(scenario, params, none, values)),
+    })
+}
+
+/// Positions are rounded to far less than what a robot takes for a jump as long as they are nearer to 0 than this, m.
+const NEAR_M: f64 = 1e5;
+
+/// True if rounding never looks like a jump to a robot that watches where its moves take it.
+fn is_near<const D: usize>(scenario: &Scenario, params: &Params<D>, frame: &Frame<D>) -> bool {
+    let way_m = f64::from(scenario.ticks()) * params.reach().longest_m();
+    frame.positions_m.iter().flatten().all(|x| x.abs() + way_m < NEAR_M)
+}

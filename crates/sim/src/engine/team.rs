@@ -1,226 +1,301 @@
 //! All robots of a tick at once: the same numbers as [`crate::engine::fleet`], bit for bit, at a fraction of the time.
 //!
-//! In a perfect network every neighbour hears the same level, so weight, slope and both exponentials belong to a pair
-//! and are computed once for both ends. Sums are taken in order of robot numbers, as a robot takes them.
+//! In a perfect network nobody hears what another does not. So weights and whatever else belongs to a pair are computed once for
+//! both ends. Sums are taken in order of robot numbers, as a robot takes them, and every robot decides by the same
+//! function of its controller.
 
+use closeranks_core::controller::{Control, Decision, Glimpse, Motion, Neighbor, Own, Standing};
 use closeranks_core::equations::barrier::degree_barrier;
-use closeranks_core::equations::composition::{Composition, Sum, TERM_LARGE, Term};
-use closeranks_core::equations::link::Link;
-use closeranks_core::num::scaled::Scaled;
-use closeranks_core::num::{Vector, dot, subtract};
-use closeranks_core::program::box_row::closest;
+use closeranks_core::equations::composition::{Composed, Sum};
+use closeranks_core::num::{dot, sqrt, subtract};
+use closeranks_core::robot::neighbor::RobotId;
+use closeranks_core::robot::scratch::Scratch;
 use closeranks_core::settings::params::Params;
 
 use crate::attack::liars::Liars;
 use crate::engine::consensus::Consensus;
+use crate::engine::links::{Linked, Links};
+use crate::engine::memory::Memory;
+use crate::engine::near::small;
+use crate::engine::sees::{Around, Half, Sees};
 use crate::frame::Frame;
-use crate::scenario::{Controller, Scenario};
+use crate::geometry::squared_distance;
+use crate::scenario::Scenario;
 
-/// A pair within R whose slope and collision term are not both 0: in large teams a small part of all.
-#[derive(Clone, Copy, Debug)]
-struct Pair<const D: usize> {
-    ends: [u16; 2],
-    /// x of the first minus x of the second end.
-    offset_m: Vector<D>,
-    slope: f64,
-    collision: f64,
-}
-
-/// Scratch and state of a team in a perfect network.
+/// A team in a perfect network.
 #[derive(Clone, Debug)]
-pub struct Team<const D: usize> {
-    params: Params<D>,
-    controller: Controller,
-    tick: u32,
-    /// Linked robots of higher numbers, robot after robot, and where each robot's end.
-    links: Vec<u16>,
-    last_link: Vec<usize>,
-    pairs: Vec<Pair<D>>,
-    terms: Vec<f64>,
-    sums: Vec<Sum<D, f64>>,
+pub struct Team<const D: usize, C: Control<D>> {
+    robots: Robots<D, C>,
     consensus: Consensus,
-    linked: Linked,
+    phi: Phi,
+    memory: Memory<D>,
+    tick: u32,
 }
 
-/// Who is linked to whom, a bit a pair.
+/// What its robots sense, hear and know in a tick.
 #[derive(Clone, Debug)]
-struct Linked {
-    robots: usize,
-    bits: Vec<u64>,
+struct Robots<const D: usize, C: Control<D>> {
+    params: Params<D>,
+    controller: C,
+    links: Links<C::Pair>,
+    sees: Sees,
+    around: Around,
+    /// What others make of what each told, and what each adds up.
+    told: Vec<C::Told>,
+    sums: Vec<C::Sums>,
+    /// What those who see everybody know of each.
+    known: Vec<C::Known>,
 }
 
-impl Linked {
-    fn new(robots: usize) -> Self {
-        Self { robots, bits: vec![0; (robots * robots).div_ceil(64)] }
+/// φ_i of controllers that do not use it.
+#[derive(Clone, Debug)]
+struct Phi {
+    composed: Composed,
+    terms: Vec<f64>,
+    sums: Vec<Sum<0, f64>>,
+    radius_m2: f64,
+}
+
+impl<const D: usize, C: Control<D> + Copy> Team<D, C> {
+    /// The team of `scenario` under `controller`, that of `params`, with initial `values`.
+    #[must_use]
+    pub fn new(scenario: &Scenario, params: Params<D>, controller: C, values: &[f64]) -> Self {
+        let count = values.len();
+        let robots = Robots {
+            params,
+            controller,
+            links: Links::new(),
+            sees: Sees::new(count),
+            around: Around::default(),
+            told: Vec::with_capacity(count),
+            sums: Vec::with_capacity(count),
+            known: Vec::with_capacity(count),
+        };
+        Self {
+            robots,
+            consensus: Consensus::new(scenario, values),
+            phi: Phi::new(scenario),
+            memory: Memory::new(&params, count),
+            tick: 0,
+        }
     }
 
-    fn fill(&mut self, links: &[u16], last_link: &[usize]) {
-        self.bits.fill(0);
-        for (first, others) in links_by_robot(links, last_link) {
-            for second in others.iter().map(|other| usize::from(*other)) {
-                for bit in [first * self.robots + second, second * self.robots + first] {
-                    self.bits[bit / 64] |= 1 << (bit % 64);
+    /// τ₁, s.
+    /// One tick: fills everything in `frame` but positions and desired velocities.
+    pub fn step(&mut self, frame: &mut Frame<D>, liars: &mut Liars) {
+        let (robots, round) = (&mut self.robots, self.consensus.is_due(self.tick));
+        robots.links.find(&robots.params, &robots.controller, frame);
+        if C::LOOKS || round {
+            robots.sees.fill(robots.links.by_second());
+        }
+        liars.begin_tick(self.tick);
+        robots.tell(frame, liars);
+        if round {
+            self.consensus.hold(frame, liars, |robot, other| robots.sees.linked(robot, other));
+        }
+        robots.add(frame);
+        robots.control(frame, &mut self.memory.lend());
+        if frame.wants_phi && !C::USES_PHI {
+            self.phi.fill(robots.links.by_second(), frame);
+        }
+        self.tick = self.tick.saturating_add(1);
+    }
+}
+
+impl<const D: usize, C: Control<D> + Copy> Robots<D, C> {
+    /// Levels, as they are and as they are told, and what others make of them.
+    fn tell(&mut self, frame: &mut Frame<D>, liars: &mut Liars) {
+        self.told.clear();
+        for (index, level) in frame.levels.iter().enumerate() {
+            frame.h[index] = degree_barrier(*level, self.params.need().need(id(index)));
+            frame.told[index] = liars.level(index, *level);
+            self.told.push(self.controller.told(id(index), Some(frame.told[index])));
+        }
+        self.known.clear();
+        if C::LOOKS {
+            let glimpses = (0..frame.told.len()).map(|other| glimpse(frame, &self.told, other));
+            self.known.extend(glimpses.map(|glimpse| self.controller.know(&glimpse)));
+        }
+    }
+
+    /// What each adds up over its neighbours.
+    fn add(&mut self, frame: &Frame<D>) {
+        let (controller, told) = (&self.controller, &self.told);
+        self.sums.clear();
+        self.sums.extend(told.iter().map(|own| controller.sums(own)));
+        if !C::ADDS {
+            return;
+        }
+        for (second, firsts) in self.links.by_second() {
+            let mut own = self.sums[second];
+            for first in firsts.iter().map(|first| usize::from(*first)) {
+                controller.hear(&mut own, &told[first]);
+                controller.hear(&mut self.sums[first], &told[second]);
+            }
+            self.sums[second] = own;
+        }
+        for Linked { ends, pair } in self.links.pairs() {
+            let [first, second] = ends.map(usize::from);
+            let offset_m = subtract(&frame.positions_m[first], &frame.positions_m[second]);
+            let (before, from_second) = self.sums.split_at_mut(second);
+            let sums = [&mut before[first], &mut from_second[0]];
+            controller.add_both(sums, &offset_m, pair, [&told[first], &told[second]]);
+        }
+    }
+
+    fn control(&mut self, frame: &mut Frame<D>, scratch: &mut Scratch<'_, D>) {
+        if C::LOOKS {
+            self.around.fill(frame.positions_m.len(), self.links.pairs());
+        }
+        for robot in 0..frame.positions_m.len() {
+            let decision = if C::LOOKS {
+                let neighbors = self.around.of(robot).iter().map(|half| self.neighbor(robot, half, frame));
+                self.decide(robot, neighbors, frame, scratch)
+            } else {
+                let others = (0..frame.positions_m.len()).filter(|other| *other != robot);
+                let neighbors = others.filter_map(|other| self.distant(robot, other, frame));
+                self.decide(robot, neighbors, frame, scratch)
+            };
+            self.take(robot, &decision, frame);
+        }
+    }
+
+    #[inline]
+    fn decide(
+        &self,
+        robot: usize,
+        neighbors: impl Iterator<Item = Neighbor<D, C::Pair, C::Known>> + Clone,
+        frame: &Frame<D>,
+        scratch: &mut Scratch<'_, D>,
+    ) -> Decision<D> {
+        let (level, told_level) = (frame.levels[robot], frame.told[robot]);
+        let own = Own { id: id(robot), level, told_level, degree: frame.degrees[robot] };
+        let (desired_m_s, before_m_s) = (frame.asked_m_s[robot], frame.velocities_m_s[robot]);
+        let motion = Motion { desired_m_s, before_m_s };
+        self.controller.decide(&own, &self.sums[robot], neighbors, &motion, scratch)
+    }
+
+    fn take(&self, robot: usize, decision: &Decision<D>, frame: &mut Frame<D>) {
+        let (degree, h, need) = (frame.degrees[robot], frame.h[robot], self.params.need().need(id(robot)));
+        let (outcome, phi, reason) = (decision.outcome, decision.phi, decision.doubt);
+        frame.velocities_m_s[robot] = decision.velocity_m_s;
+        frame.outcomes[robot] = outcome;
+        frame.modes[robot] =
+            self.controller.mode(&Standing { degree, need, h, phi, outcome, untold: 0, reason });
+        if let Some(phi) = phi {
+            frame.phis[robot] = phi;
+        }
+    }
+
+    /// A neighbour as `robot` knows it.
+    #[inline]
+    fn neighbor(&self, robot: usize, half: &Half, frame: &Frame<D>) -> Neighbor<D, C::Pair, C::Known> {
+        let other = usize::from(half.other);
+        let offset_m = subtract(&frame.positions_m[robot], &frame.positions_m[other]);
+        let linked = &self.links.pairs()[half.pair as usize];
+        let unseen = frame.positions_m.len() - 1 - usize::from(frame.degrees[robot]);
+        let known = if unseen == 0 {
+            self.known[other]
+        } else {
+            self.controller.know(&Glimpse {
+                unseen,
+                unseen_near: self.sees.unseen_near(robot, other),
+                distance_m: sqrt(dot(&offset_m, &offset_m)),
+                low: &|| self.seen_level(robot, other),
+                ..glimpse(frame, &self.told, other)
+            })
+        };
+        Neighbor { id: id(other), offset_m, pair: Some(linked.pair), known }
+    }
+
+    /// Sum of the weights of `other` with `robot` and with whomever it sees, in order of numbers.
+    fn seen_level(&self, robot: usize, other: usize) -> f64 {
+        let seen =
+            |of: &&Half| usize::from(of.other) == robot || self.sees.linked(robot, usize::from(of.other));
+        let halves = self.around.of(other).iter().filter(seen);
+        halves.fold(0.0, |sum, half| sum + self.links.weights()[half.pair as usize])
+    }
+
+    /// A neighbour of a controller that needs neighbours one by one only in rare cases.
+    fn distant(
+        &self,
+        robot: usize,
+        other: usize,
+        frame: &Frame<D>,
+    ) -> Option<Neighbor<D, C::Pair, C::Known>> {
+        let offset_m = subtract(&frame.positions_m[robot], &frame.positions_m[other]);
+        let radius_m = self.params.link().radius_m;
+        let in_range = radius_m * radius_m - dot(&offset_m, &offset_m) >= 0.0;
+        let known = self.controller.know(&glimpse(frame, &self.told, other));
+        in_range.then_some(Neighbor { id: id(other), offset_m, pair: None, known })
+    }
+}
+
+/// What whoever sees everybody sees of `other`.
+fn glimpse<'a, const D: usize, Told>(frame: &Frame<D>, told: &'a [Told], other: usize) -> Glimpse<'a, Told> {
+    Glimpse {
+        id: id(other),
+        told_level: frame.told[other],
+        told: &told[other],
+        level: frame.levels[other],
+        degree: frame.degrees[other],
+        unseen: 0,
+        unseen_near: 0,
+        distance_m: 0.0,
+        low: &|| 0.0,
+    }
+}
+
+impl Phi {
+    fn new(scenario: &Scenario) -> Self {
+        let radius_m2 = scenario.link.radius_m * scenario.link.radius_m;
+        Self { composed: scenario.composition(), terms: Vec::new(), sums: Vec::new(), radius_m2 }
+    }
+
+    /// φ_i of every robot, from what all told and all distances.
+    fn fill<'a, const D: usize>(
+        &mut self,
+        links: impl Iterator<Item = (usize, &'a [u16])>,
+        frame: &mut Frame<D>,
+    ) {
+        let composed = self.composed;
+        self.terms.clear();
+        self.terms.extend(frame.told.iter().map(|told| composed.degree_term::<f64>(*told)));
+        self.sums.clear();
+        self.sums.extend(self.terms.iter().map(|term| Sum::new(*term)));
+        for (second, firsts) in links {
+            for first in firsts.iter().map(|first| usize::from(*first)) {
+                let distance_m2 = squared_distance(&frame.positions_m[first], &frame.positions_m[second]);
+                let collision = composed.collision_term(distance_m2);
+                for (end, other) in [(first, second), (second, first)] {
+                    self.sums[end].add_told(composed.shared(self.terms[other]));
+                    self.sums[end].add_link(&[], 0.0, collision);
                 }
             }
         }
+        for robot in 0..frame.told.len() {
+            let phi = self.sums[robot].phi(&composed);
+            frame.phis[robot] = if phi.is_finite() { phi } else { self.careful(robot, frame) };
+        }
     }
 
-    fn has(&self, robot: usize, other: usize) -> bool {
-        let bit = robot * self.robots + other;
-        self.bits[bit / 64] >> (bit % 64) & 1 == 1
+    /// φ_i of a robot whose plain sums overflowed.
+    fn careful<const D: usize>(&self, robot: usize, frame: &Frame<D>) -> f64 {
+        let own = &frame.positions_m[robot];
+        let others =
+            frame.positions_m.iter().zip(&frame.told).enumerate().filter(|(other, _)| *other != robot);
+        let near = others.filter_map(|(_, (position, told))| {
+            let distance_m2 = squared_distance(own, position);
+            (self.radius_m2 - distance_m2 >= 0.0).then_some((distance_m2, *told))
+        });
+        self.composed.phi(
+            frame.told[robot],
+            near.clone().map(|(_, told)| told),
+            near.map(|(distance, _)| distance),
+        )
     }
 }
 
-/// Every robot with its linked robots of higher numbers.
-fn links_by_robot<'a>(links: &'a [u16], last_link: &'a [usize]) -> impl Iterator<Item = (usize, &'a [u16])> {
-    let from = core::iter::once(&0).chain(last_link);
-    from.zip(last_link).map(|(from, to)| &links[*from..*to]).enumerate()
-}
-
-impl<const D: usize> Team<D> {
-    /// The team of `scenario` with initial `values`.
-    #[must_use]
-    pub fn new(scenario: &Scenario, params: Params<D>, values: &[f64]) -> Self {
-        Self {
-            params,
-            controller: scenario.controller,
-            tick: 0,
-            links: Vec::new(),
-            last_link: Vec::new(),
-            pairs: Vec::new(),
-            terms: vec![0.0; values.len()],
-            sums: vec![Sum::new(0.0); values.len()],
-            consensus: Consensus::new(scenario, values),
-            linked: Linked::new(values.len()),
-        }
-    }
-
-    /// One tick: fills everything in `frame` but positions and desired velocities.
-    pub fn step(&mut self, frame: &mut Frame<D>, liars: &mut Liars) {
-        self.find_pairs(frame);
-        liars.begin_tick(self.tick);
-        for (index, level) in frame.levels.iter().enumerate() {
-            frame.spares[index] = degree_barrier(*level, self.params.required_degree());
-            frame.told[index] = liars.level(index, *level);
-        }
-        if self.consensus.is_due(self.tick) {
-            self.linked.fill(&self.links, &self.last_link);
-            let linked = &self.linked;
-            self.consensus.hold(frame, liars, |robot, other| linked.has(robot, other));
-        }
-        self.sum_rows(frame);
-        self.control(frame);
-        self.tick = self.tick.saturating_add(1);
-    }
-
-    pub(crate) fn tick_s(&self) -> f64 {
-        self.params.settings().level_period.as_secs_f64()
-    }
-
-    /// Links, degrees and levels.
-    //= paper eq:connectivity
-    fn find_pairs(&mut self, frame: &mut Frame<D>) {
-        self.links.clear();
-        self.pairs.clear();
-        self.last_link.clear();
-        frame.levels.fill(0.0);
-        frame.degrees.fill(0);
-        for first in 0..frame.positions_m.len() {
-            self.find_links(first, frame);
-            self.last_link.push(self.links.len());
-        }
-        frame.links = u32::try_from(self.links.len()).unwrap_or(u32::MAX);
-    }
-
-    /// Links of `first` to robots of higher numbers.
-    fn find_links(&mut self, first: usize, frame: &mut Frame<D>) {
-        let (shape, composed) = (*self.params.link(), *self.params.composed());
-        let after = first + 1;
-        let (position, mut level, mut degree) =
-            (frame.positions_m[first], frame.levels[first], frame.degrees[first]);
-        let others = frame.positions_m[after..].iter().zip(&mut frame.levels[after..]);
-        let others = others.zip(&mut frame.degrees[after..]).zip(small(after)..);
-        for (((other, other_level), other_degree), second) in others {
-            let offset_m = subtract(&position, other);
-            let distance_m2 = dot(&offset_m, &offset_m);
-            let Some(link) = shape.link_at::<f64>(distance_m2) else { continue };
-            level += link.weight;
-            *other_level += link.weight;
-            degree += 1;
-            *other_degree += 1;
-            self.links.push(second);
-            let collision: f64 = composed.collision_term(distance_m2);
-            if link.slope != 0.0 || collision != 0.0 {
-                self.pairs.push(Pair {
-                    ends: [small(first), second],
-                    offset_m,
-                    slope: link.slope,
-                    collision,
-                });
-            }
-        }
-        (frame.levels[first], frame.degrees[first]) = (level, degree);
-    }
-
-    fn sum_rows(&mut self, frame: &Frame<D>) {
-        let composed = *self.params.composed();
-        for ((term, sum), told) in self.terms.iter_mut().zip(&mut self.sums).zip(&frame.told) {
-            *term = composed.degree_term(*told);
-            *sum = Sum::new(*term);
-        }
-        let mut sums = core::mem::take(&mut self.sums);
-        for (first, others) in links_by_robot(&self.links, &self.last_link) {
-            let (mut own, term) = (sums[first], self.terms[first]);
-            for second in others.iter().map(|other| usize::from(*other)) {
-                own.add_told(composed.shared(self.terms[second]));
-                sums[second].add_told(composed.shared(term));
-            }
-            sums[first] = own;
-        }
-        for pair in &self.pairs {
-            let [first, second] = pair.ends.map(usize::from);
-            let pull =
-                composed.coefficient(self.terms[first], self.terms[second], pair.slope, pair.collision);
-            sums[first].add_link(&pair.offset_m, pull, pair.collision);
-            sums[second].add_link(&pair.offset_m, -pull, pair.collision);
-        }
-        self.sums = sums;
-    }
-
-    fn control(&self, frame: &mut Frame<D>) {
-        let input = self.params.settings().input;
-        // Beside a huge term no slope counts as 0, so pairs that were left out might matter.
-        let ordinary = self.terms.iter().all(|term| *term < TERM_LARGE);
-        for index in 0..frame.positions_m.len() {
-            let plain = self.sums[index].finish(self.params.composed()).filter(|_| ordinary);
-            let composition = plain.unwrap_or_else(|| self.careful(index, frame));
-            let mut solution = closest(&frame.desired_m_s[index], &composition.row, &input);
-            if self.controller == Controller::None {
-                solution.velocity_m_s = input.clip(&frame.desired_m_s[index]);
-            }
-            frame.phis[index] = composition.phi;
-            frame.velocities_m_s[index] = solution.velocity_m_s;
-            frame.outcomes[index] = solution.outcome;
-        }
-    }
-
-    /// The row of one robot whose plain sums overflowed or vanished.
-    fn careful(&self, index: usize, frame: &Frame<D>) -> Composition<D> {
-        let composed = self.params.composed();
-        let own = &frame.positions_m[index];
-        let terms =
-            frame.positions_m.iter().zip(&frame.told).enumerate().filter_map(|(other, (position, told))| {
-                let offset_m = subtract(own, position);
-                let distance_m2 = dot(&offset_m, &offset_m);
-                let link: Link<Scaled> =
-                    self.params.link().link_at(distance_m2).filter(|_| other != index)?;
-                let collision = composed.collision_term(distance_m2);
-                Some(Term { offset_m, link, collision, told: composed.degree_term(*told) })
-            });
-        composed.compose(composed.degree_term(frame.told[index]), terms)
-    }
-}
-
-fn small(index: usize) -> u16 {
-    u16::try_from(index).unwrap_or(u16::MAX)
+fn id(index: usize) -> RobotId {
+    RobotId(small(index + 1))
 }

@@ -1,9 +1,13 @@
 //! The robots' own clocks: none shows the world's time.
 
+use core::time::Duration;
+
+use closeranks_core::settings::range::Allowed;
 use closeranks_core::time::Instant;
 
+use crate::parse::common::set;
+use crate::parse::reader::{Reader, Section};
 use crate::random::{Random, Stream};
-use crate::scenario::Scenario;
 
 /// How far clocks are off. Each robot's offset and drift are drawn evenly.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -12,6 +16,16 @@ pub struct Clocks {
     pub offset_max_s: f64,
     /// Drifts lie between minus and plus this, s/s.
     pub drift_max: f64,
+}
+
+impl Clocks {
+    /// Reads the table `clocks` of a scenario text.
+    pub(crate) fn read(reader: &mut Reader, section: &mut Section<'_>) -> Self {
+        let mut clocks = Self::default();
+        set(&mut clocks.offset_max_s, reader.number(section, "offset_max_s", Allowed::Closed(0.0, 3_600.0)));
+        set(&mut clocks.drift_max, reader.number(section, "drift_max", Allowed::Closed(0.0, 0.5)));
+        clocks
+    }
 }
 
 /// The clocks of a run.
@@ -23,16 +37,16 @@ pub struct Shown {
 }
 
 impl Shown {
-    /// The clocks of `scenario`.
+    /// The clocks of so many robots that tick every `tick`.
     #[must_use]
-    pub fn new(scenario: &Scenario) -> Self {
-        let Clocks { offset_max_s, drift_max } = scenario.trouble.clocks;
-        let mut random = Random::new(scenario.seed, Stream::Clocks);
-        let mut draws = |min, max| (0..scenario.robots).map(|_| random.uniform(min, max)).collect();
+    pub fn new(clocks: Clocks, seed: u64, robots: u16, tick: Duration) -> Self {
+        let Clocks { offset_max_s, drift_max } = clocks;
+        let mut random = Random::new(seed, Stream::Clocks);
+        let mut draws = |min, max| (0..robots).map(|_| random.uniform(min, max)).collect();
         Self {
             offsets_s: draws(0.0, offset_max_s),
             drifts: draws(-drift_max, drift_max),
-            tick_nanos: u64::try_from(scenario.tau_1.as_nanos()).unwrap_or(u64::MAX),
+            tick_nanos: u64::try_from(tick.as_nanos()).unwrap_or(u64::MAX),
         }
     }
 
@@ -68,10 +82,9 @@ mod tests {
 
     #[test]
     fn clocks_differ_by_their_offsets_and_ever_more_by_their_drifts() {
-        let mut scenario = Scenario::default();
-        assert_eq!(Shown::new(&scenario).now(3, 7), Instant::from_nanos(35_000_000));
-        scenario.trouble.clocks = Clocks { offset_max_s: 0.2, drift_max: 0.01 };
-        let shown = Shown::new(&scenario);
+        let shown = |clocks| Shown::new(clocks, 1, 11, Duration::from_millis(5));
+        assert_eq!(shown(Clocks::default()).now(3, 7), Instant::from_nanos(35_000_000));
+        let shown = shown(Clocks { offset_max_s: 0.2, drift_max: 0.01 });
         assert!((0.05..=0.2).contains(&shown.difference_s(0)));
         assert!((0.05..=0.4).contains(&shown.difference_s(2_000)), "at most 0.2 more after 10 s");
         assert_ne!(shown.difference_s(0), shown.difference_s(2_000));

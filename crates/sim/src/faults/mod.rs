@@ -1,15 +1,20 @@
-//! What goes wrong between robots and world, as data. All of it wraps the network, the sensors or the plant: a robot never
-//! knows.
+//! What goes wrong between robots and world. Each fault has one file with its data, its table in scenario files and its
+//! player. All of them wrap the network, the clocks, the sensors or the robot itself: a robot never knows.
 
 pub mod clocks;
+pub mod edges;
 pub mod network;
-pub mod plant;
+pub mod outages;
 pub mod sensing;
+pub mod spell;
 
 pub use clocks::Clocks;
 pub use network::Network;
-pub use plant::Plant;
+pub use outages::Outages;
 pub use sensing::Sensing;
+pub use spell::Spell;
+
+use crate::parse::reader::{Reader, Section};
 
 /// Everything that can go wrong. The default is a perfect world.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -20,39 +25,25 @@ pub struct Faults {
     pub clocks: Clocks,
     /// What robots sense of positions.
     pub sensing: Sensing,
-    /// What becomes of velocities.
-    pub plant: Plant,
+    /// When robots do not run.
+    pub outages: Outages,
 }
 
 impl Faults {
+    /// Reads the tables `network`, `clocks` and `sensing` of a scenario text for a team of so many robots. Outages are in the
+    /// table `plant`.
+    pub(crate) fn read(reader: &mut Reader, root: &mut Section<'_>, robots: u16) -> Self {
+        Self {
+            network: reader.table(root, "network", |reader, table| Network::read(reader, table, robots)),
+            clocks: reader.table(root, "clocks", Clocks::read),
+            sensing: reader.table(root, "sensing", |reader, table| Sensing::read(reader, table, robots)),
+            outages: Outages::default(),
+        }
+    }
+
     /// True for a perfect world.
     #[must_use]
-    pub fn none(&self) -> bool {
+    pub fn is_none(&self) -> bool {
         *self == Self::default()
-    }
-}
-
-/// A stretch of time in which something is wrong with one robot.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Spell {
-    /// Which, from 1.
-    pub robot: u16,
-    /// From when, s.
-    pub from_s: f64,
-    /// Until when, s, not included.
-    pub to_s: f64,
-}
-
-impl Spell {
-    /// True while it lasts.
-    #[must_use]
-    pub fn lasts(&self, time_s: f64) -> bool {
-        self.from_s <= time_s && time_s < self.to_s
-    }
-
-    /// Index of its robot.
-    #[must_use]
-    pub fn index(&self) -> usize {
-        usize::from(self.robot).saturating_sub(1)
     }
 }

@@ -2,13 +2,15 @@
 
 use std::collections::BTreeMap;
 
-use closeranks_core::message::MESSAGE_BYTES;
+use closeranks_core::settings::range::Allowed;
 
+use crate::parse::common::{DELAY, FRACTION, set, small, times};
+use crate::parse::reader::{Reader, Section};
 use crate::random::{Random, Stream};
-use crate::scenario::Scenario;
+use crate::transport::{Full, Parcel, Transport};
 
-/// Messages under way at most; more are lost. Some 50 MB.
-const UNDER_WAY_MAX: usize = 1 << 20;
+/// Late messages at most; more are lost. Some 50 MB.
+pub(crate) const LATE_MAX: usize = 1 << 20;
 
 /// What the network does to every message on its way to one robot. Shares and probabilities lie in `[0, 1]`.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -31,6 +33,26 @@ pub struct Network {
     pub partition: Option<Partition>,
 }
 
+impl Network {
+    /// Reads the table `network` of a scenario text for a team of so many robots.
+    pub(crate) fn read(reader: &mut Reader, section: &mut Section<'_>, robots: u16) -> Self {
+        let mut network = Self::default();
+        set(&mut network.loss, reader.number(section, "loss", FRACTION));
+        set(&mut network.burst_begin, reader.number(section, "burst_begin", FRACTION));
+        let burst_end = if network.burst_begin > 0.0 { 0.1 } else { 0.0 };
+        network.burst_end = reader.number_or(section, "burst_end", FRACTION, burst_end);
+        set(&mut network.delay_min_s, reader.number(section, "delay_min_s", DELAY));
+        let longest = Allowed::Closed(network.delay_min_s, 60.0);
+        network.delay_max_s = reader.number_or(section, "delay_max_s", longest, network.delay_min_s);
+        set(&mut network.duplicate, reader.number(section, "duplicate", FRACTION));
+        set(&mut network.deaf, reader.number(section, "deaf", FRACTION));
+        network.partition = section.has("partition").then(|| {
+            reader.table(section, "partition", |reader, section| Partition::read(reader, section, robots))
+        });
+        network
+    }
+}
+
 /// Two groups that do not hear each other.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Partition {
@@ -42,97 +64,87 @@ pub struct Partition {
     pub to_s: f64,
 }
 
-/// Bytes on their way.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Parcel {
-    /// Index of the sender.
-    pub sender: usize,
-    /// Index of the receiver.
-    pub receiver: usize,
-    /// As sent.
-    pub bytes: [u8; MESSAGE_BYTES],
+impl Partition {
+    fn read(reader: &mut Reader, section: &mut Section<'_>, robots: u16) -> Self {
+        let first = reader.whole(section, "first", 1..u64::from(robots)).map_or(robots / 2, small);
+        let [from_s, to_s] = times(reader, section);
+        Self { first, from_s, to_s }
+    }
 }
 
-/// A network in use.
+/// A network with faults around another one. The robots do not know that it is there.
 #[derive(Clone, Debug)]
-pub struct Wire {
+pub struct FaultyNetwork<T> {
+    inner: T,
     network: Network,
     robots: usize,
     tick_s: f64,
+    tick: u32,
     random: Random,
+    /// Links that carry nothing one way: sender times n plus receiver.
     deaf: Vec<bool>,
+    /// Links that lose everything just now.
     burst: Vec<bool>,
-    under_way: BTreeMap<u32, Vec<Parcel>>,
+    /// Parcels that are late, by the tick in which the network around which this one is gets them.
+    late: BTreeMap<u32, Vec<Parcel>>,
+    /// How many of them there are.
     count: usize,
-    /// What is sent in this tick by a network without delay.
-    at_once: Vec<Parcel>,
 }
 
-impl Wire {
-    /// The network of `scenario`.
+impl<T: Transport> FaultyNetwork<T> {
+    /// Puts the faults of `network` around `inner`, which connects so many robots that tick every `tick_s`.
     #[must_use]
-    pub fn new(scenario: &Scenario) -> Self {
-        let robots = usize::from(scenario.robots);
-        let network = scenario.trouble.network;
-        let mut random = Random::new(scenario.seed, Stream::Network);
+    pub fn new(inner: T, network: Network, seed: u64, robots: u16, tick_s: f64) -> Self {
+        let robots = usize::from(robots);
+        let mut random = Random::new(seed, Stream::Network);
         let deaf = (0..robots * robots).map(|_| network.deaf > 0.0 && random.chance(network.deaf)).collect();
         Self {
+            inner,
             network,
             robots,
-            tick_s: scenario.tick_s(),
+            tick_s,
+            tick: 0,
             random,
             deaf,
             burst: vec![false; robots * robots],
-            under_way: BTreeMap::new(),
+            late: BTreeMap::new(),
             count: 0,
-            at_once: Vec::new(),
         }
     }
 
-    /// Begins `tick`: links fall silent or find their voice.
-    pub fn begin_tick(&mut self) {
-        let Network { burst_begin, burst_end, .. } = self.network;
-        if burst_begin > 0.0 {
-            for burst in &mut self.burst {
-                let change = if *burst { burst_end } else { burst_begin };
-                *burst ^= self.random.chance(change);
-            }
-        }
-    }
-
-    /// Takes a message that is sent in `tick`.
-    pub fn send(&mut self, tick: u32, parcel: Parcel) {
-        let copies = if self.happens(self.network.duplicate) { 2 } else { 1 };
-        for _ in 0..copies {
-            let lost = self.blocked(tick, &parcel) || self.happens(self.network.loss);
-            if self.network.delay_max_s <= 0.0 {
-                if !lost {
-                    self.at_once.push(parcel);
-                }
-                continue;
-            }
-            let due = tick.saturating_add(self.delay_ticks());
-            if !lost && self.count < UNDER_WAY_MAX {
-                self.under_way.entry(due).or_default().push(parcel);
-                self.count += 1;
-            }
-        }
-    }
-
-    /// What arrives in `tick`, in the order in which it was sent.
-    pub fn arrivals(&mut self, tick: u32) -> Vec<Parcel> {
+    /// Sends one copy, or loses it.
+    fn send_copy(&mut self, parcel: Parcel) -> Result<(), Full> {
+        let lost = self.blocked(&parcel) || self.happens(self.network.loss);
         if self.network.delay_max_s <= 0.0 {
-            let room = Vec::with_capacity(self.at_once.len());
-            return core::mem::replace(&mut self.at_once, room);
+            return if lost { Ok(()) } else { self.inner.send(parcel) };
         }
-        let arrived = self.under_way.remove(&tick).unwrap_or_default();
-        self.count -= arrived.len();
-        arrived
+        let due = self.tick.saturating_add(self.delay_ticks());
+        if lost {
+            return Ok(());
+        }
+        if self.count >= LATE_MAX {
+            return Err(Full);
+        }
+        self.late.entry(due).or_default().push(parcel);
+        self.count += 1;
+        Ok(())
     }
 
-    fn blocked(&self, tick: u32, parcel: &Parcel) -> bool {
+    /// Hands over what was late and is due, in the order of due ticks, then as sent.
+    fn release(&mut self) {
+        while let Some(entry) = self.late.first_entry().filter(|entry| *entry.key() <= self.tick) {
+            let parcels = entry.remove();
+            self.count -= parcels.len();
+            for parcel in parcels {
+                // What the network around which this one is has no room for is lost.
+                let _ = self.inner.send(parcel);
+            }
+        }
+    }
+
+    fn blocked(&self, parcel: &Parcel) -> bool {
         let link = parcel.sender * self.robots + parcel.receiver;
-        let time_s = f64::from(tick) * self.tick_s;
+        let time_s = f64::from(self.tick) * self.tick_s;
         let divided = self.network.partition.is_some_and(|partition| {
             let first = |index: usize| index < usize::from(partition.first);
             let lasts = partition.from_s <= time_s && time_s < partition.to_s;
@@ -141,7 +153,7 @@ impl Wire {
         divided || self.deaf[link] || self.burst[link]
     }
 
-    /// Draws nothing where nothing can happen.
+    /// True with `probability`. Draws nothing where nothing can happen.
     fn happens(&mut self, probability: f64) -> bool {
         probability > 0.0 && self.random.chance(probability)
     }
@@ -156,21 +168,72 @@ impl Wire {
     }
 }
 
+impl<T: Transport> Transport for FaultyNetwork<T> {
+    /// Links fall silent or find their voice.
+    fn begin_tick(&mut self, tick: u32) {
+        self.inner.begin_tick(tick);
+        self.tick = tick;
+        let Network { burst_begin, burst_end, .. } = self.network;
+        if burst_begin > 0.0 {
+            for burst in &mut self.burst {
+                let change = if *burst { burst_end } else { burst_begin };
+                *burst ^= self.random.chance(change);
+            }
+        }
+    }
+
+    fn send(&mut self, parcel: Parcel) -> Result<(), Full> {
+        let copies = if self.happens(self.network.duplicate) { 2 } else { 1 };
+        let mut sent = Ok(());
+        for _ in 0..copies {
+            sent = sent.and(self.send_copy(parcel));
+        }
+        sent
+    }
+
+    fn poll(&mut self) -> Option<Parcel> {
+        if self.count > 0 {
+            self.release();
+        }
+        self.inner.poll()
+    }
+}
+
 #[cfg(test)]
 mod tests {
+    use closeranks_core::message::MESSAGE_BYTES;
+
     use super::*;
+    use crate::transport::conformance::check_transport;
+    use crate::transport::memory::InMemory;
+
+    #[test]
+    fn without_faults_it_is_a_transport() {
+        let perfect = FaultyNetwork::new(InMemory::new(1_000), Network::default(), 1, 5, 0.005);
+        check_transport(&mut { perfect }, &mut || ());
+    }
+
+    #[test]
+    fn late_messages_are_bounded() {
+        let network = Network { delay_min_s: 1.0, delay_max_s: 1.0, ..Network::default() };
+        let mut wire = FaultyNetwork::new(InMemory::new(usize::MAX), network, 1, 2, 0.005);
+        let parcel = Parcel { sender: 0, receiver: 1, bytes: [0; MESSAGE_BYTES] };
+        wire.begin_tick(0);
+        assert!((0..LATE_MAX).all(|_| wire.send(parcel) == Ok(())));
+        assert_eq!((wire.send(parcel), wire.poll()), (Err(Full), None));
+        wire.begin_tick(200);
+        assert_eq!(core::iter::from_fn(|| wire.poll()).count(), LATE_MAX);
+        assert_eq!(wire.send(parcel), Ok(()));
+    }
 
     fn arrivals(network: Network) -> Vec<Vec<u8>> {
-        let mut scenario = Scenario { robots: 2, ..Scenario::default() };
-        scenario.trouble.network = network;
-        let mut wire = Wire::new(&scenario);
+        let mut wire = FaultyNetwork::new(InMemory::new(1_000), network, 1, 2, 0.005);
         let at = |tick: u32| u8::try_from(tick).unwrap();
         (0..200)
             .map(|tick| {
-                wire.begin_tick();
-                let bytes = [at(tick); MESSAGE_BYTES];
-                wire.send(tick, Parcel { sender: 0, receiver: 1, bytes });
-                wire.arrivals(tick).iter().map(|parcel| parcel.bytes[0]).collect()
+                wire.begin_tick(tick);
+                wire.send(Parcel { sender: 0, receiver: 1, bytes: [at(tick); MESSAGE_BYTES] }).unwrap();
+                core::iter::from_fn(|| wire.poll()).map(|parcel| parcel.bytes[0]).collect()
             })
             .collect()
     }

@@ -2,9 +2,10 @@
 
 use closeranks_core::num::{Vector, add_scaled, dot, length, subtract};
 
-use super::Spell;
+use crate::faults::spell::Spell;
+use crate::parse::common::NOT_NEGATIVE;
+use crate::parse::reader::{Reader, Section};
 use crate::random::{Random, Stream};
-use crate::scenario::Scenario;
 
 /// What is wrong with sensed positions.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -16,6 +17,17 @@ pub struct Sensing {
     pub frozen: Option<Spell>,
     /// What all sense of one robot, itself included, is so far off, m.
     pub jump: Option<(Spell, f64)>,
+}
+
+impl Sensing {
+    /// Reads the table `sensing` of a scenario text for a team of so many robots.
+    pub(crate) fn read(reader: &mut Reader, section: &mut Section<'_>, robots: u16) -> Self {
+        Self {
+            noise_m: reader.number_or(section, "noise_m", NOT_NEGATIVE, 0.0),
+            frozen: Spell::read(reader, section, "frozen", robots),
+            jump: Spell::read_with(reader, section, "jump", robots, ("by_m", NOT_NEGATIVE)),
+        }
+    }
 }
 
 /// Sensors in use.
@@ -32,19 +44,19 @@ pub struct Senses<const D: usize> {
 }
 
 impl<const D: usize> Senses<D> {
-    /// The sensors of `scenario`.
+    /// The sensors of so many robots.
     #[must_use]
-    pub fn new(scenario: &Scenario) -> Self {
-        let mut random = Random::new(scenario.seed, Stream::Sensing);
+    pub fn new(sensing: Sensing, seed: u64, robots: u16) -> Self {
+        let mut random = Random::new(seed, Stream::Sensing);
         let aside: Vector<D> = random.in_ball();
         let size = length(&aside).max(1e-9);
         Self {
-            sensing: scenario.trouble.sensing,
+            sensing,
             random,
             seeming: Vec::new(),
             frozen_at: None,
             aside: aside.map(|component| component / size),
-            errors_m: vec![0.0; usize::from(scenario.robots)],
+            errors_m: vec![0.0; usize::from(robots)],
         }
     }
 
@@ -114,7 +126,7 @@ mod tests {
 
     #[test]
     fn noise_stays_in_its_ball_and_differs() {
-        let mut senses = Senses::new(&Scenario::default());
+        let mut senses = Senses::new(Sensing::default(), 1, 11);
         let noise = Sensing { noise_m: 0.1, ..Sensing::default() };
         let errors: Vec<f64> = (0..100).map(|_| sensed(noise, 0.0, &mut senses, 1.0)).collect();
         assert!(errors.iter().all(|error| *error <= 0.1) && errors.iter().any(|error| *error > 0.09));
@@ -122,7 +134,7 @@ mod tests {
 
     #[test]
     fn a_position_freezes_or_jumps_and_comes_back() {
-        let mut senses = Senses::new(&Scenario::default());
+        let mut senses = Senses::new(Sensing::default(), 1, 11);
         let spell = Spell { robot: 1, from_s: 1.0, to_s: 2.0 };
         let frozen = Sensing { frozen: Some(spell), ..Sensing::default() };
         let jump = Sensing { jump: Some((spell, 0.5)), ..Sensing::default() };

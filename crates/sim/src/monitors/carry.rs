@@ -1,66 +1,54 @@
 //! The theorem of `budget` from tick to tick: what was safe stays safe wherever its assumptions hold.
 
-use closeranks_core::controller::budget::knowledge::Assume;
-use closeranks_core::num::Vector;
-use closeranks_core::settings::params::{Controller, Params};
+use closeranks_core::settings::params::Params;
 
 use crate::frame::Frame;
 use crate::law::{Law, Verdicts, Violation};
-use crate::monitors::distance::Pairs;
-use crate::monitors::mode::Honesty;
-use crate::monitors::truth::Truth;
+use crate::monitors::before::Before;
+use crate::monitors::distance::Distances;
+use crate::monitors::mode::ModeWatch;
+use crate::monitors::time::{fraction, longer_ago};
+use crate::monitors::truth::{ROUNDING, Truth, required};
 use crate::scenario::Scenario;
-
-/// Sums of weights, and squares of distances as a share of R², are rounded by far less than this.
-pub(crate) const ROUNDING: f64 = 1e-11;
 
 /// The tick before, and what has not held since when.
 #[derive(Clone, Debug)]
-pub(crate) struct Promise<const D: usize> {
+pub(crate) struct Carry<const D: usize> {
     params: Params<D>,
     malicious: Vec<bool>,
     told_ticks: u64,
-    gamma: f64,
+    /// γ and κ, by which h may fall; written down once more.
+    shares: [f64; 2],
     before: Option<Before<D>>,
     /// The last tick in which an assumption was broken.
     broken: Option<u32>,
     /// Robots that were safe once and must have been ever since: no assumption was broken.
     kept: Vec<bool>,
-    pairs: Pairs<D>,
+    distances: Distances<D>,
     /// What robots say of it.
-    honesty: Honesty<D>,
+    mode: ModeWatch<D>,
     /// Ticks, and those in which every assumption held.
     ticks: [u64; 2],
 }
 
-/// A tick that was.
-#[derive(Clone, Debug, Default)]
-pub(crate) struct Before<const D: usize> {
-    pub(crate) truth: Truth,
-    pub(crate) positions_m: Vec<Vector<D>>,
-    /// Moves obey the rows, and rows rest on what is true.
-    pub(crate) moves: bool,
-    claims: bool,
-}
-
-impl<const D: usize> Promise<D> {
+impl<const D: usize> Carry<D> {
     /// For the robots of `scenario`.
     #[must_use]
     pub(crate) fn new(scenario: &Scenario, params: Params<D>) -> Self {
         let settings = params.settings();
-        let aged = settings.told_max + settings.clock_error;
-        let told_ticks = aged.as_nanos().div_ceil(settings.level_period.as_nanos().max(1));
+        let aged = settings.clock.told_max + settings.clock.error;
+        let told_ticks = aged.as_nanos().div_ceil(settings.clock.level_period.as_nanos().max(1));
         let told_ticks = u64::try_from(told_ticks).unwrap_or(u64::MAX).saturating_add(1);
         Self {
             malicious: scenario.malicious_mask(),
             told_ticks,
-            gamma: settings.gamma(),
-            honesty: Honesty::new(scenario, params, told_ticks),
-            pairs: Pairs::new(scenario, params),
+            shares: params.budget().map_or([1.0, 0.0], |budget| [budget.gamma, budget.gain_slope]),
+            mode: ModeWatch::new(scenario, params, told_ticks),
+            distances: Distances::new(scenario, params),
             params,
             before: None,
             broken: None,
-            kept: vec![false; usize::from(scenario.robots)],
+            kept: vec![false; usize::from(scenario.team.robots)],
             ticks: [0; 2],
         }
     }
@@ -75,19 +63,19 @@ impl<const D: usize> Promise<D> {
         verdicts: &mut Verdicts,
     ) {
         let before = self.before.take();
-        let carried = before.as_ref().filter(|_| covered && !frame.renewed);
-        self.watch_spares(tick, frame, truth, carried, verdicts);
-        self.pairs.watch(tick, frame, truth, carried, verdicts);
-        if frame.broken || !covered {
+        let carried = before.as_ref().filter(|_| covered && !frame.assumptions.renewed);
+        self.watch_h(tick, frame, truth, carried, verdicts);
+        self.distances.watch(tick, frame, truth, carried, verdicts);
+        if frame.assumptions.broken || !covered {
             self.broken = Some(tick);
         }
-        let moves = !frame.broken && covered;
+        let moves = !frame.assumptions.broken && covered;
         let claims = moves && longer_ago(self.broken, tick, self.told_ticks);
         for (counter, counts) in self.ticks.iter_mut().zip([true, claims]) {
             *counter += u64::from(counts);
         }
-        if self.params.settings().controller == Controller::Budget {
-            self.honesty.watch(tick, frame, truth, verdicts);
+        if self.params.controller().promises() {
+            self.mode.watch(tick, frame, truth, verdicts);
         }
         let mut now = before.unwrap_or_default();
         now.truth.clone_from(truth);
@@ -100,22 +88,22 @@ impl<const D: usize> Promise<D> {
     /// What is safe now, or was and must still be, must be so at the next tick. `composed` promises nothing before every
     /// φ_i ≥ 0 (thm:cbf-qp).
     fn carry(&mut self, frame: &Frame<D>, truth: &Truth, before: &Before<D>, [moves, claims]: [bool; 2]) {
-        let budget = self.params.settings().controller == Controller::Budget;
+        let budget = self.params.controller().promises();
         let inside = budget || frame.phis.iter().all(|phi| *phi >= 0.0);
-        for (kept, spare) in self.kept.iter_mut().zip(&truth.spares) {
-            *kept = claims && ((inside && *spare >= 0.0) || (*kept && before.claims));
+        for (kept, h) in self.kept.iter_mut().zip(&truth.h) {
+            *kept = claims && ((inside && *h >= 0.0) || (*kept && before.claims));
         }
-        self.pairs.carry(truth, before, inside, moves);
+        self.distances.carry(truth, before, inside, moves);
     }
 
     /// What a tick leaves of h at least (docs/budget.md), written down once more.
     fn left(&self, h: f64) -> f64 {
-        let (gamma, rise) = (self.gamma, self.params.settings().rise);
+        let [gamma, rise] = self.shares;
         if h < 0.0 { h } else { (1.0 - gamma) * h / (1.0 + rise * gamma * h) }
     }
 
     /// h of normal robots, and their degrees, which follow from it (lem:connectivity).
-    fn watch_spares(
+    fn watch_h(
         &self,
         tick: u32,
         frame: &Frame<D>,
@@ -123,27 +111,27 @@ impl<const D: usize> Promise<D> {
         before: Option<&Before<D>>,
         verdicts: &mut Verdicts,
     ) {
-        let budget = self.params.settings().controller == Controller::Budget;
+        let budget = self.params.controller().promises();
         let required = required(&self.params);
-        for (robot, index) in (1_u16..).zip(0..truth.spares.len()).filter(|(_, k)| !self.malicious[*k]) {
-            let spare = truth.spares[index];
+        for (robot, index) in (1_u16..).zip(0..truth.h.len()).filter(|(_, k)| !self.malicious[*k]) {
+            let h = truth.h[index];
             let carried = before.filter(|before| before.claims && self.kept[index]);
             let at = |seen, demanded| Violation { tick, robots: [robot, 0], seen, demanded };
-            if spare < -ROUNDING {
-                verdicts.broke(Law::Spare, at(spare, 0.0), carried.is_some());
+            if h < -ROUNDING {
+                verdicts.broke(Law::Spare, at(h, 0.0), carried.is_some());
             }
             if truth.degrees[index] < required {
                 let seen = f64::from(truth.degrees[index]);
                 verdicts.broke(
                     Law::Degree,
                     at(seen, f64::from(required)),
-                    (budget && !frame.broken && spare >= 0.0) || carried.is_some(),
+                    (budget && !frame.assumptions.broken && h >= 0.0) || carried.is_some(),
                 );
             }
             if let Some(before) = before.filter(|_| budget) {
-                let floor = self.left(before.truth.spares[index]);
-                if floor >= 0.0 && spare < floor - ROUNDING {
-                    verdicts.broke(Law::Decay, at(spare, floor), carried.is_some());
+                let floor = self.left(before.truth.h[index]);
+                if floor >= 0.0 && h < floor - ROUNDING {
+                    verdicts.broke(Law::Decay, at(h, floor), carried.is_some());
                 }
             }
         }
@@ -153,41 +141,17 @@ impl<const D: usize> Promise<D> {
     /// held.
     #[must_use]
     pub(crate) fn shares(&self) -> [f64; 3] {
-        let [guaranteed, negative] = self.honesty.shares();
-        [guaranteed, negative, share(self.ticks[1], self.ticks[0])]
+        let [guaranteed, negative] = self.mode.shares();
+        [guaranteed, negative, fraction(self.ticks[1], self.ticks[0])]
     }
 
     /// Longest time from the end of trouble until all were guaranteed again, in ticks.
     pub(crate) fn recovery_ticks(&self) -> u32 {
-        self.honesty.recovery_ticks()
+        self.mode.recovery_ticks()
     }
 
     /// Least squared distance of two robots yet, m².
     pub(crate) fn least_m2(&self) -> f64 {
-        self.pairs.least_m2()
+        self.distances.least_m2()
     }
-}
-
-/// The degree that counts: F′, or θ among normal robots with free liars. Written down once more, so that monitors do not rest on what they watch.
-pub(crate) fn required<const D: usize>(params: &Params<D>) -> u16 {
-    let (robots, faults) = (params.settings().robots, params.settings().faults);
-    let free = params.settings().controller == Controller::Budget && params.settings().assume == Assume::Free;
-    faults + if free { (robots - faults) / 2 } else { robots / 2 }
-}
-
-/// `part/whole`, 0 of nothing.
-pub(crate) fn share(part: u64, whole: u64) -> f64 {
-    #[expect(clippy::cast_precision_loss, reason = "counts")]
-    let share = part as f64 / whole.max(1) as f64;
-    share
-}
-
-/// Ticks since `then`; for ever if it never was.
-pub(crate) fn since(then: Option<u32>, tick: u32) -> u32 {
-    then.map_or(u32::MAX, |then| tick - then)
-}
-
-/// True if `then` is more than `ticks` ticks ago, or never was.
-pub(crate) fn longer_ago(then: Option<u32>, tick: u32, ticks: u64) -> bool {
-    then.is_none_or(|then| u64::from(tick - then) > ticks)
 }

@@ -1,38 +1,38 @@
-//! Pairs of robots from tick to tick: how near they come, between ticks too, and how fast.
+//! Distances of robots from tick to tick: how near they come, between ticks too, and how fast.
 
 use closeranks_core::num::{Vector, add_scaled, dot, sqrt, subtract};
-use closeranks_core::settings::params::{Controller, Params};
+use closeranks_core::settings::params::Params;
 
 use crate::attack::MotionAttack;
 use crate::frame::Frame;
+use crate::geometry::squared_distance;
 use crate::law::{Law, Verdicts, Violation};
-use crate::monitors::carry::{Before, ROUNDING};
-use crate::monitors::truth::Truth;
+use crate::monitors::before::Before;
+use crate::monitors::truth::{ROUNDING, Truth};
 use crate::scenario::Scenario;
-use crate::scenario::start::squared_distance;
 
 /// What became of the pairs of a run.
 #[derive(Clone, Debug)]
-pub(crate) struct Pairs<const D: usize> {
+pub(crate) struct Distances<const D: usize> {
     params: Params<D>,
     malicious: Vec<bool>,
-    /// Pairs with a malicious robot may collide: it goes where it likes.
+    /// Distances with a malicious robot may collide: it goes where it likes.
     free: bool,
     /// Squares of distances are rounded by far less than this, m².
     blur_m2: f64,
-    /// Pairs that were safe once and must have been ever since: no assumption was broken.
+    /// Distances that were safe once and must have been ever since: no assumption was broken.
     apart: Vec<bool>,
     /// Least squared distance of two robots yet, m².
     least_m2: f64,
 }
 
-impl<const D: usize> Pairs<D> {
+impl<const D: usize> Distances<D> {
     /// For the robots of `scenario`.
     pub(crate) fn new(scenario: &Scenario, params: Params<D>) -> Self {
-        let radius_m = params.settings().radius_m;
+        let radius_m = params.link().radius_m;
         Self {
             malicious: scenario.malicious_mask(),
-            free: scenario.motion_attack != MotionAttack::Obedient,
+            free: scenario.attack.motion != MotionAttack::Obedient,
             blur_m2: ROUNDING * radius_m * radius_m,
             params,
             apart: Vec::new(),
@@ -72,10 +72,10 @@ impl<const D: usize> Pairs<D> {
             for (first, distance_m2) in truth.actual_m2()[pair..pair + second].iter().enumerate() {
                 self.least_m2 = if *distance_m2 < self.least_m2 { *distance_m2 } else { self.least_m2 };
                 let place = pair + first;
-                let spares_m2 = before.map(|before| self.spares_m2(place, truth, before));
-                let nears = spares_m2.is_some_and(|[floor_m2, now_m2]| now_m2 < floor_m2);
+                let rooms_m2 = before.map(|before| self.rooms_m2(place, truth, before));
+                let nears = rooms_m2.is_some_and(|[floor_m2, now_m2]| now_m2 < floor_m2);
                 if *distance_m2 < near_m2 || nears {
-                    let pair = Pair { place, robots: [first, second], distance_m2: *distance_m2, spares_m2 };
+                    let pair = Pair { place, robots: [first, second], distance_m2: *distance_m2, rooms_m2 };
                     self.watch_pair(&pair, tick, frame, before, verdicts);
                 }
             }
@@ -87,15 +87,15 @@ impl<const D: usize> Pairs<D> {
     fn near_m2(&self, frame: &Frame<D>, before: Option<&Before<D>>) -> f64 {
         let moves = before.map(|before| frame.positions_m.iter().zip(&before.positions_m));
         let moves_m2 = moves.into_iter().flatten().map(|(x, y)| squared_distance(x, y));
-        let near_m = self.params.settings().distance_min_m + 2.0 * sqrt(moves_m2.fold(0.0, f64::max));
+        let near_m = self.params.settings().limits.distance_min_m + 2.0 * sqrt(moves_m2.fold(0.0, f64::max));
         near_m * near_m * (1.0 + ROUNDING)
     }
 
-    /// Of two references, m²: what must be left of their spare at the tick before, and what is.
-    fn spares_m2(&self, place: usize, truth: &Truth, before: &Before<D>) -> [f64; 2] {
-        let least_m = self.params.budget().distance_min_m;
+    /// `D − Δ_d²` of two references, m²: the least that must be left of it since the tick before, and what is left.
+    fn rooms_m2(&self, place: usize, truth: &Truth, before: &Before<D>) -> [f64; 2] {
+        let least_m = self.params.kept().distance_min_m;
         let [then, now] = [&before.truth, truth].map(|truth| truth.pairs_m2[place] - least_m * least_m);
-        [(1.0 - self.params.settings().gamma_c) * then, now]
+        [(1.0 - self.gamma_c()) * then, now]
     }
 
     fn watch_pair(
@@ -113,12 +113,12 @@ impl<const D: usize> Pairs<D> {
         let robots = pair.robots.map(|index| u16::try_from(index + 1).unwrap_or(u16::MAX));
         let at = |seen, demanded| Violation { tick, robots, seen, demanded };
         let carried = before.is_some_and(|before| before.moves && self.apart[pair.place]);
-        let least_m = self.params.settings().distance_min_m;
+        let least_m = self.params.settings().limits.distance_min_m;
         let limit_m2 = self.limit_m2(least_m);
         if pair.distance_m2 < limit_m2 {
             verdicts.broke(Law::Distance, at(sqrt(pair.distance_m2), least_m), carried);
         }
-        let Some((before, [floor_m2, now_m2])) = before.zip(pair.spares_m2) else { return };
+        let Some((before, [floor_m2, now_m2])) = before.zip(pair.rooms_m2) else { return };
         let [start, end] = [&before.positions_m, &frame.positions_m].map(|x| subtract(&x[second], &x[first]));
         let path_m2 = nearest_m2(&start, &end);
         if path_m2 < limit_m2 {
@@ -129,6 +129,11 @@ impl<const D: usize> Pairs<D> {
         }
     }
 
+    /// The fraction of `D − Δ_d²` that may be lost in a tick.
+    fn gamma_c(&self) -> f64 {
+        self.params.budget().map_or(1.0, |budget| budget.gamma_c)
+    }
+
     /// A pair at least `least_m` apart is no nearer than this, but for rounding, m².
     fn limit_m2(&self, least_m: f64) -> f64 {
         least_m * least_m - self.blur_m2
@@ -136,14 +141,14 @@ impl<const D: usize> Pairs<D> {
 
     /// True if (near) bounded how fast a pair could come closer: under `budget`, if it was linked.
     fn binds(&self, place: usize, before: &Before<D>) -> bool {
-        let radius_m = self.params.budget().curvature.link().radius_m;
-        let budget = self.params.settings().controller == Controller::Budget;
+        let radius_m = self.params.kept().link.radius_m;
+        let budget = self.params.controller().promises();
         budget && before.truth.pairs_m2[place] <= radius_m * radius_m
     }
 
     /// What is safe now, or was and must still be, must be so at the next tick. `inside` is false while nothing is promised.
     pub(crate) fn carry(&mut self, truth: &Truth, before: &Before<D>, inside: bool, moves: bool) {
-        let limit_m2 = self.limit_m2(self.params.budget().distance_min_m);
+        let limit_m2 = self.limit_m2(self.params.kept().distance_min_m);
         self.apart.resize(truth.pairs_m2.len(), false);
         for (apart, pair_m2) in self.apart.iter_mut().zip(&truth.pairs_m2) {
             *apart = moves && ((inside && *pair_m2 >= limit_m2) || (*apart && before.moves));
@@ -157,8 +162,8 @@ struct Pair {
     place: usize,
     robots: [usize; 2],
     distance_m2: f64,
-    /// See [`Pairs::spares_m2`].
-    spares_m2: Option<[f64; 2]>,
+    /// See [`Distances::rooms_m2`].
+    rooms_m2: Option<[f64; 2]>,
 }
 
 /// Square of the least distance while an offset goes straight from `start` to `end`, m².
@@ -175,6 +180,8 @@ fn nearest_m2<const D: usize>(start: &Vector<D>, end: &Vector<D>) -> f64 {
 
 #[cfg(test)]
 mod tests {
+    use closeranks_core::settings::{Errors, Team};
+
     use super::*;
     use crate::random::{Random, Stream};
     use crate::scenario;
@@ -209,7 +216,7 @@ mod tests {
         let random = &mut Random::new(seed, Stream::Start);
         let noise_m = [0.0, 1e-3, 0.2][usize::try_from(random.below(3)).unwrap_or(0)];
         let move_m = [0.0, 0.01, 0.1, 0.5, 1.0][usize::try_from(random.below(5)).unwrap_or(0)];
-        let then = drawn(random, scenario.robots, noise_m);
+        let then = drawn(random, scenario.team.robots, noise_m);
         let now = moved(random, &then, move_m, noise_m);
         let (params, malicious) = (scenario.params().unwrap(), scenario.malicious_mask());
         let [was, is] = [&then, &now].map(|frame| {
@@ -217,7 +224,7 @@ mod tests {
             truth.look(&params, &malicious, frame, false);
             truth
         });
-        let mut pairs = Pairs::new(scenario, params);
+        let mut pairs = Distances::new(scenario, params);
         let mut before = Before::default();
         before.moves = random.chance(0.9);
         pairs.carry(&was, &before, true, before.moves);
@@ -233,13 +240,12 @@ mod tests {
     #[test]
     fn pairs_that_are_left_out_break_nothing() {
         let plain = Scenario {
-            robots: 5,
-            faults: 1,
             controller: scenario::Controller::Budget,
+            team: Team { robots: 5, faults: 1 },
             ..Scenario::default()
         };
-        let margins = Scenario { tracking_error_m: 0.05, position_error_m: 0.02, ..plain.clone() };
-        let free = Scenario { motion_attack: MotionAttack::Flee, ..plain.clone() };
+        let margins = Scenario { errors: Errors { tracking_m: 0.05, position_m: 0.02 }, ..plain.clone() };
+        let free = Scenario { attack: MotionAttack::Flee.into(), ..plain.clone() };
         let mut broken = [0; 3];
         for scenario in [plain, margins, free] {
             for seed in 0..3_000 {

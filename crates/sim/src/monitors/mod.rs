@@ -1,39 +1,45 @@
 //! The theorems as code: each law names what must hold and remembers where it first did not.
 
+mod before;
 mod carry;
 mod distance;
 mod heard;
 mod mode;
 pub mod robustness;
+mod time;
 pub(crate) mod truth;
 
 use closeranks_core::equations::barrier::degree_barrier;
+use closeranks_core::equations::composition::Composed;
 use closeranks_core::num::sqrt;
 use closeranks_core::program::{InputBox, Outcome};
 use closeranks_core::settings::params::Params;
 
 use crate::frame::Frame;
 use crate::law::{Law, Verdicts, Violation};
-use crate::monitors::carry::Promise;
-use crate::monitors::heard::Voices;
+use crate::monitors::carry::Carry;
+use crate::monitors::heard::Heard;
 use crate::monitors::truth::Truth;
-use crate::scenario::{Controller, Scenario};
+use crate::scenario::Scenario;
 
 /// Watches the frames of one run.
 #[derive(Clone, Debug)]
 pub struct Monitors<const D: usize> {
     params: Params<D>,
+    /// The paper's composition and F′, whatever the controller.
+    composed: Composed,
+    required_degree: u16,
     malicious: Vec<bool>,
     ticks_per_round: u32,
     /// Whether the robots know their true levels, and no more of them lie than the team is prepared for.
     plain: bool,
     few_lie: bool,
     truth: Truth,
-    promise: Promise<D>,
+    carry: Carry<D>,
     verdicts: Verdicts,
     interval: Option<[f64; 2]>,
     spread: Option<f64>,
-    voices: Voices,
+    heard: Heard,
     extremes: Extremes,
 }
 
@@ -67,15 +73,17 @@ impl<const D: usize> Monitors<D> {
     #[must_use]
     pub fn new(scenario: &Scenario, params: Params<D>) -> Self {
         Self {
+            composed: scenario.composition(),
+            required_degree: scenario.composition().required,
             params,
             malicious: scenario.malicious_mask(),
             ticks_per_round: scenario.ticks_per_round(),
-            plain: scenario.is_plain() && scenario.controller != Controller::Budget,
-            few_lie: scenario.malicious.len() <= usize::from(scenario.faults),
+            plain: scenario.is_plain() && !params.controller().promises(),
+            few_lie: scenario.malicious.len() <= usize::from(scenario.team.faults),
             truth: Truth::default(),
-            promise: Promise::new(scenario, params),
+            carry: Carry::new(scenario, params),
             verdicts: Verdicts::default(),
-            voices: Voices::new(scenario),
+            heard: Heard::new(scenario),
             interval: None,
             spread: None,
             extremes: Extremes {
@@ -102,7 +110,7 @@ impl<const D: usize> Monitors<D> {
     /// F′.
     #[must_use]
     pub fn required_degree(&self) -> u16 {
-        self.params.required_degree()
+        self.required_degree
     }
 
     /// What became of each law.
@@ -119,8 +127,8 @@ impl<const D: usize> Monitors<D> {
 
     /// What the theorem of `budget` came to.
     #[must_use]
-    pub(crate) fn promise(&self) -> &Promise<D> {
-        &self.promise
+    pub(crate) fn carry(&self) -> &Carry<D> {
+        &self.carry
     }
 
     /// Looks at one tick, after its robots ticked and before they move.
@@ -128,12 +136,12 @@ impl<const D: usize> Monitors<D> {
         let broken = |verdicts: &Verdicts| verdicts.of(Law::Degree).count + verdicts.of(Law::Distance).count;
         let before = broken(&self.verdicts);
         self.truth.look(&self.params, &self.malicious, frame, self.plain);
-        self.promise.watch(tick, frame, &self.truth, self.few_lie, &mut self.verdicts);
+        self.carry.watch(tick, frame, &self.truth, self.few_lie, &mut self.verdicts);
         self.watch_degrees();
         if tick.is_multiple_of(self.ticks_per_round) {
             self.watch_values(tick, frame);
         }
-        self.voices.hear(frame);
+        self.heard.hear(frame);
         if frame.wants_phi {
             self.watch_composition(tick);
         }
@@ -150,7 +158,7 @@ impl<const D: usize> Monitors<D> {
     }
 
     fn watch_degrees(&mut self) {
-        let required = self.params.required_degree();
+        let required = self.required_degree;
         for index in 0..self.truth.degrees.len() {
             let degree = self.truth.degrees[index];
             if self.malicious[index] {
@@ -161,13 +169,13 @@ impl<const D: usize> Monitors<D> {
             let h = degree_barrier(self.truth.levels[index], required);
             self.extremes.h_min = self.extremes.h_min.min(h);
         }
-        self.extremes.distance_min_m = sqrt(self.promise.least_m2());
+        self.extremes.distance_min_m = sqrt(self.carry.least_m2());
     }
 
     /// φ of the true levels.
     //= paper eq:composition
     fn watch_composition(&mut self, tick: u32) {
-        let (composed, radius_m) = (self.params.composed(), self.params.settings().radius_m);
+        let (composed, radius_m) = (self.composed, self.params.link().radius_m);
         let near = self.truth.pairs_m2.iter().filter(|pair| **pair <= radius_m * radius_m);
         let collisions: f64 =
             near.map(|pair| composed.collision_term::<f64>(*pair)).fold(0.0, |sum, term| sum + term);
@@ -180,7 +188,7 @@ impl<const D: usize> Monitors<D> {
     }
 
     fn watch_programs(&mut self, tick: u32, frame: &Frame<D>) {
-        let input = self.params.settings().input;
+        let input = self.params.settings().limits.input;
         let mut inside = true;
         for (robot, index) in (1_u16..).zip(0..frame.phis.len()) {
             let (phi, velocity) = (frame.phis[index], frame.velocities_m_s[index]);
@@ -219,13 +227,13 @@ impl<const D: usize> Monitors<D> {
                 self.broke(Law::Interval, Violation { tick, robots, seen: value, demanded });
             }
         }
-        let suffice = self.voices.end_round(frame, &self.malicious);
+        let suffice = self.heard.end_round(frame, &self.malicious);
         self.watch_spread(tick, (high - low).max(0.0), least.abs().max(most.abs()), suffice);
     }
 
     //= paper thm:rs_robust
     fn watch_spread(&mut self, tick: u32, spread: f64, magnitude: f64, suffice: bool) {
-        let beta = 1.0 / f64::from(self.params.settings().robots);
+        let beta = 1.0 / f64::from(self.params.settings().team.robots);
         if let Some(before) = self.spread.filter(|_| suffice) {
             // A value is rounded a few times in a round: far less than this.
             let demanded = before * (1.0 - 0.5 * beta) + 1e-13 * magnitude;

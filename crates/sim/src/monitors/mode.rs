@@ -7,8 +7,8 @@ use crate::attack::MotionAttack;
 use crate::faults::Clocks;
 use crate::frame::Frame;
 use crate::law::{Law, Verdicts, Violation};
-use crate::monitors::carry::{ROUNDING, longer_ago, required, share, since};
-use crate::monitors::truth::Truth;
+use crate::monitors::time::{fraction, longer_ago, since};
+use crate::monitors::truth::{ROUNDING, Truth, required};
 use crate::scenario::Scenario;
 
 /// Ticks in which all must have noticed that everything holds again.
@@ -16,7 +16,7 @@ const NOTICE_TICKS: u64 = 2;
 
 /// Watches the modes of normal robots under `budget`.
 #[derive(Clone, Debug)]
-pub(crate) struct Honesty<const D: usize> {
+pub(crate) struct ModeWatch<const D: usize> {
     params: Params<D>,
     malicious: Vec<bool>,
     /// Pairs with a malicious robot may collide: it goes where it likes.
@@ -34,16 +34,17 @@ pub(crate) struct Honesty<const D: usize> {
     recovery_ticks: u32,
 }
 
-impl<const D: usize> Honesty<D> {
+impl<const D: usize> ModeWatch<D> {
     /// For the robots of `scenario`, who may use a level for `told_ticks`.
     pub(crate) fn new(scenario: &Scenario, params: Params<D>, told_ticks: u64) -> Self {
-        let (steady, budget) = (scenario.trouble.clocks == Clocks::default(), params.budget());
+        let (steady, errors) = (scenario.faults.clocks == Clocks::default(), params.kept().errors);
+        let fall_max = params.budget().map_or(0.0, |budget| budget.curvature.fall_max());
         Self {
             malicious: scenario.malicious_mask(),
-            free: scenario.motion_attack != MotionAttack::Obedient,
-            exact: budget.margin.offset_m == 0.0 && steady,
+            free: scenario.attack.motion != MotionAttack::Obedient,
+            exact: errors.offset_m == 0.0 && steady,
             told_ticks,
-            blur: 4.0 * budget.margin.offset_m * budget.curvature.fall_max() * f64::from(budget.robots),
+            blur: 4.0 * errors.offset_m * fall_max * f64::from(scenario.team.robots),
             params,
             unwell: None,
             counted: [0; 3],
@@ -54,25 +55,25 @@ impl<const D: usize> Honesty<D> {
     /// Nobody promises what is not so, as far as it can know; and all promise again soon after everything holds.
     pub(crate) fn watch(&mut self, tick: u32, frame: &Frame<D>, truth: &Truth, verdicts: &mut Verdicts) {
         let stopped = frame.modes.contains(&Mode::Stopped);
-        let safe = (0..truth.own.len()).all(|robot| truth.own[robot] >= ROUNDING)
-            && (0..truth.own.len()).all(|robot| !self.crowded(robot, truth, true));
-        let well = safe && !stopped && !frame.broken;
+        let safe = (0..truth.h_own.len()).all(|robot| truth.h_own[robot] >= ROUNDING)
+            && (0..truth.h_own.len()).all(|robot| !self.crowded(robot, truth, true));
+        let well = safe && !stopped && !frame.assumptions.broken;
         if !well {
             self.unwell = Some(tick);
         }
         let healed =
             self.exact && longer_ago(self.unwell, tick, self.told_ticks.saturating_add(NOTICE_TICKS));
         let mut all = true;
-        for (robot, index) in (1_u16..).zip(0..truth.spares.len()).filter(|(_, k)| !self.malicious[*k]) {
+        for (robot, index) in (1_u16..).zip(0..truth.h.len()).filter(|(_, k)| !self.malicious[*k]) {
             let guaranteed = frame.modes[index] == Mode::Guaranteed;
             all &= guaranteed;
-            let negative = truth.own[index] < 0.0;
+            let negative = truth.h_own[index] < 0.0;
             for (counter, counts) in self.counted.iter_mut().zip([true, guaranteed, negative]) {
                 *counter += u64::from(counts);
             }
             let at = |seen| Violation { tick, robots: [robot, 0], seen, demanded: 0.0 };
-            if guaranteed && !frame.sensed_wrong[index] && self.untrue(index, truth) {
-                verdicts.broke(Law::Mode, at(truth.spares[index]), true);
+            if guaranteed && !frame.assumptions.sensed_wrong[index] && self.untrue(index, truth) {
+                verdicts.broke(Law::Mode, at(truth.h[index]), true);
             }
             if !guaranteed && healed {
                 verdicts.broke(Law::Mode, at(f64::from(since(self.unwell, tick))), true);
@@ -87,19 +88,19 @@ impl<const D: usize> Honesty<D> {
     /// robot too close.
     fn untrue(&self, robot: usize, truth: &Truth) -> bool {
         let degree_low = self.exact && truth.degrees[robot] < required(&self.params);
-        degree_low || truth.spares[robot] < -ROUNDING - self.blur || self.crowded(robot, truth, false)
+        degree_low || truth.h[robot] < -ROUNDING - self.blur || self.crowded(robot, truth, false)
     }
 
     /// True when another robot is certainly too close to `robot`; `anybody` counts disobedient ones too.
     fn crowded(&self, robot: usize, truth: &Truth, anybody: bool) -> bool {
-        let budget = self.params.budget();
-        let radius_m = self.params.settings().radius_m;
+        let kept = self.params.kept();
+        let radius_m = self.params.link().radius_m;
         let blur_m2 = ROUNDING * radius_m * radius_m;
         // A hair more for who must promise than for who may not: at the limit itself either is right.
         let limit_m2 = if anybody {
-            budget.distance_min_m * budget.distance_min_m + blur_m2
+            kept.distance_min_m * kept.distance_min_m + blur_m2
         } else {
-            let least_m = (budget.distance_min_m - 2.0 * budget.margin.offset_m).max(0.0);
+            let least_m = (kept.distance_min_m - 2.0 * kept.errors.offset_m).max(0.0);
             least_m * least_m - blur_m2
         };
         if truth.least_m2 >= limit_m2 {
@@ -107,14 +108,14 @@ impl<const D: usize> Honesty<D> {
         }
         let counts =
             |other: usize| anybody || !(self.free && (self.malicious[robot] || self.malicious[other]));
-        (0..truth.own.len())
+        (0..truth.h_own.len())
             .any(|other| other != robot && counts(other) && truth.pair_m2(robot, other) < limit_m2)
     }
 
     /// Shares of time in which normal robots were guaranteed, and in which their own h was negative.
     pub(crate) fn shares(&self) -> [f64; 2] {
         let [all, guaranteed, negative] = self.counted;
-        [share(guaranteed, all), share(negative, all)]
+        [fraction(guaranteed, all), fraction(negative, all)]
     }
 
     /// Longest time from the end of trouble until all were guaranteed again, in ticks.

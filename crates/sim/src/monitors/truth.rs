@@ -2,12 +2,16 @@
 
 use closeranks_core::controller::budget::knowledge::{Assume, Sighting};
 use closeranks_core::equations::link::{Link, LinkShape};
-use closeranks_core::num::{Vector, subtract};
-use closeranks_core::settings::params::{Controller, Params};
+use closeranks_core::num::subtract;
+use closeranks_core::robot::neighbor::RobotId;
+use closeranks_core::settings::Team;
+use closeranks_core::settings::params::Params;
 
 use crate::frame::Frame;
-use crate::monitors::carry::required;
-use crate::scenario::start::squared_distance;
+use crate::geometry::fill_pairs;
+
+/// Sums of weights, and squares of distances as a share of R², are rounded by far less than this.
+pub(crate) const ROUNDING: f64 = 1e-11;
 
 /// True levels, degrees and distances of one tick.
 #[derive(Debug, Default)]
@@ -17,16 +21,16 @@ pub(crate) struct Truth {
     /// Neighbours that count: all, or with free liars the normal ones.
     pub(crate) degrees: Vec<u16>,
     /// What is kept at 0 or above: h_i of references; with free liars the sum over normal neighbours, less θ.
-    pub(crate) spares: Vec<f64>,
+    pub(crate) h: Vec<f64>,
     /// h_i as a robot has it that senses exactly: with free liars of the trimmed sum.
-    pub(crate) own: Vec<f64>,
+    pub(crate) h_own: Vec<f64>,
     /// Squared distances of references, m², pair (first, second) at `second (second − 1)/2 + first`.
     pub(crate) pairs_m2: Vec<f64>,
-    /// The least of them.
+    /// The least of `pairs_m2`.
     pub(crate) least_m2: f64,
-    /// `pairs_m2` of positions; empty where these are the references.
+    /// Squared distances of positions, m², in the order of `pairs_m2`; empty where the positions are the references.
     actual_m2: Vec<f64>,
-    /// Weights and slopes of pairs.
+    /// Memory for the weights and the slopes of all pairs.
     scratch: [Vec<f64>; 2],
 }
 
@@ -37,12 +41,12 @@ impl Clone for Truth {
         clone
     }
 
-    /// In the memory that is there.
+    /// Copies into the memory that is there.
     fn clone_from(&mut self, other: &Self) {
         self.levels.clone_from(&other.levels);
         self.degrees.clone_from(&other.degrees);
-        self.spares.clone_from(&other.spares);
-        self.own.clone_from(&other.own);
+        self.h.clone_from(&other.h);
+        self.h_own.clone_from(&other.h_own);
         self.pairs_m2.clone_from(&other.pairs_m2);
         self.least_m2 = other.least_m2;
         self.actual_m2.clone_from(&other.actual_m2);
@@ -69,34 +73,33 @@ impl Truth {
         if plain {
             self.levels.clone_from(&frame.levels);
             self.degrees.clone_from(&frame.degrees);
-            self.spares.clear();
-            self.spares.extend(frame.levels.iter().map(|level| level - required));
-            self.own.clone_from(&self.spares);
+            self.h.clear();
+            self.h.extend(frame.levels.iter().map(|level| level - required));
+            self.h_own.clone_from(&self.h);
             return;
         }
-        let free =
-            params.settings().controller == Controller::Budget && params.settings().assume == Assume::Free;
-        let margin = params.budget().margin.away_m > 0.0;
+        let free = is_free(params);
+        let margin = params.kept().errors.away_m > 0.0;
         let counts = |robot: usize| !(free && malicious[robot]);
         self.resize(frame.positions_m.len());
         let actual_m2 = first_filled(&self.actual_m2, &self.pairs_m2);
         let scratch = &mut self.scratch;
         weigh(params.link(), actual_m2, |_| true, &mut self.levels, &mut self.degrees, scratch);
-        self.spares.clone_from(&self.levels);
+        self.h.clone_from(&self.levels);
         if free {
-            weigh(params.link(), actual_m2, counts, &mut self.spares, &mut self.degrees, scratch);
+            weigh(params.link(), actual_m2, counts, &mut self.h, &mut self.degrees, scratch);
         }
         if free || margin {
             let degrees = &mut vec![0; self.degrees.len()];
-            let shape = params.budget().curvature.link();
-            weigh(shape, &self.pairs_m2, counts, &mut self.spares, degrees, scratch);
+            let shape = &params.kept().link;
+            weigh(shape, &self.pairs_m2, counts, &mut self.h, degrees, scratch);
         }
-        for spare in &mut self.spares {
-            *spare -= required;
+        for h in &mut self.h {
+            *h -= required;
         }
-        self.own.clone_from(&self.spares);
+        self.h_own.clone_from(&self.h);
         if free {
-            for (robot, own) in self.own.iter_mut().enumerate() {
+            for (robot, own) in self.h_own.iter_mut().enumerate() {
                 *own = trimmed(params, frame, robot) - required;
             }
         }
@@ -122,20 +125,6 @@ impl Truth {
 
 fn first_filled<'a>(numbers: &'a Vec<f64>, others: &'a Vec<f64>) -> &'a Vec<f64> {
     if numbers.is_empty() { others } else { numbers }
-}
-
-/// Puts squared distances of all pairs, m², into `pairs_m2`, in the order of [`Truth::pairs_m2`].
-pub(crate) fn fill_pairs<const D: usize>(positions_m: &[Vector<D>], pairs_m2: &mut Vec<f64>) {
-    let robots = positions_m.len();
-    pairs_m2.resize(robots * robots.saturating_sub(1) / 2, 0.0);
-    let mut rest = &mut pairs_m2[..];
-    for (second, x) in positions_m.iter().enumerate() {
-        let (line, later) = core::mem::take(&mut rest).split_at_mut(second);
-        for (pair_m2, y) in line.iter_mut().zip(positions_m) {
-            *pair_m2 = squared_distance(x, y);
-        }
-        rest = later;
-    }
 }
 
 /// Sum and number of the links of every robot with the others that count, in order of their numbers; each pair once.
@@ -168,9 +157,25 @@ fn weigh(
     }
 }
 
+/// The degree that counts: F′, or θ among normal robots with free liars. Written down once more, so that monitors do not rest on what they watch.
+pub(crate) fn required<const D: usize>(params: &Params<D>) -> u16 {
+    let Team { robots, faults } = params.settings().team;
+    let free = is_free(params);
+    faults + if free { (robots - faults) / 2 } else { robots / 2 }
+}
+
+/// True if malicious robots may move as they like.
+pub(crate) fn is_free<const D: usize>(params: &Params<D>) -> bool {
+    params.budget().is_some_and(|budget| budget.assume == Assume::Free)
+}
+
+/// The trimmed sum T_i of a robot that senses exactly.
 fn trimmed<const D: usize>(params: &Params<D>, frame: &Frame<D>, robot: usize) -> f64 {
     let own = frame.positions_m[robot];
+    let id = |index: usize| RobotId(u16::try_from(index + 1).unwrap_or(u16::MAX));
     let others = frame.positions_m.iter().enumerate().filter(|(other, _)| *other != robot);
-    let sightings: Vec<Sighting<D>> = others.map(|(_, x)| Sighting::new(subtract(&own, x), None)).collect();
-    params.budget().level(&sightings, &mut vec![0.0; sightings.len()])
+    let sightings: Vec<Sighting<D>> =
+        others.map(|(other, x)| Sighting::new(id(other), subtract(&own, x), None)).collect();
+    let scratch = &mut vec![0.0; sightings.len()];
+    params.budget().map_or(0.0, |budget| budget.level(id(robot), &sightings, scratch))
 }

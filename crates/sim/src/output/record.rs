@@ -43,10 +43,10 @@ impl Record {
     /// Empty, with room for the whole run.
     #[must_use]
     pub fn new(scenario: &Scenario, required_degree: u16) -> Self {
-        let rows = (scenario.ticks() as usize + 1) * usize::from(scenario.robots);
+        let rows = (scenario.ticks() as usize + 1) * usize::from(scenario.team.robots);
         let column = || Vec::with_capacity(rows);
         Self {
-            robots: scenario.robots,
+            robots: scenario.team.robots,
             required_degree,
             dimension: scenario.dimension,
             tick_s: scenario.tick_s(),

@@ -1,13 +1,13 @@
 //! One row of the table: what a run came to.
 
-use closeranks_core::num::{Vector, sqrt};
+use closeranks_core::num::{Vector, dot, length, sqrt, subtract};
 
-use crate::attack::liars::mean_distance_to_liars;
+use crate::controllers::{Counted, Inside, Row};
 use crate::frame::Frame;
+use crate::geometry::squared_distance;
 use crate::law::{Law, Verdict, Verdicts};
 use crate::monitors::{Extremes, Monitors};
-use crate::scenario::start::squared_distance;
-use crate::scenario::{Controller, Scenario};
+use crate::scenario::Scenario;
 
 /// Where the start lies.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -67,14 +67,13 @@ impl Summary {
         self.verdicts.of(law).count
     }
 
-    /// What counts against the controller, counted and located so: what it promises ([`Controller::promises`]) and what was
+    /// What counts against the controller, counted and located so: what it promises ([`Row::promises`]) and what was
     /// broken although everything held that the promise rests on. With `budget` that is a bug, or a hole in the theorem.
     pub fn violations(&self, scenario: &Scenario) -> impl Iterator<Item = Verdict> {
-        let laws = scenario.controller.promises();
-        let all = scenario.controller == Controller::None;
+        let Row { promises: laws, counted, .. } = scenario.controller.row();
         let counted =
             self.verdicts.iter().filter(|verdict| laws.contains(&verdict.law)).map(move |verdict| {
-                let (count, first) = if all {
+                let (count, first) = if *counted == Counted::All {
                     (verdict.count, verdict.first)
                 } else {
                     (verdict.covered, verdict.first_covered)
@@ -122,7 +121,7 @@ impl Collector {
         monitors: &Monitors<D>,
     ) -> Summary {
         let speeds = frame.velocities_m_s.iter().map(|velocity| squared_distance(velocity, &[0.0; D]));
-        let [guaranteed_share, negative_share, covered_share] = monitors.promise().shares();
+        let [guaranteed_share, negative_share, covered_share] = monitors.carry().shares();
         let below = self.malicious_below.iter().filter(|below| **below).count();
         Summary {
             start: self.start.unwrap_or(NO_START),
@@ -136,7 +135,7 @@ impl Collector {
             guaranteed_share,
             negative_share,
             covered_share,
-            recovery_s: f64::from(monitors.promise().recovery_ticks()) * scenario.tick_s(),
+            recovery_s: f64::from(monitors.carry().recovery_ticks()) * scenario.tick_s(),
             malicious_below: u16::try_from(below).unwrap_or(u16::MAX),
             rounds: scenario.ticks() / scenario.ticks_per_round(),
             ticks: scenario.ticks(),
@@ -155,11 +154,11 @@ const NO_START: StartSummary = StartSummary {
 
 fn start<const D: usize>(scenario: &Scenario, frame: &Frame<D>, monitors: &Monitors<D>) -> StartSummary {
     let Extremes { phi_min, distance_min_m, inside_from, .. } = *monitors.extremes();
-    let normal = frame.spares.iter().zip(monitors.malicious()).filter(|(_, malicious)| !**malicious);
-    let h_min = normal.map(|(spare, _)| *spare).fold(f64::INFINITY, f64::min);
-    let inside = match scenario.controller {
-        Controller::Budget => h_min >= 0.0 && distance_min_m >= scenario.distance_min_m,
-        Controller::Composed | Controller::None => inside_from.is_some(),
+    let normal = frame.h.iter().zip(monitors.malicious()).filter(|(_, malicious)| !**malicious);
+    let h_min = normal.map(|(h, _)| *h).fold(f64::INFINITY, f64::min);
+    let inside = match scenario.controller.row().inside {
+        Inside::Margins => h_min >= 0.0 && distance_min_m >= scenario.limits.distance_min_m,
+        Inside::Shares => inside_from.is_some(),
     };
     let degree_min = frame.degrees.iter().copied().min().unwrap_or(0);
     StartSummary { inside, phi_min, h_min, degree_min, distance_min_m }
@@ -185,12 +184,23 @@ pub fn gyration<const D: usize>(positions: &[Vector<D>]) -> f64 {
     )
 }
 
+/// Mean distance from normal to malicious robots, m; `None` without both kinds.
+fn mean_distance_to_liars<const D: usize>(positions: &[Vector<D>], malicious: &[bool]) -> Option<f64> {
+    let (mut sum, mut count) = (0.0, 0_u32);
+    for (x, _) in positions.iter().zip(malicious).filter(|(_, malicious)| !**malicious) {
+        for (y, _) in positions.iter().zip(malicious).filter(|(_, malicious)| **malicious) {
+            sum += length(&subtract(x, y));
+            count += 1;
+        }
+    }
+    (count > 0).then(|| sum / f64::from(count))
+}
+
 /// Rate of growth of the radius of gyration under the inputs of a frame, m/s: `Σ (x_i − x̄)·u_i / (n r_g)`.
 fn spreading<const D: usize>(frame: &Frame<D>) -> f64 {
     let centre = mean(&frame.positions_m);
     let radius = gyration(&frame.positions_m);
     let pairs = frame.positions_m.iter().zip(&frame.velocities_m_s);
-    let outward: f64 =
-        pairs.map(|(x, u)| closeranks_core::num::dot(&closeranks_core::num::subtract(x, &centre), u)).sum();
+    let outward: f64 = pairs.map(|(x, u)| dot(&subtract(x, &centre), u)).sum();
     if radius > 0.0 { outward / (count(frame.positions_m.len()) * radius) } else { 0.0 }
 }

@@ -1,11 +1,16 @@
 //! What no single field can tell: ranges that depend on others, and whether the start exists.
 
-use closeranks_core::settings::range::{Field, ParamsError};
+use closeranks_core::settings::field::Field;
+use closeranks_core::settings::params::Params;
+use closeranks_core::settings::range::{Allowed, ParamsError};
 
-use super::ROWS_MAX;
 use super::reader::Reader;
-use crate::scenario::start::{Start, StartError, squared_distance};
-use crate::scenario::{Controller, Scenario, Values};
+use crate::geometry::squared_distance;
+use crate::scenario::start::{Start, StartError};
+use crate::scenario::{Scenario, Values};
+
+/// Most rows (ticks × robots) that a run may have.
+pub const ROWS_MAX: u64 = 20_000_000;
 
 /// Notes in `reader` what cannot be run; `scenario` holds fields that were each read without fault.
 pub(super) fn check(reader: &mut Reader, scenario: &Scenario) {
@@ -16,12 +21,9 @@ pub(super) fn check(reader: &mut Reader, scenario: &Scenario) {
     if !reader.is_clean() {
         return;
     }
-    let checked = match scenario.dimension {
-        3 => scenario.params::<3>().err(),
-        _ => scenario.params::<2>().err(),
-    };
-    if let Some(error) = checked {
-        refuse_parameter(reader, scenario, &error);
+    match scenario.dimension {
+        3 => parameters::<3>(reader, scenario),
+        _ => parameters::<2>(reader, scenario),
     }
     match scenario.dimension {
         3 => start::<3>(reader, scenario),
@@ -29,29 +31,38 @@ pub(super) fn check(reader: &mut Reader, scenario: &Scenario) {
     }
 }
 
-fn team(reader: &mut Reader, scenario: &Scenario) {
-    let heavy = scenario.controller == Controller::Budget || !scenario.is_plain();
-    if heavy && scenario.robots > HEAVY_ROBOTS_MAX {
-        let allowed = format!("at most {HEAVY_ROBOTS_MAX} {HEAVY}");
-        reader.refuse("team.robots", scenario.robots.to_string(), allowed);
+fn parameters<const D: usize>(reader: &mut Reader, scenario: &Scenario) {
+    match scenario.params::<D>() {
+        Ok(params) => one_by_one(reader, scenario, &params),
+        Err(error) => refuse_parameter(reader, scenario, &error),
     }
+}
+
+fn team(reader: &mut Reader, scenario: &Scenario) {
     let mut pairs = scenario.malicious.iter().zip(scenario.malicious.iter().skip(1));
     if let Some((robot, _)) = pairs.find(|(first, second)| first == second) {
         reader.refuse("team.malicious", format!("robot {robot} twice"), "each robot once");
     }
 }
 
-/// Where the world is not plain robots run one by one, and each holds what it knows of all others; `budget` holds every pair
-/// even if it is computed at once. Memory grows with the square.
-const HEAVY_ROBOTS_MAX: u16 = 1_000;
-/// Which teams these are.
-const HEAVY: &str = "with controller.kind = \"budget\", and wherever something goes wrong or liars have faces, fall silent, \
-                     send garbage or disobey";
+/// Robots that run one by one each hold what they know of all others: memory grows with the square of the team.
+const ONE_BY_ONE_MAX: u16 = 1_000;
+
+fn one_by_one<const D: usize>(reader: &mut Reader, scenario: &Scenario, params: &Params<D>) {
+    let at_once = scenario.is_plain() && params.controller().can_be_computed_at_once();
+    if !at_once && scenario.team.robots > ONE_BY_ONE_MAX {
+        let allowed = format!(
+            "at most {ONE_BY_ONE_MAX} where robots run one by one: wherever something goes wrong, liars have faces, fall \
+             silent, send garbage or disobey, and with controller.kind = \"budget\" under assume = \"free\" or stated errors"
+        );
+        reader.refuse("team.robots", scenario.team.robots.to_string(), allowed);
+    }
+}
 
 fn boxes(reader: &mut Reader, scenario: &Scenario) {
     let corners = [
-        ("controller.input_min_m_s", &scenario.input_min_m_s),
-        ("controller.input_max_m_s", &scenario.input_max_m_s),
+        ("controller.input_min_m_s", &scenario.limits.input_min_m_s),
+        ("controller.input_max_m_s", &scenario.limits.input_max_m_s),
     ];
     for (field, corner) in corners {
         if corner.len() != scenario.dimension {
@@ -65,72 +76,46 @@ fn boxes(reader: &mut Reader, scenario: &Scenario) {
 }
 
 fn clocks(reader: &mut Reader, scenario: &Scenario) {
-    let (tau_1, tau_2) = (scenario.tau_1.as_nanos(), scenario.tau_2.as_nanos());
+    let (tau_1, tau_2) = (scenario.clock.level_period.as_nanos(), scenario.clock.value_period.as_nanos());
     if tau_2 < tau_1 || !tau_2.is_multiple_of(tau_1) {
-        let allowed = format!("a whole multiple of clock.tau_1_s = {}", scenario.tau_1.as_secs_f64());
-        reader.refuse("clock.tau_2_s", scenario.tau_2.as_secs_f64().to_string(), allowed);
+        let allowed =
+            format!("a whole multiple of clock.tau_1_s = {}", scenario.clock.level_period.as_secs_f64());
+        reader.refuse("clock.tau_2_s", scenario.clock.value_period.as_secs_f64().to_string(), allowed);
     }
-    let rows = (scenario.duration_s / scenario.tick_s() + 1.0) * f64::from(scenario.robots);
+    let rows = (scenario.duration_s / scenario.tick_s() + 1.0) * f64::from(scenario.team.robots);
     #[expect(clippy::cast_precision_loss, reason = "far below 2^53")]
     let limit = ROWS_MAX as f64;
     if rows > limit {
-        let most = (limit / f64::from(scenario.robots) - 1.0) * scenario.tick_s();
-        let allowed = format!("at most {most:.1} with {} robots and this tick", scenario.robots);
+        let most = (limit / f64::from(scenario.team.robots) - 1.0) * scenario.tick_s();
+        let allowed = format!("at most {most:.1} with {} robots and this tick", scenario.team.robots);
         reader.refuse("duration_s", scenario.duration_s.to_string(), allowed);
     }
 }
 
 fn values(reader: &mut Reader, scenario: &Scenario) {
     if let Values::Listed(values) = &scenario.values
-        && values.len() != usize::from(scenario.robots)
+        && values.len() != usize::from(scenario.team.robots)
     {
-        let allowed = format!("{} numbers, one a robot", scenario.robots);
+        let allowed = format!("{} numbers, one a robot", scenario.team.robots);
         reader.refuse("values.values", format!("a list of {}", values.len()), allowed);
     }
 }
 
 fn refuse_parameter(reader: &mut Reader, scenario: &Scenario, error: &ParamsError) {
     let why = match error.field {
-        Field::Faults => format!(" (2F + 1 <= n = {})", scenario.robots),
-        Field::Epsilon => format!(" (below 1/(n-1), n = {})", scenario.robots),
-        Field::DistanceMinM if scenario.controller == Controller::Budget => {
-            " (below link.radius_m by two longest moves of a tick)".to_owned()
+        Field::Faults => format!(" (2F + 1 <= n = {})", scenario.team.robots),
+        Field::Epsilon => format!(" (below 1/(n-1), n = {})", scenario.team.robots),
+        Field::DistanceMinM if error.allowed != Allowed::Open(0.0, scenario.link.radius_m) => {
+            " (below link.radius_m by two longest moves of a tick and what stated errors cost)".to_owned()
         }
-        Field::DistanceMinM => " (below link.radius_m)".to_owned(),
-        Field::InputMinMS | Field::InputMaxMS => " (the box must contain 0)".to_owned(),
-        _ => String::new(),
+        field if field.why().is_empty() => String::new(),
+        field => format!(" ({})", field.why()),
     };
-    reader.refuse(field_name(error.field), error.value.to_string(), format!("{}{why}", error.allowed));
-}
-
-fn field_name(field: Field) -> &'static str {
-    match field {
-        Field::Robots => "team.robots",
-        Field::Faults => "team.faults",
-        Field::RadiusM => "link.radius_m",
-        Field::DistanceMinM => "controller.distance_min_m",
-        Field::Epsilon => "link.epsilon",
-        Field::Q2 => "link.q2",
-        Field::WR => "controller.w_r",
-        Field::WC => "controller.w_c",
-        Field::Alpha => "controller.alpha",
-        Field::Gamma => "controller.gamma",
-        Field::GammaC => "controller.gamma_c",
-        Field::Rise => "controller.rise",
-        Field::InputMinMS => "controller.input_min_m_s",
-        Field::InputMaxMS => "controller.input_max_m_s",
-        Field::LevelPeriod => "clock.tau_1_s",
-        Field::ValuePeriod => "clock.tau_2_s",
-        Field::HoldMax => "clock.hold_max_s",
-        Field::ToldMax => "clock.told_max_s",
-        Field::ClockError => "clock.error_s",
-        Field::PositionErrorM => "controller.position_error_m",
-        Field::TrackingErrorM => "controller.tracking_error_m",
-    }
+    reader.refuse(error.field.name(), error.value.to_string(), format!("{}{why}", error.allowed));
 }
 
 fn start<const D: usize>(reader: &mut Reader, scenario: &Scenario) {
-    let positions = match scenario.start.positions::<D>(scenario) {
+    let positions = match scenario.positions::<D>() {
         Ok(positions) => positions,
         Err(error) => return refuse_start(reader, scenario, &error),
     };
@@ -155,7 +140,7 @@ fn start<const D: usize>(reader: &mut Reader, scenario: &Scenario) {
 fn refuse_start(reader: &mut Reader, scenario: &Scenario, error: &StartError) {
     match (error, &scenario.start) {
         (StartError::Count { found, .. }, _) => {
-            let allowed = format!("{} positions, one a robot", scenario.robots);
+            let allowed = format!("{} positions, one a robot", scenario.team.robots);
             reader.refuse("start.positions_m", format!("a list of {found}"), allowed);
         }
         (StartError::Full { placed, robots, .. }, Start::Random { half_side_m, .. }) => {

@@ -1,23 +1,21 @@
 //! Every field of a scenario text, with its default and range.
 
-use core::time::Duration;
-
 use closeranks_core::controller::budget::knowledge::{Assume, Trust};
-use closeranks_core::equations::composition::Share;
+use closeranks_core::equations::composition::PhiSplit;
+use closeranks_core::settings::field::TABLE;
 use closeranks_core::settings::params::{MAGNITUDE_MAX, ROBOTS_MAX};
 use closeranks_core::settings::range::Allowed;
 use toml::de::{DeTable, DeValue};
 
+use super::common::{POSITIVE, interval, set, small};
 use super::reader::{Reader, Section, number, whole};
+use crate::attack::Attack;
+use crate::faults::{Faults, Outages};
 use crate::law::Law;
-use crate::scenario::desired::Motion;
+use crate::plant::Plant;
+use crate::scenario::desired::Desired;
 use crate::scenario::start::Start;
 use crate::scenario::{Controller, Scenario, Values};
-
-pub(super) const ANY: Allowed = Allowed::Closed(-MAGNITUDE_MAX, MAGNITUDE_MAX);
-pub(super) const POSITIVE: Allowed = Allowed::LeftOpen(0.0, MAGNITUDE_MAX);
-pub(super) const NOT_NEGATIVE: Allowed = Allowed::Closed(0.0, MAGNITUDE_MAX);
-pub(super) const SECONDS: Allowed = Allowed::Closed(1e-6, 3_600.0);
 
 /// Reads the fields of one table.
 type Fill = fn(&mut Reader, &mut Section<'_>, &mut Scenario);
@@ -27,7 +25,7 @@ pub(super) fn read(reader: &mut Reader, table: &DeTable<'_>) -> Scenario {
     let mut root = Section::root(table);
     let mut scenario = Scenario::default();
     let expect = head(reader, &mut root, &mut scenario);
-    let tables: [(&'static str, Fill); 12] = [
+    let tables: [(&'static str, Fill); 7] = [
         ("team", team),
         ("link", link),
         ("controller", controller),
@@ -35,26 +33,19 @@ pub(super) fn read(reader: &mut Reader, table: &DeTable<'_>) -> Scenario {
         ("start", start),
         ("values", values),
         ("motion", motion),
-        ("attack", super::attacks::attack),
-        ("network", super::trouble::network),
-        ("clocks", super::trouble::clocks),
-        ("sensing", super::trouble::sensing),
-        ("plant", super::trouble::plant),
     ];
     for (key, fill) in tables {
-        let mut section = reader.section(&mut root, key);
-        fill(reader, &mut section, &mut scenario);
-        reader.close(&section);
+        reader.table(&mut root, key, |reader, section| fill(reader, section, &mut scenario));
     }
+    scenario.attack = reader.table(&mut root, "attack", Attack::read);
+    scenario.faults = Faults::read(reader, &mut root, scenario.team.robots);
+    reader.table(&mut root, "plant", |reader, section| {
+        scenario.plant = Plant::read(reader, section);
+        scenario.faults.outages = Outages::read(reader, section, scenario.team.robots);
+    });
     reader.close(&root);
-    scenario.expect = expect.unwrap_or_else(|| scenario.controller.usual().to_vec());
+    scenario.expect = expect.unwrap_or_else(|| scenario.controller.row().expects.to_vec());
     scenario
-}
-
-pub(super) fn set<T>(field: &mut T, read: Option<T>) {
-    if let Some(value) = read {
-        *field = value;
-    }
 }
 
 /// Gives the laws that are expected, if they are named.
@@ -64,74 +55,57 @@ fn head(reader: &mut Reader, root: &mut Section<'_>, scenario: &mut Scenario) ->
     set(&mut scenario.seed, reader.whole(root, "seed", 0..1 << 63));
     set(&mut scenario.dimension, reader.whole(root, "dimension", 2..4).and_then(|d| usize::try_from(d).ok()));
     if scenario.dimension == 3 {
-        scenario.input_min_m_s = vec![-1.5; 3];
-        scenario.input_max_m_s = vec![1.5; 3];
+        scenario.limits.input_min_m_s = vec![-1.5; 3];
+        scenario.limits.input_max_m_s = vec![1.5; 3];
     }
     let law = |value: &DeValue<'_>| Law::ALL.into_iter().find(|law| Some(law.name()) == value.as_str());
     let names = Law::ALL.map(|law| format!("`{}`", law.name())).join(", ");
     reader.list(root, "expect", &names, law)
 }
 
-pub(super) fn small(whole: u64) -> u16 {
-    u16::try_from(whole).unwrap_or(u16::MAX)
-}
-
 fn team(reader: &mut Reader, section: &mut Section<'_>, scenario: &mut Scenario) {
-    set(&mut scenario.robots, reader.whole(section, "robots", 2..u64::from(ROBOTS_MAX) + 1).map(small));
+    set(&mut scenario.team.robots, reader.whole(section, "robots", 2..u64::from(ROBOTS_MAX) + 1).map(small));
     let faults = reader.whole(section, "faults", 0..u64::from(ROBOTS_MAX)).map(small);
-    scenario.faults = faults.unwrap_or(((scenario.robots - 1) / 2).min(2));
-    let robots = scenario.robots;
+    scenario.team.faults = faults.unwrap_or(((scenario.team.robots - 1) / 2).min(2));
+    let robots = scenario.team.robots;
     let robot =
         move |value: &DeValue<'_>| whole(value).map(small).filter(|robot| (1..=robots).contains(robot));
     let malicious =
         reader.list(section, "malicious", &format!("the number of a robot, 1 to {robots}"), robot);
-    scenario.malicious = malicious.unwrap_or_else(|| (1..=scenario.faults.min(robots)).collect());
+    scenario.malicious = malicious.unwrap_or_else(|| (1..=scenario.team.faults.min(robots)).collect());
     scenario.malicious.sort_unstable();
 }
 
+/// Reads every number of the settings that stands in `table`.
+fn numbers(reader: &mut Reader, section: &mut Section<'_>, table: &str, scenario: &mut Scenario) {
+    for row in TABLE.iter().filter(|row| row.place().0 == table) {
+        if let Some(number) = reader.number(section, row.place().1, row.range) {
+            (row.set)(&mut scenario.parts(), number);
+        }
+    }
+}
+
 fn link(reader: &mut Reader, section: &mut Section<'_>, scenario: &mut Scenario) {
-    set(&mut scenario.radius_m, reader.number(section, "radius_m", POSITIVE));
-    scenario.epsilon = reader.number(section, "epsilon", ANY);
-    set(&mut scenario.q2, reader.number(section, "q2", POSITIVE));
+    numbers(reader, section, "link", scenario);
 }
 
 fn controller(reader: &mut Reader, section: &mut Section<'_>, scenario: &mut Scenario) {
-    let kinds =
-        [("composed", Controller::Composed), ("budget", Controller::Budget), ("none", Controller::None)];
+    let kinds: Vec<_> = Controller::ALL.iter().map(|controller| (controller.name(), *controller)).collect();
     set(&mut scenario.controller, reader.word(section, "kind", &kinds));
-    let shares = [("neighbours", Share::Neighbours), ("own", Share::Own)];
-    set(&mut scenario.share, reader.word(section, "share", &shares));
-    set(&mut scenario.w_r, reader.number(section, "w_r", POSITIVE));
-    set(&mut scenario.w_c, reader.number(section, "w_c", POSITIVE));
-    set(&mut scenario.alpha, reader.number(section, "alpha", POSITIVE));
-    scenario.gamma = reader.number(section, "gamma", POSITIVE);
-    set(&mut scenario.rise, reader.number(section, "rise", NOT_NEGATIVE));
-    set(&mut scenario.gamma_c, reader.number(section, "gamma_c", POSITIVE));
+    numbers(reader, section, "controller", scenario);
+    let splits = [("neighbours", PhiSplit::Neighbors), ("own", PhiSplit::Own)];
+    set(&mut scenario.composed.phi_split, reader.word(section, "share", &splits));
     let trusts = [("told", Trust::Told), ("told-or-seen", Trust::ToldOrSeen), ("seen", Trust::Seen)];
-    set(&mut scenario.trust, reader.word(section, "trust", &trusts));
+    set(&mut scenario.budget.trust, reader.word(section, "trust", &trusts));
     let assumptions = [("obedient", Assume::Obedient), ("free", Assume::Free)];
-    set(&mut scenario.assume, reader.word(section, "assume", &assumptions));
-    set(&mut scenario.distance_min_m, reader.number(section, "distance_min_m", POSITIVE));
-    set(&mut scenario.position_error_m, reader.number(section, "position_error_m", NOT_NEGATIVE));
-    set(&mut scenario.tracking_error_m, reader.number(section, "tracking_error_m", NOT_NEGATIVE));
-    set(&mut scenario.input_min_m_s, reader.list(section, "input_min_m_s", "a speed in m/s", number));
-    set(&mut scenario.input_max_m_s, reader.list(section, "input_max_m_s", "a speed in m/s", number));
+    set(&mut scenario.budget.assume, reader.word(section, "assume", &assumptions));
+    let limits = &mut scenario.limits;
+    set(&mut limits.input_min_m_s, reader.list(section, "input_min_m_s", "a speed in m/s", number));
+    set(&mut limits.input_max_m_s, reader.list(section, "input_max_m_s", "a speed in m/s", number));
 }
 
 fn clock(reader: &mut Reader, section: &mut Section<'_>, scenario: &mut Scenario) {
-    let nanos = |seconds: f64| {
-        #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "between 0 and 3.6e12")]
-        let nanos = (seconds * 1e9).round() as u64;
-        Duration::from_nanos(nanos)
-    };
-    set(&mut scenario.tau_1, reader.number(section, "tau_1_s", SECONDS).map(nanos));
-    set(&mut scenario.tau_2, reader.number(section, "tau_2_s", SECONDS).map(nanos));
-    scenario.hold_max = reader.number(section, "hold_max_s", SECONDS).map(nanos);
-    set(&mut scenario.told_max, reader.number(section, "told_max_s", SECONDS).map(nanos));
-    set(
-        &mut scenario.clock_error,
-        reader.number(section, "error_s", Allowed::Closed(0.0, 3_600.0)).map(nanos),
-    );
+    numbers(reader, section, "clock", scenario);
 }
 
 fn start(reader: &mut Reader, section: &mut Section<'_>, scenario: &mut Scenario) {
@@ -144,7 +118,7 @@ fn start(reader: &mut Reader, section: &mut Section<'_>, scenario: &mut Scenario
     ];
     let names: Vec<(&str, usize)> =
         presets.iter().enumerate().map(|(index, (name, _))| (*name, index)).collect();
-    let usual = match (scenario.robots, scenario.dimension) {
+    let usual = match (scenario.team.robots, scenario.dimension) {
         (11, 2) => 0,
         (_, 2) => 2,
         _ => 3,
@@ -180,28 +154,21 @@ fn values(reader: &mut Reader, section: &mut Section<'_>, scenario: &mut Scenari
             Values::Listed(reader.list(section, "values", "a number", value).unwrap_or_default());
         return;
     }
-    let [min, max] = interval(reader, section);
+    let [min, max] = interval(reader, section, [-500.0, 500.0]);
     scenario.values = Values::Random { min, max };
-}
-
-/// Fields `min` and `max`, by default the paper's [−500, 500].
-pub(super) fn interval(reader: &mut Reader, section: &mut Section<'_>) -> [f64; 2] {
-    let min = reader.number(section, "min", ANY).unwrap_or(-500.0);
-    let max = reader.number(section, "max", Allowed::Closed(min, MAGNITUDE_MAX)).unwrap_or(min.max(500.0));
-    [min, max]
 }
 
 fn motion(reader: &mut Reader, section: &mut Section<'_>, scenario: &mut Scenario) {
     set(
-        &mut scenario.motion,
+        &mut scenario.desired,
         reader.word(
             section,
             "kind",
             &[
-                ("paper", Motion::Paper),
-                ("hold", Motion::Hold),
-                ("gather", Motion::Gather),
-                ("wander", Motion::Wander),
+                ("paper", Desired::Paper),
+                ("hold", Desired::Hold),
+                ("gather", Desired::Gather),
+                ("wander", Desired::Wander),
             ],
         ),
     );

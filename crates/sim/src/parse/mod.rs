@@ -1,12 +1,12 @@
 //! Scenarios written in TOML. Every field has a default; anything not understood is refused with its place.
 
-mod attacks;
 mod checks;
+pub(crate) mod common;
 mod fields;
 mod problem;
 pub(crate) mod reader;
-mod trouble;
 
+pub use checks::ROWS_MAX;
 pub use problem::Problem;
 
 use toml::Spanned;
@@ -16,9 +16,6 @@ use crate::scenario::Scenario;
 
 /// Longest scenario text, bytes.
 pub const TEXT_MAX: usize = 1 << 20;
-
-/// Most rows (ticks × robots) that a run may have.
-pub const ROWS_MAX: u64 = 20_000_000;
 
 /// The scenario of a TOML text, or everything that is wrong with it.
 ///

@@ -82,11 +82,7 @@ impl Reader {
     }
 
     /// A table below `parent`.
-    pub(crate) fn section<'text>(
-        &mut self,
-        parent: &mut Section<'text>,
-        key: &'static str,
-    ) -> Section<'text> {
+    fn section<'text>(&mut self, parent: &mut Section<'text>, key: &'static str) -> Section<'text> {
         let path = parent.name(key);
         let (place, known) = (parent.place.clone(), Vec::new());
         let mut section = Section { path, place, entries: None, known, unclear: false };
@@ -99,6 +95,19 @@ impl Reader {
             }
         }
         section
+    }
+
+    /// A table below `parent`, read by `read`; fields that it did not ask for are noted.
+    pub(crate) fn table<'text, T>(
+        &mut self,
+        parent: &mut Section<'text>,
+        key: &'static str,
+        read: impl FnOnce(&mut Self, &mut Section<'text>) -> T,
+    ) -> T {
+        let mut section = self.section(parent, key);
+        let fields = read(self, &mut section);
+        self.close(&section);
+        fields
     }
 
     /// A value by its key, with its place remembered.
@@ -126,6 +135,17 @@ impl Reader {
             self.wrong(field, value, format!("a number, {allowed}"));
         }
         number
+    }
+
+    /// A finite number in `allowed`, or `default` where it is not given.
+    pub(crate) fn number_or(
+        &mut self,
+        section: &mut Section<'_>,
+        key: &'static str,
+        allowed: Allowed,
+        default: f64,
+    ) -> f64 {
+        self.number(section, key, allowed).unwrap_or(default)
     }
 
     /// A whole number in `range`.

@@ -6,7 +6,7 @@ use crate::random::{Random, Stream};
 
 /// Desired motion u_{i,des}(x_i).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Motion {
+pub enum Desired {
     /// The paper's section V: unit speed in four directions (six in 3D), which would break the network.
     Paper,
     /// Stay.
@@ -17,7 +17,7 @@ pub enum Motion {
     Wander,
 }
 
-impl Motion {
+impl Desired {
     /// Desired velocity of robot `number` (from 1) of `robots`, m/s.
     ///
     /// ```text
@@ -40,7 +40,7 @@ impl Motion {
         unit(&toward)
     }
 
-    /// The same for [`Motion::Wander`], a function of seed, robot and time alone.
+    /// The same for [`Desired::Wander`], a function of seed, robot and time alone.
     #[must_use]
     pub fn wandering<const D: usize>(seed: u64, number: u16, time_s: f64) -> Vector<D> {
         #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "saturates")]
@@ -63,7 +63,7 @@ mod tests {
     //= paper sec:sim type=test
     #[test]
     fn the_papers_eleven_robots_go_four_ways() {
-        let way = |number| Motion::Paper.desired(number, 11, &[0.0, 0.0]);
+        let way = |number| Desired::Paper.desired(number, 11, &[0.0, 0.0]);
         assert_eq!(way(1), [-1.0, 0.0]);
         assert_eq!(way(4), [1.0, 0.0]);
         assert_eq!(way(5), [-1.0, 0.0]);
@@ -73,7 +73,7 @@ mod tests {
 
     #[test]
     fn in_three_dimensions_six_ways() {
-        let way = |number| Motion::Paper.desired(number, 12, &[0.0, 0.0, 0.0]);
+        let way = |number| Desired::Paper.desired(number, 12, &[0.0, 0.0, 0.0]);
         assert_eq!(way(4), [1.0, 0.0, 0.0]);
         assert_eq!(way(5), [0.0, -1.0, 0.0]);
         assert_eq!(way(9), [0.0, 0.0, -1.0]);
@@ -81,14 +81,14 @@ mod tests {
 
     #[test]
     fn the_goal_itself_and_holding_ask_for_nothing() {
-        assert_eq!(Motion::Paper.desired(2, 11, &[100.0, 0.0]), [0.0, 0.0]);
-        assert_eq!(Motion::Hold.desired(2, 11, &[1.0, 0.0]), [0.0, 0.0]);
-        assert_eq!(Motion::Gather.desired(2, 11, &[0.0, 4.0]), [0.0, -1.0]);
+        assert_eq!(Desired::Paper.desired(2, 11, &[100.0, 0.0]), [0.0, 0.0]);
+        assert_eq!(Desired::Hold.desired(2, 11, &[1.0, 0.0]), [0.0, 0.0]);
+        assert_eq!(Desired::Gather.desired(2, 11, &[0.0, 4.0]), [0.0, -1.0]);
     }
 
     #[test]
     fn wandering_robots_change_their_way_twice_a_second() {
-        let way = |number, time_s| Motion::wandering::<2>(7, number, time_s);
+        let way = |number, time_s| Desired::wandering::<2>(7, number, time_s);
         assert_eq!(way(1, 0.0), way(1, 0.49));
         assert_ne!(way(1, 0.0), way(1, 0.5));
         assert_ne!(way(1, 0.0), way(2, 0.0));

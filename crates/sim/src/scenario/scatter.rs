@@ -4,9 +4,8 @@ use std::collections::BTreeMap;
 
 use closeranks_core::num::Vector;
 
+use crate::geometry::squared_distance;
 use crate::random::{Random, Stream};
-use crate::scenario::Scenario;
-use crate::scenario::start::{StartError, squared_distance};
 
 /// Draws for one robot before the box counts as full.
 pub(crate) const TRIES: u32 = 10_000;
@@ -14,21 +13,22 @@ pub(crate) const TRIES: u32 = 10_000;
 /// Draws for a whole team, a robot: the generator ends within seconds for any team and box.
 const TRIES_MEAN: u32 = 100;
 
-/// Robots drawn evenly from the cube `[−half, half]^D`, m, each at least `distance_min_m` from the others; an error when
-/// the next one finds no place.
+/// Robots drawn evenly from the cube `[−half, half]^D`, m, each at least `distance_min_m` from the others. If the next
+/// one finds no place, the error is how many robots did.
 pub(crate) fn scatter<const D: usize>(
-    scenario: &Scenario,
+    robots: u16,
+    seed: u64,
     half: f64,
     distance_min_m: f64,
-) -> Result<Vec<Vector<D>>, StartError> {
-    let mut random = Random::new(scenario.seed, Stream::Start);
+) -> Result<Vec<Vector<D>>, usize> {
+    let mut random = Random::new(seed, Stream::Start);
     let mut crowd = Crowd { side_m: distance_min_m, cells: BTreeMap::new() };
     let mut placed: Vec<Vector<D>> = Vec::new();
-    let mut left = TRIES + TRIES_MEAN * u32::from(scenario.robots);
-    for _ in 0..scenario.robots {
+    let mut left = TRIES + TRIES_MEAN * u32::from(robots);
+    for _ in 0..robots {
         let draws = (0..TRIES.min(left)).map(|_| core::array::from_fn(|_| random.uniform(-half, half)));
         let Some((failed, place)) = draws.enumerate().find(|(_, place)| crowd.has_room(place)) else {
-            return Err(StartError::Full { placed: placed.len(), robots: scenario.robots, distance_min_m });
+            return Err(placed.len());
         };
         left = left.saturating_sub(u32::try_from(failed).unwrap_or(u32::MAX).saturating_add(1));
         crowd.add(&place);

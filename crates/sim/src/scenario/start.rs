@@ -1,15 +1,14 @@
 //! Where robots start.
 
-use closeranks_core::num::{Vector, dot, sqrt, subtract};
+use closeranks_core::num::{Vector, sqrt};
 
-use crate::scenario::Scenario;
 use crate::scenario::scatter::{TRIES, scatter};
 
 /// Start positions x_i(t₀).
 #[derive(Clone, Debug, PartialEq)]
 pub enum Start {
     /// The eleven positions read from the published figure. Robots 1 and 10 stand 0.2236 m apart: outside the paper's own
-    /// safe set (METHOD.md 2.4).
+    /// safe set (docs/theory, sec:start).
     Published,
     /// Ours: a hexagonal patch of spacing 0.6 m, inside the safe set in all three scenarios.
     Inside,
@@ -96,16 +95,22 @@ const INSIDE_PLACES: [[i8; 2]; 11] =
 pub const INSIDE_SPACING_M: f64 = 0.6;
 
 impl Start {
-    /// The positions for `scenario`; a pure function of it and its seed, bounded in time.
-    pub fn positions<const D: usize>(&self, scenario: &Scenario) -> Result<Vec<Vector<D>>, StartError> {
+    /// The positions of so many robots; a pure function of its arguments, bounded in time.
+    pub fn positions<const D: usize>(&self, robots: u16, seed: u64) -> Result<Vec<Vector<D>>, StartError> {
         match self {
-            Self::Published => preset("published", &PUBLISHED_M, scenario),
+            Self::Published => preset("published", &PUBLISHED_M, robots),
             Self::Inside => {
-                preset("inside", &INSIDE_PLACES.map(|place| lattice(place, INSIDE_SPACING_M)), scenario)
+                preset("inside", &INSIDE_PLACES.map(|place| lattice(place, INSIDE_SPACING_M)), robots)
             }
-            Self::Hexagon { spacing_m } => hexagon(scenario.robots, *spacing_m),
-            Self::Random { half_side_m, distance_min_m } => scatter(scenario, *half_side_m, *distance_min_m),
-            Self::Listed(positions) => listed(positions, scenario.robots),
+            Self::Hexagon { spacing_m } => hexagon(robots, *spacing_m),
+            Self::Random { half_side_m, distance_min_m } => {
+                scatter(robots, seed, *half_side_m, *distance_min_m).map_err(|placed| StartError::Full {
+                    placed,
+                    robots,
+                    distance_min_m: *distance_min_m,
+                })
+            }
+            Self::Listed(positions) => listed(positions, robots),
         }
     }
 }
@@ -113,10 +118,10 @@ impl Start {
 fn preset<const D: usize>(
     name: &'static str,
     places: &[[f64; 2]; 11],
-    scenario: &Scenario,
+    robots: u16,
 ) -> Result<Vec<Vector<D>>, StartError> {
-    if D != 2 || scenario.robots != 11 {
-        return Err(StartError::Preset { preset: name, robots: scenario.robots, dimension: D });
+    if D != 2 || robots != 11 {
+        return Err(StartError::Preset { preset: name, robots, dimension: D });
     }
     Ok(places.iter().map(|place| core::array::from_fn(|d| place[d])).collect())
 }
@@ -157,16 +162,12 @@ fn listed<const D: usize>(positions: &[Vec<f64>], robots: u16) -> Result<Vec<Vec
     Ok(good)
 }
 
-/// `‖x − y‖²`, m².
-#[must_use]
-pub fn squared_distance<const D: usize>(x: &Vector<D>, y: &Vector<D>) -> f64 {
-    let offset = subtract(x, y);
-    dot(&offset, &offset)
-}
-
 #[cfg(test)]
 mod tests {
+    use closeranks_core::num::dot;
+
     use super::*;
+    use crate::geometry::squared_distance;
 
     fn least_distance<const D: usize>(positions: &[Vector<D>]) -> f64 {
         let pairs =
@@ -176,13 +177,13 @@ mod tests {
 
     #[test]
     fn the_published_start_breaks_the_papers_own_hypothesis() {
-        let positions = Start::Published.positions::<2>(&Scenario::default()).unwrap();
+        let positions = Start::Published.positions::<2>(11, 1).unwrap();
         assert!((least_distance(&positions) - 0.223_6).abs() < 1e-4);
     }
 
     #[test]
     fn inside_is_a_patch_of_eleven_different_places() {
-        let positions = Start::Inside.positions::<2>(&Scenario::default()).unwrap();
+        let positions = Start::Inside.positions::<2>(11, 1).unwrap();
         assert!((least_distance(&positions) - 0.6).abs() < 1e-12);
     }
 
@@ -199,18 +200,15 @@ mod tests {
 
     #[test]
     fn a_full_box_is_said_and_not_searched_for_ever() {
-        let crowd = Scenario {
-            start: Start::Random { half_side_m: 0.5, distance_min_m: 0.6 },
-            ..Scenario::default()
-        };
-        let error = crowd.start.positions::<2>(&crowd).unwrap_err();
+        let crowd = Start::Random { half_side_m: 0.5, distance_min_m: 0.6 };
+        let error = crowd.positions::<2>(11, 1).unwrap_err();
         assert!(matches!(error, StartError::Full { placed: 1..=6, robots: 11, .. }), "{error}");
     }
 
     #[test]
     fn random_starts_keep_their_distance_and_follow_the_seed() {
         let start = Start::Random { half_side_m: 2.0, distance_min_m: 0.5 };
-        let at = |seed| start.positions::<3>(&Scenario { seed, ..Scenario::default() }).unwrap();
+        let at = |seed| start.positions::<3>(11, seed).unwrap();
         assert!(least_distance(&at(3)) >= 0.5);
         assert_eq!(at(3), at(3));
         assert_ne!(at(3), at(4));
@@ -218,13 +216,9 @@ mod tests {
 
     #[test]
     fn presets_and_lists_are_for_their_own_team() {
-        let five = Scenario { robots: 5, ..Scenario::default() };
-        assert!(Start::Inside.positions::<2>(&five).is_err());
-        assert!(Start::Published.positions::<3>(&Scenario::default()).is_err());
+        assert!(Start::Inside.positions::<2>(5, 1).is_err());
+        assert!(Start::Published.positions::<3>(11, 1).is_err());
         let list = Start::Listed(vec![vec![0.0, 1.0], vec![1.0]]);
-        assert_eq!(
-            list.positions::<2>(&Scenario { robots: 2, ..Scenario::default() }),
-            Err(StartError::Count { found: 1, dimension: 2, robots: 2 })
-        );
+        assert_eq!(list.positions::<2>(2, 1), Err(StartError::Count { found: 1, dimension: 2, robots: 2 }));
     }
 }

@@ -189,9 +189,7 @@ fn controllers(reading: &mut Reading, root: &DeTable<'_>) -> Vec<Controller> {
     };
     reading.close("sweep", table, &["controllers"]);
     let Some(list) = table.get("controllers") else { return Vec::new() };
-    let of = |item: &DeValue<'_>| {
-        Controller::ALL.into_iter().find(|controller| Some(controller.name()) == item.as_str())
-    };
+    let of = |item: &DeValue<'_>| item.as_str().and_then(Controller::named);
     let items = list.get_ref().as_array().into_iter().flat_map(|items| items.iter());
     let found: Option<Vec<Controller>> = items.map(|item| of(item.get_ref())).collect();
     let mut found = found.unwrap_or_default();

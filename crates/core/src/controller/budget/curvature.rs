@@ -8,7 +8,7 @@ use crate::num::exponential::exps;
 const STEEPEST: f64 = 0.521_813_447_795_768_5;
 /// Both bounds are raised by this factor, so that rounding never makes them too small.
 const RAISE: f64 = 1.0 + 1e-12;
-/// Halvings that exhaust the digits of an `f64`.
+/// So many halvings exhaust the digits of an `f64`.
 const HALVINGS: usize = 64;
 
 /// Largest first and second derivatives of the link weight over the distances that a pair can reach in one tick.
@@ -67,7 +67,7 @@ impl Curvature {
     /// `move_max_m`.
     ///
     /// Not negative; 0 for a pair at R or farther. NaN in, NaN out.
-    //= theory B
+    //= theory eq:slope-bound
     #[must_use]
     pub fn slope_max(&self, distance_m: f64, move_max_m: f64, error_m: f64) -> f64 {
         let (low, high) = self.slacks(distance_m - error_m, distance_m + (2.0 * move_max_m + error_m));
@@ -82,7 +82,7 @@ impl Curvature {
     ///
     /// `a(r + e) ≥ a(r) + ∇a·e − κ/2 |e|²` for |e| up to twice `move_max_m`, across the rim as well: there the gradient
     /// is continuous and the weight convex. Not negative. NaN in, NaN out.
-    //= method far-prime
+    //= theory eq:curvature-bound
     #[inline]
     #[must_use]
     pub fn bend_max(&self, distance_m: f64, move_max_m: f64, error_m: f64) -> f64 {
@@ -115,7 +115,7 @@ impl Curvature {
     ///
     /// `M · error`, M the largest |eigenvalue| of the Hessian in reach: K, or near the rim, where the weight is convex, the
     /// radial one `4 (R² − s) f′(s) − 2 f(s)`, which falls with s as long as it is positive.
-    //= method margins
+    //= theory sec:margins
     #[inline]
     #[must_use]
     pub fn gradient_error(&self, distance_m: f64, error_m: f64) -> f64 {
@@ -132,7 +132,7 @@ impl Curvature {
         RAISE * sharpest.max(swell(&self.link, low)) * error_m
     }
 
-    /// The weight of a link is at least this within R/2, rounding included.
+    /// The weight of a link that is no longer than R/2 is at least this, rounding included.
     pub(crate) fn least_within_half(&self) -> f64 {
         self.half_way - 1e-9 * self.link.q1
     }
@@ -146,7 +146,8 @@ impl Curvature {
         RAISE * 2.0 * radius_m * slope(&self.link, steepest_m2)
     }
 
-    /// s at the farther distance, at least 0, and at the nearer one, which is at least 0 itself.
+    /// The interval of s between two distances. Its low end, at the farther distance, is at least 0. A nearer distance below 0
+    /// counts as 0.
     fn slacks(&self, nearer_m: f64, farther_m: f64) -> (f64, f64) {
         let nearer_m = if nearer_m < 0.0 { 0.0 } else { nearer_m };
         let radius_m2 = self.link.radius_m * self.link.radius_m;
@@ -215,115 +216,8 @@ fn rises(link: &LinkShape, slack_m2: f64) -> bool {
 mod tests {
     use super::*;
 
-    fn shapes() -> impl Iterator<Item = LinkShape> {
-        let radii = [0.7, 1.0, 3.0];
-        radii.into_iter().flat_map(|radius_m| {
-            [0.02, 0.05, 0.1, 0.3, 0.9, 5.0].map(|q2| LinkShape { radius_m, q1: 2.099, q2 })
-        })
-    }
-
-    fn rate(shape: &LinkShape, distance_m: f64) -> f64 {
-        shape.link_at(distance_m * distance_m).map_or(0.0, |link: Link<f64>| -0.5 * link.slope)
-    }
-
-    /// Most negative eigenvalue of the Hessian by differences of the gradient: radial and across.
-    fn sampled_bend(shape: &LinkShape, distance_m: f64) -> f64 {
-        let step = 1e-5;
-        let gradient = |r: f64| -2.0 * rate(shape, r) * r;
-        let radial = (gradient(distance_m + step) - gradient(distance_m - step)) / (2.0 * step);
-        (-radial).max(2.0 * rate(shape, distance_m))
-    }
-
-    /// Largest sample of `of` between the two distances, ends included.
-    fn most(low: f64, high: f64, of: impl Fn(f64) -> f64) -> f64 {
-        let samples = 300;
-        let at = |k: u32| low + (high - low) * f64::from(k) / f64::from(samples);
-        (0..=samples).map(|k| of(at(k))).fold(0.0, f64::max)
-    }
-
-    //= theory B type=test
     #[test]
-    fn no_sampled_slope_is_above_the_closed_form_and_some_reaches_it() {
-        for shape in shapes() {
-            let curvature = Curvature::new(shape);
-            for (k, move_m) in (0..60).zip([0.0, 0.003, 0.01, 0.1, 0.4].into_iter().cycle()) {
-                let distance = shape.radius_m * f64::from(k) / 59.0;
-                let sampled = most(distance, distance + 2.0 * move_m, |r| rate(&shape, r));
-                let bound = curvature.slope_max(distance, move_m, 0.0);
-                assert!(sampled <= bound, "{sampled} above {bound} at {distance} of {shape:?}");
-                let blur = 1e-3 * bound + 1e-12;
-                assert!(bound <= sampled + blur, "{bound} far above {sampled} at {distance} of {shape:?}");
-            }
-        }
-    }
-
-    //= method far-prime type=test
-    #[test]
-    fn no_sampled_bend_is_above_the_closed_form_and_some_comes_close() {
-        for shape in shapes() {
-            let curvature = Curvature::new(shape);
-            for (k, move_m) in (0..60).zip([0.0, 0.003, 0.01, 0.1, 0.4].into_iter().cycle()) {
-                let distance = shape.radius_m * f64::from(k) / 60.0;
-                let low = (distance - 2.0 * move_m).max(0.0);
-                let sampled = most(low, distance + 2.0 * move_m, |r| sampled_bend(&shape, r));
-                let bound = curvature.bend_max(distance, move_m, 0.0);
-                // the differences are good to 1e-6 of the sharpest bend; the samples miss a peak by less than 1 %
-                let most = curvature.bend_max(0.0, shape.radius_m, 0.0);
-                let blur = 1e-2 * most;
-                assert!(sampled <= bound + 1e-6 * most, "{sampled} above {bound} at {distance} of {shape:?}");
-                assert!(bound <= sampled + blur, "{bound} far above {sampled} at {distance} of {shape:?}");
-            }
-        }
-    }
-
-    #[test]
-    fn many_bends_have_the_bits_of_each() {
-        for shape in shapes() {
-            let curvature = Curvature::new(shape);
-            for move_m in [0.0, 0.01, 0.4] {
-                for strange in [0.5, f64::NAN, f64::INFINITY, 1e200] {
-                    let mut distances = [0.0, 0.1, 0.69, 0.95, strange, 2.0, 2.7, 2.99, 3.2];
-                    let each = distances.map(|distance_m| curvature.bend_max(distance_m, move_m, 0.0));
-                    curvature.bends_max(&mut distances, move_m, 0.0);
-                    assert_eq!(each.map(f64::to_bits), distances.map(f64::to_bits));
-                }
-            }
-        }
-    }
-
-    //= method far-prime type=test
-    #[test]
-    fn the_weight_stays_above_its_parabola() {
-        let weight =
-            |shape: &LinkShape, r: &[f64; 2]| shape.link(r).map_or(0.0, |link: Link<f64>| link.weight);
-        for shape in shapes() {
-            let curvature = Curvature::new(shape);
-            for k in 1..40 {
-                let r = [shape.radius_m * f64::from(k) / 40.0, 0.0];
-                let gradient = shape.link(&r).map_or([0.0; 2], |link: Link<f64>| link.gradient(&r));
-                for turn in 0..24 {
-                    let angle = f64::from(turn) * core::f64::consts::TAU / 24.0;
-                    let move_m = 0.02 + 0.04 * f64::from(turn % 5);
-                    let e = [2.0 * move_m * libm::cos(angle), 2.0 * move_m * libm::sin(angle)];
-                    let linear = weight(&shape, &r) + gradient[0] * e[0] + gradient[1] * e[1];
-                    let parabola = linear - 2.0 * curvature.bend_max(r[0], move_m, 0.0) * move_m * move_m;
-                    let moved = weight(&shape, &[r[0] + e[0], e[1]]);
-                    assert!(moved >= parabola - 1e-14, "{moved} < {parabola} at {} of {shape:?}", r[0]);
-                }
-            }
-        }
-    }
-
-    #[test]
-    fn beyond_the_rim_and_for_no_number() {
-        let curvature = Curvature::new(LinkShape { radius_m: 3.0, q1: 2.099, q2: 0.3 });
-        assert_eq!(curvature.slope_max(3.0, 0.1, 0.0), 0.0);
-        assert_eq!(curvature.bend_max(3.3, 0.1, 0.0), 0.0);
-        assert!(curvature.bend_max(3.1, 0.1, 0.0) > 0.0, "it may come into range");
-        assert!(
-            curvature.slope_max(f64::NAN, 0.1, 0.0).is_nan()
-                && curvature.bend_max(1.0, f64::NAN, 0.0).is_nan()
-        );
+    fn where_no_slope_is_steepest_the_sharpest_bend_is_at_zero_distance() {
         assert_eq!(Curvature::new(LinkShape { radius_m: 0.1, q1: 2.1, q2: 0.3 }).sharpest_m2, 0.1 * 0.1);
     }
 }

@@ -1,11 +1,17 @@
-//! Room for what a robot senses wrongly and for how badly it follows its velocity.
+//! Room for wrong positions: what a robot still knows of a link, and of a row, when positions are known only to some error.
 
-/// Bounds of errors, and what they make of the team.
+use crate::controller::budget::knowledge::Assume;
+use crate::controller::budget::settings::Budget;
+use crate::equations::link::Link;
+use crate::num::{Vector, dot, length};
+
+/// Bounds of the errors of sensing and tracking, as the theorem needs them.
 ///
-/// Let every sensed position be wrong by at most e, and every robot be at most ε from where its velocities would have
-/// taken it. The theorem is then about *references*: the position that a robot sensed first plus all its moves. It is known
-/// exactly to the robot itself, moves exactly as the rows say, and lies within `A = e + ε` of the robot (0 if ε = 0: then
-/// the robot is its own reference). What others sense of a reference is wrong by at most `E = e + A`, an offset by `2E`.
+/// Let every sensed position be wrong by at most e, and let every robot be at most ε from where its velocities would have
+/// taken it. The theorem is then about *references*. The reference of a robot is the position that it sensed first plus all
+/// its moves. The robot knows its own reference exactly, and moves it exactly as the rows say. The reference lies within
+/// `A = e + ε` of the robot; if ε = 0, then `A = 0` and the robot is its own reference. What others sense of a reference is
+/// wrong by at most `E = e + A`, so an offset is wrong by at most `2E`.
 ///
 /// | what the theorem needs | what makes it so |
 /// | --- | --- |
@@ -15,21 +21,21 @@
 /// | `b ≤ h⁺`, `δ⁺ ≥ δ` | weights at `distance + 2E`, degrees within `R − 2A + 2E` |
 /// | a row `n·v + c|v|² ≤ b` of the true offset | `(n + μ s)·v + c|v|² ≤ b` for every `s ∈ {±1}ᴰ`, `μ` a bound of the error of n |
 ///
-/// The last holds because `n_true·v ≤ n·v + μ|v| ≤ n·v + μ Σ|v_d|`. Every such set is still convex and contains 0.
+/// The last line holds because `n_true·v ≤ n·v + μ|v| ≤ n·v + μ Σ|v_d|`. Every such set is still convex and contains 0.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Margin {
-    /// A, m.
+pub struct ErrorBounds {
+    /// A, m: how far a robot may be from its reference.
     pub away_m: f64,
     /// 2E, m: bound of the error of an offset between two references.
     pub offset_m: f64,
 }
 
-impl Margin {
+impl ErrorBounds {
     /// Exact positions and moves.
     pub const NONE: Self = Self { away_m: 0.0, offset_m: 0.0 };
 
-    /// For e = `position_error_m` and ε = `tracking_error_m`.
-    //= method margins
+    /// The bounds for e = `position_error_m` and ε = `tracking_error_m`.
+    //= theory sec:margins
     #[must_use]
     pub fn new(position_error_m: f64, tracking_error_m: f64) -> Self {
         let away_m = if tracking_error_m > 0.0 { position_error_m + tracking_error_m } else { 0.0 };
@@ -43,15 +49,61 @@ impl Margin {
     }
 }
 
+impl Budget {
+    /// True if positions and moves are exact.
+    pub(crate) fn is_exact(&self) -> bool {
+        self.errors.offset_m == 0.0
+    }
+
+    /// True if the level is the plain sum of the weights of all links.
+    #[must_use]
+    pub fn is_plain(&self) -> bool {
+        self.is_exact() && self.assume == Assume::Obedient
+    }
+
+    /// The link at `offset` (m) as it is if the offset is exact; `None` beyond R.
+    pub(crate) fn link<const D: usize>(&self, offset: &Vector<D>) -> Option<Link<f64>> {
+        self.curvature.link().link_at(dot(offset, offset))
+    }
+
+    /// The least weight that the link at the sensed `offset` (m) may have; −1 if there certainly is no link.
+    //= theory sec:margins
+    pub(crate) fn weight_lower_bound<const D: usize>(&self, offset: &Vector<D>) -> f64 {
+        if self.is_exact() {
+            return self.link(offset).map_or(-1.0, |link| link.weight);
+        }
+        let (distance_m, error_m) = (length(offset), self.errors.offset_m);
+        let radius_m = self.curvature.link().radius_m;
+        if distance_m <= radius_m + error_m { self.weight_at(distance_m + error_m) } else { -1.0 }
+    }
+
+    /// The weight of a link of this length; 0 beyond R.
+    pub(crate) fn weight_at(&self, distance_m: f64) -> f64 {
+        self.link(&[distance_m]).map_or(0.0, |link| link.weight)
+    }
+
+    /// How much more a weight may be than its lower bound.
+    pub(crate) fn weight_error(&self) -> f64 {
+        2.0 * self.errors.offset_m * self.curvature.fall_max()
+    }
+
+    /// True unless a robot at the sensed `offset` (m) is certainly out of range.
+    pub(crate) fn in_range<const D: usize>(&self, offset: &Vector<D>) -> bool {
+        let sight_m = self.curvature.link().radius_m + self.errors.offset_m;
+        sight_m * sight_m - dot(offset, offset) >= 0.0
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
 
+    //= theory sec:margins type=test
     #[test]
-    fn margins_by_hand() {
-        assert_eq!(Margin::new(0.0, 0.0), Margin::NONE);
-        assert_eq!(Margin::new(0.25, 0.0), Margin { away_m: 0.0, offset_m: 0.5 });
-        assert_eq!(Margin::new(0.25, 0.5), Margin { away_m: 0.75, offset_m: 2.0 });
-        assert_eq!(Margin::new(0.25, 0.5).sensed_m(), 1.0);
+    fn error_bounds_by_hand() {
+        assert_eq!(ErrorBounds::new(0.0, 0.0), ErrorBounds::NONE);
+        assert_eq!(ErrorBounds::new(0.25, 0.0), ErrorBounds { away_m: 0.0, offset_m: 0.5 });
+        assert_eq!(ErrorBounds::new(0.25, 0.5), ErrorBounds { away_m: 0.75, offset_m: 2.0 });
+        assert_eq!(ErrorBounds::new(0.25, 0.5).sensed_m(), 1.0);
     }
 }

@@ -1,41 +1,251 @@
-//! Our controller `budget`: rows that no lie, no loss and no step length can break (METHOD.md section 3).
+//! Our controller `budget`: rows that no lie, no loss and no step length can break (docs/theory, docs/budget.md).
 //!
-//! `h_k` is the spare connectivity of robot k. In one tick, k and each of its neighbours may spend a fixed share of what
-//! they *know* that k still has, so all of them together cannot overspend. Robot i moves by the v closest to the desired
-//! displacement that satisfies, for every neighbour j with `r = x_i − x_j`, `D = |r|²`:
+//! `h_k` is the spare connectivity of robot k, a budget that k and its neighbours spend by moving apart. In one tick each of
+//! them may spend a fixed fraction of what it *knows* that k still has, so all of them together cannot overspend. Robot i
+//! moves by the v closest to the desired displacement that satisfies, for every neighbour j with `r = x_i − x_j`, `D = |r|²`:
 //!
 //! ```text
-//! (far)   r·v + |v|²       ≤ γ/(4 L_ij) min(h_i⁺/δ_i, b_ij/δ⁺_ij)         or, if all obey,
-//! (far′)  −g_ik·v + κ_ik |v|² ≤ γ b_ik/(δ⁺_ik + 1)                         for each neighbour k and i itself
-//! (near)  −2 r·v           ≤ (γ_c/2) (D − Δ_d²)⁺
-//! (reach) v/T ∈ U_i
+//! (far)   r·v + |v|²          ≤ min( s(h_i⁺)/δ_i, s(b_ij)/δ⁺_ij ) / (4 L_ij)      or, if all obey,
+//! (far′)  −g_ik·v + κ_ik |v|² ≤ s(b_ik)/(δ⁺_ik + 1)                               for each neighbour k and i itself
+//! (near)  −2 r·v              ≤ (γ_c/2) (D − Δ_d²)⁺
+//! (box)   v/T ∈ U_i
 //!
-//! h⁺ = max(h, 0),  L_ij, κ: bounds of the link weight's derivatives,  b_ij ≤ h_j⁺ known,  δ⁺ ≥ δ_j (METHOD.md: n − 1)
+//! h⁺ = max(h, 0),  L_ij, κ: bounds of the link weight's derivatives,  b_ij ≤ h_j⁺ known,  δ⁺ ≥ δ_j,  s(h) ≤ h what may be lost
 //! ```
 //!
 //! Each set is convex and contains v = 0: the program is feasible at every tick, for every lie.
 //!
-//! | symbol | here |
+//! A tick in this file: [`Budget::survey`] says what is seen of the links between the neighbours, [`Budget::known`] what is
+//! known of each neighbour, [`Budget::rows`] makes the rows, and [`Rows::decide`] finds the closest point and the outcome.
+//!
+//! | label in docs/theory | here |
 //! | --- | --- |
-//! | L_ij, κ | [`curvature`] |
-//! | the verified interval, δ⁺_ij | [`interval`] |
-//! | b_ij | [`knowledge`] |
-//! | one row, what "holds" means in floating point | [`crate::program::balls::row`] |
-//! | T U_i | [`crate::program::balls::reach`] |
-//! | what wrong positions and lag cost | [`margin`] |
-//! | what both ends of a pair share | [`tie`] |
-//! | all rows of a tick, recovery | [`rows`], `limits` |
-//! | the closest point | [`crate::program::balls`] |
-//! | γ, γ_c and the rest | [`settings`] |
+//! | eq:far, eq:far-prime, eq:near: both sides, and when a row is slack | [`inequality`] |
+//! | eq:known, eq:interval, thm:any-claim, thm:free | [`knowledge`] |
+//! | the sums behind them | [`survey`] |
+//! | the program of a tick and its memory | [`rows`] |
+//! | eq:loss, eq:decayed and the settings | [`settings`] |
+//! | eq:slope-bound, eq:curvature-bound | [`curvature`] |
+//! | sec:margins | [`margin`] |
+//! | sec:recovery | `recovery` |
+//! | sec:program | [`crate::program::balls`] |
+//! | thm:discrete | this file; the test is `tests/budget_law.rs` |
 
-mod allowance;
-pub mod answer;
+pub mod control;
 pub mod curvature;
-pub mod interval;
+pub mod inequality;
 pub mod knowledge;
-mod limits;
 pub mod margin;
+mod recovery;
 pub mod rows;
 pub mod settings;
 pub mod survey;
-pub mod tie;
+
+use crate::controller::budget::inequality::{Neighbor, may_bind};
+use crate::controller::budget::knowledge::{Sighting, count};
+use crate::controller::budget::rows::{Memory, Rows};
+use crate::controller::budget::settings::{Budget, Form};
+use crate::num::{Vector, add_scaled};
+use crate::program::Outcome;
+use crate::program::balls::reach::Reach;
+use crate::program::balls::row::Row;
+use crate::robot::neighbor::RobotId;
+use crate::robot::report::Reason;
+
+/// What the rows of a tick come to.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Move<const D: usize> {
+    /// v, m: inside the box, and every row holds.
+    pub displacement_m: Vector<D>,
+    /// How the program found it.
+    pub outcome: Outcome,
+    /// What in this tick speaks against the state.
+    pub doubt: Option<Reason>,
+}
+
+/// What a robot adds up over its neighbours for its own rows.
+struct Own<const D: usize> {
+    id: RobotId,
+    /// h_i.
+    h: f64,
+    /// δ_i: how many neighbours count for it.
+    degree: f64,
+    /// ∂h_i/∂x_i, 1/m.
+    gradient: Vector<D>,
+    /// κ_ii.
+    bend: f64,
+    /// Bound of the error of the gradient, 1/m.
+    gradient_error: f64,
+}
+
+impl Budget {
+    /// All rows for robot `own`, which has these `sightings`, wants to move by `desired_m` (m) and can move within `reach`.
+    ///
+    /// Whoever is certainly farther away than R gets no row. A sighting without a finite position forbids any move, and so does
+    /// too little memory.
+    //= theory thm:discrete
+    #[must_use]
+    pub fn rows<'memory, const D: usize>(
+        &self,
+        own: RobotId,
+        sightings: &[Sighting<D>],
+        desired_m: &Vector<D>,
+        reach: Reach<D>,
+        memory: Memory<'memory, D>,
+    ) -> Rows<'memory, D> {
+        let Memory { rows, weights } = memory;
+        let mut rows = Rows::new(desired_m, reach, rows);
+        let Some(mut survey) = self.survey(own, sightings, weights) else {
+            rows.forbid_any_move();
+            return rows;
+        };
+        let mut own = self.own(own, survey.level(), self.degree(own, sightings));
+        rows.h = own.h;
+        for (index, sighting) in sightings.iter().enumerate() {
+            let Sighting { id, offset_m, .. } = *sighting;
+            if !self.in_range(&offset_m) {
+                continue;
+            }
+            let slope = self.slope(index, sighting, &survey);
+            let pair = self.pair(&offset_m, slope, &rows.program.reach);
+            let Some(seen) = self.seen(index, sightings, &mut survey) else { continue };
+            let known = self.known(&seen, pair.distance_m);
+            self.push_neighbor(&mut own, &Neighbor { id, offset_m, pair, known }, &mut rows);
+        }
+        self.push_own(&own, &mut rows);
+        rows
+    }
+
+    /// The same rows for robot `own` with this `level` and `degree` and all its `neighbors` in order of their numbers. This is
+    /// for whoever computes a whole team at once. The pairs must have been made with this `reach`, because which rows can bind
+    /// depends on it.
+    #[must_use]
+    pub fn rows_between<'memory, const D: usize>(
+        &self,
+        (own, level, degree): (RobotId, f64, u16),
+        neighbors: impl Iterator<Item = Neighbor<D>>,
+        desired_m: &Vector<D>,
+        reach: Reach<D>,
+        memory: &'memory mut [Row<D>],
+    ) -> Rows<'memory, D> {
+        let mut rows = Rows::new(desired_m, reach, memory);
+        let mut own = self.own(own, level, f64::from(degree));
+        rows.h = own.h;
+        for neighbor in neighbors {
+            self.push_neighbor(&mut own, &neighbor, &mut rows);
+        }
+        self.push_own(&own, &mut rows);
+        rows
+    }
+
+    /// h_i and δ_i of robot `id`; the other sums begin at 0.
+    fn own<const D: usize>(&self, id: RobotId, level: f64, degree: f64) -> Own<D> {
+        let h = level - f64::from(self.need.need(id));
+        Own { id, h, degree, gradient: [0.0; D], bend: 0.0, gradient_error: 0.0 }
+    }
+
+    /// How many of `sightings` may be neighbours of robot `own` that count for it.
+    fn degree<const D: usize>(&self, own: RobotId, sightings: &[Sighting<D>]) -> f64 {
+        let counts =
+            |sighting: &&Sighting<D>| self.in_range(&sighting.offset_m) && self.need.counts(own, sighting.id);
+        count(sightings.iter().filter(counts).count())
+    }
+
+    /// Adds a neighbour to the robot's own sums, and its rows where they bound the move.
+    #[inline]
+    fn push_neighbor<const D: usize>(
+        &self,
+        own: &mut Own<D>,
+        neighbor: &Neighbor<D>,
+        rows: &mut Rows<'_, D>,
+    ) {
+        let Neighbor { id, offset_m, pair, known } = neighbor;
+        let gradient = pair.gradient(offset_m);
+        if self.need.counts(own.id, *id) {
+            own.gradient = add_scaled(&own.gradient, 1.0, &gradient);
+            own.bend += pair.bend;
+            own.gradient_error += pair.gradient_error;
+        }
+        let far_is_slack = self.form() == Form::Level && self.far_level_is_slack(pair.lhs_max, known);
+        if !(far_is_slack && known.deficit <= 0.0) {
+            self.push_far(own, neighbor, &gradient, rows);
+        }
+        if !pair.near_is_slack {
+            self.push_near(neighbor, rows);
+        }
+    }
+
+    /// (far) or (far′) for a neighbour, and recovery of its h_k. Only a robot that counts for another one can weaken it.
+    #[inline(never)]
+    fn push_far<const D: usize>(
+        &self,
+        own: &Own<D>,
+        neighbor: &Neighbor<D>,
+        gradient: &Vector<D>,
+        rows: &mut Rows<'_, D>,
+    ) {
+        let Neighbor { id, offset_m, pair, known } = neighbor;
+        let i_count = self.need.counts(*id, own.id);
+        match self.form() {
+            Form::Link => {
+                let (beta_m2, error_m) = (self.beta_of(own, neighbor), self.errors.offset_m);
+                if may_bind(rows.program.reach.lhs_max(offset_m, error_m, 1.0), beta_m2) {
+                    rows.push(offset_m, error_m, |offset| Row::far(offset, beta_m2));
+                }
+            }
+            Form::Level if !i_count || self.far_level_is_slack(pair.lhs_max, known) => {}
+            Form::Level => {
+                let spend = self.spend(known);
+                rows.push(gradient, pair.gradient_error, |gradient| {
+                    Row::far_level(gradient, pair.bend, spend)
+                });
+            }
+        }
+        if i_count && known.deficit > 0.0 {
+            self.recover_neighbor(known.deficit, gradient, rows);
+        }
+    }
+
+    /// (far′) for the robot itself, and recovery of its h_i.
+    fn push_own<const D: usize>(&self, own: &Own<D>, rows: &mut Rows<'_, D>) {
+        if self.form() == Form::Level {
+            let spend = self.spend_own(own);
+            if may_bind(rows.program.reach.lhs_max(&own.gradient, own.gradient_error, own.bend), spend) {
+                rows.push(&own.gradient, own.gradient_error, |gradient| {
+                    Row::far_level(gradient, own.bend, spend)
+                });
+            }
+        }
+        self.recover_own(own, rows);
+    }
+
+    /// (near) for a neighbour, and recovery of the distance.
+    #[inline(never)]
+    fn push_near<const D: usize>(&self, neighbor: &Neighbor<D>, rows: &mut Rows<'_, D>) {
+        let (offset, error_m) = (&neighbor.offset_m, self.errors.offset_m);
+        let spare_m2 = self.spare_m2(&neighbor.pair, -error_m);
+        let give_m2 = self.give_m2(spare_m2);
+        if may_bind(rows.program.reach.lhs_max(offset, error_m, 0.0), 0.5 * give_m2) {
+            rows.push(offset, error_m, |offset| Row::near(offset, give_m2));
+        }
+        if spare_m2 < 0.0 {
+            self.recover_distance(offset, &neighbor.pair, rows);
+        }
+    }
+}
+
+impl<const D: usize> Rows<'_, D> {
+    /// The closest point and what it means. `before_m` is the displacement of the tick before: where the closest point is near
+    /// to it, it is found faster, and changes by no more than rounding.
+    #[must_use]
+    pub fn decide(&mut self, before_m: &Vector<D>) -> Move<D> {
+        let closest = self.closest_from(before_m);
+        let doubt = match (self.broken, self.doubtful) {
+            (0, 0) => None,
+            (0, _) => Some(Reason::Uncertain),
+            _ => Some(Reason::OutsideSafeSet),
+        };
+        let outcome = if self.broken > 0 { Outcome::Recovering } else { closest.outcome };
+        Move { displacement_m: closest.displacement_m, outcome, doubt }
+    }
+}

@@ -1,82 +1,100 @@
-//! What all pairs of a robot's sightings come to, each pair computed once and nothing kept but sums.
+//! What a robot sees of the links between the robots around it, from one pass over all pairs of its sightings.
 
 use core::ops::Range;
 
-use crate::controller::budget::interval::number;
-use crate::controller::budget::knowledge::{Assume, Sighting, place};
+use crate::controller::budget::knowledge::{Assume, Seen, Sighting, count};
 use crate::controller::budget::settings::Budget;
-use crate::num::subtract;
+use crate::num::{is_finite, subtract};
+use crate::robot::neighbor::RobotId;
 
-/// Sums over the links of a robot's sightings.
+/// What the links of a robot's sightings come to.
 #[derive(Debug)]
-pub(crate) struct Survey<'memory> {
-    /// The robot's own level.
-    pub(crate) level: f64,
-    /// Of each sighting [`Interval::low`](crate::controller::budget::interval::Interval::low), and the neighbours that it may have, not yet at least 1.
-    lows: &'memory mut [f64],
-    degrees: &'memory mut [f64],
-    /// Of its link to the robot, 0 without one.
-    pub(crate) slopes: &'memory mut [f64],
-    unseen: usize,
+pub struct Survey<'memory> {
+    /// The robot that has the sightings.
+    pub(super) own: RobotId,
+    /// Its own level, or its trimmed level under [`Assume::Free`].
+    pub(super) level: f64,
+    links: Links<'memory>,
 }
 
-/// What a robot sees of the links of another, and hears from it.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Seen {
-    /// Sum of the weights that it sees, its own link to the other among them, in order of numbers.
-    pub low: f64,
-    /// How many these are, and every robot that it does not see.
-    pub degree: f64,
-    /// Robots that it does not see.
-    pub unseen: usize,
-    /// What its claim is worth ([`Budget::worth`]).
-    pub worth: f64,
+/// The links of each sighting.
+#[derive(Debug)]
+enum Links<'memory> {
+    /// For each sighting the sum of the weights, how many they are, and the slope of its link to the robot itself. This is enough
+    /// if nothing is trimmed.
+    Sums { lows: &'memory mut [f64], degrees: &'memory mut [f64], slopes: &'memory mut [f64] },
+    /// For each sighting j a line with the weights of its links to all sightings, and in place j to the robot itself; −1 where
+    /// there is no link. Trimming needs them one by one.
+    Table { weights: &'memory mut [f64], robots: usize },
+    /// One line of such a table, computed when it is needed.
+    Line(&'memory mut [f64]),
 }
 
 impl Budget {
-    /// What `tabulate` does, where sums need no table: under [`Assume::Obedient`], in `memory` for
-    /// three numbers a sighting. `None` otherwise.
+    /// How many numbers a survey of `sightings` robots needs, so that each pair of them is computed only once.
+    #[must_use]
+    pub const fn survey_len(assume: Assume, sightings: usize) -> usize {
+        match assume {
+            Assume::Obedient => sightings.saturating_mul(3),
+            Assume::Free => sightings.saturating_mul(sightings),
+        }
+    }
+
+    /// The survey of the `sightings` of robot `own`. `None` if one of them is not finite, or if `memory` is too short: 3·N
+    /// numbers are needed for N sightings, N under [`Assume::Free`].
     ///
-    /// Every weight is computed once and added for both ends, in order of numbers; what is out of range would add 0.
-    pub(crate) fn survey<'memory, const D: usize>(
+    /// Under [`Assume::Free`] each pair is computed once with [`survey_len`](Self::survey_len) numbers and twice with fewer.
+    #[must_use]
+    pub fn survey<'memory, const D: usize>(
         &self,
+        own: RobotId,
         sightings: &[Sighting<D>],
         memory: &'memory mut [f64],
     ) -> Option<Survey<'memory>> {
-        let (count, own) = (sightings.len(), place(sightings));
-        if self.assume == Assume::Free || memory.len() / 3 < count {
+        let whole = sightings.iter().all(|sighting| is_finite(&sighting.offset_m));
+        if !whole {
             return None;
         }
-        let (lows, rest) = memory.split_at_mut(count);
-        let (degrees, rest) = rest.split_at_mut(count);
-        let unseen = self.unseen(sightings);
-        let mut survey = Survey { level: 0.0, lows, degrees, slopes: &mut rest[..count], unseen };
-        survey.lows.fill(0.0);
-        survey.degrees.fill(number(unseen));
-        for first in 0..own {
-            self.add_pairs(first, first + 1..own, sightings, &mut survey);
-            self.add_own(first, &sightings[first], &mut survey);
-            self.add_pairs(first, own..count, sightings, &mut survey);
-        }
-        for (first, sighting) in sightings.iter().enumerate().skip(own) {
-            self.add_own(first, sighting, &mut survey);
-        }
-        for first in own..count {
-            self.add_pairs(first, first + 1..count, sightings, &mut survey);
-        }
+        // a trimmed level needs all weights at once; a plain one is added up with the links
+        let level = match self.assume {
+            Assume::Obedient => 0.0,
+            Assume::Free => self.level(own, sightings, memory),
+        };
+        let links = Links::new(self.assume, sightings.len(), memory)?;
+        let mut survey = Survey { own, level, links };
+        self.add_all(sightings, &mut survey);
         Some(survey)
+    }
+
+    /// Adds all links in an order in which the sum of each robot is in order of numbers, the robot itself among the others.
+    fn add_all<const D: usize>(&self, sightings: &[Sighting<D>], survey: &mut Survey<'_>) {
+        let robots = sightings.len();
+        let lower = sightings.iter().take_while(|sighting| sighting.id < survey.own).count();
+        for first in 0..lower {
+            self.add_pairs(first, first + 1..lower, sightings, survey);
+            self.add_own(first, &sightings[first], survey);
+            self.add_pairs(first, lower..robots, sightings, survey);
+        }
+        for (first, sighting) in sightings.iter().enumerate().skip(lower) {
+            self.add_own(first, sighting, survey);
+        }
+        for first in lower..robots {
+            self.add_pairs(first, first + 1..robots, sightings, survey);
+        }
     }
 
     /// Adds the robot's own link to a sighting.
     fn add_own<const D: usize>(&self, index: usize, sighting: &Sighting<D>, survey: &mut Survey<'_>) {
         let link = self.link(&sighting.offset_m);
-        survey.slopes[index] = link.map_or(0.0, |link| link.slope);
         let weight = match link {
             Some(link) if self.is_exact() => link.weight,
-            _ => self.entry(&sighting.offset_m),
+            _ => self.weight_lower_bound(&sighting.offset_m),
         };
-        survey.level += weight.max(0.0);
-        survey.add(index, weight);
+        if self.assume == Assume::Obedient && self.need.counts(survey.own, sighting.id) {
+            survey.level += weight.max(0.0);
+        }
+        let slope = link.map_or(0.0, |link| link.slope);
+        survey.add_own(index, self.counted(sighting.id, survey.own, weight), slope);
     }
 
     /// Adds the links of one sighting to later ones.
@@ -87,49 +105,172 @@ impl Budget {
         sightings: &[Sighting<D>],
         survey: &mut Survey<'_>,
     ) {
-        let of = &sightings[first].position_m;
-        let (mut low, mut degree) = (survey.lows[first], survey.degrees[first]);
-        let sums = survey.lows[later.clone()].iter_mut().zip(&mut survey.degrees[later.clone()]);
-        for (other, (other_low, other_degree)) in sightings[later].iter().zip(sums) {
-            let weight = self.entry(&subtract(&other.position_m, of));
-            if weight >= 0.0 {
-                low += weight;
-                degree += 1.0;
-                *other_low += weight;
-                *other_degree += 1.0;
+        let (robots, one) = (sightings.len(), &sightings[first]);
+        match &mut survey.links {
+            Links::Sums { lows, degrees, .. } => {
+                let (mut low, mut degree) = (lows[first], degrees[first]);
+                let sums = lows[later.clone()].iter_mut().zip(&mut degrees[later.clone()]);
+                for (other, (other_low, other_degree)) in sightings[later].iter().zip(sums) {
+                    let weight = self.weight_between(one, other);
+                    if weight >= 0.0 {
+                        if self.need.counts(one.id, other.id) {
+                            low += weight;
+                            degree += 1.0;
+                        }
+                        if self.need.counts(other.id, one.id) {
+                            *other_low += weight;
+                            *other_degree += 1.0;
+                        }
+                    }
+                }
+                (lows[first], degrees[first]) = (low, degree);
             }
+            Links::Table { weights, .. } => {
+                for index in later {
+                    let other = &sightings[index];
+                    let weight = self.weight_between(one, other);
+                    weights[first * robots + index] = self.counted(one.id, other.id, weight);
+                    weights[index * robots + first] = self.counted(other.id, one.id, weight);
+                }
+            }
+            Links::Line(_) => {}
         }
-        (survey.lows[first], survey.degrees[first]) = (low, degree);
     }
 
-    /// No more than [`high`](Self::high), without an exponential.
-    pub(crate) fn high_at_least(&self, seen: &Seen, distance_m: f64) -> f64 {
-        let near = self.nearest_m(distance_m) <= 0.5 * self.curvature.link().radius_m;
-        let least = if near { self.curvature.least_within_half() } else { 0.0 };
-        seen.low + number(seen.unseen) * least
-    }
-
-    /// [`Interval::high`](crate::controller::budget::interval::Interval::high) where nothing is trimmed.
-    pub(crate) fn high(&self, seen: &Seen, distance_m: f64) -> f64 {
-        let blur = if self.is_exact() { 0.0 } else { seen.degree * self.weight_error() };
-        let more = match seen.unseen {
-            0 => 0.0,
-            unseen => number(unseen) * self.weight(&[self.nearest_m(distance_m)]),
+    /// What is seen of the links of `sightings[index]`, the sightings that the `survey` was made of. `None` if there is no such.
+    #[must_use]
+    pub fn seen<'a, const D: usize>(
+        &self,
+        index: usize,
+        sightings: &[Sighting<D>],
+        survey: &'a mut Survey<'_>,
+    ) -> Option<Seen<'a>> {
+        let Sighting { id: robot, claim, .. } = *sightings.get(index)?;
+        let (own, robots) = (survey.own, sightings.len());
+        let unseen = self.unseen(index, own, sightings);
+        let discounted_claim = self.discounted_claim(robot, claim);
+        let weights = match &mut survey.links {
+            Links::Sums { lows, degrees, .. } => {
+                let (low, degree) = (*lows.get(index)?, count(unseen) + *degrees.get(index)?);
+                return Some(Seen { robot, low, degree, unseen, discounted_claim, weights: &[] });
+            }
+            Links::Table { weights, .. } => weights.get_mut(index * robots..)?.get_mut(..robots)?,
+            Links::Line(line) => {
+                self.fill_line(index, own, sightings, line);
+                &mut line[..]
+            }
         };
-        blur + (seen.low + more)
+        weights.sort_unstable_by(f64::total_cmp);
+        let links = weights.iter().filter(|weight| **weight >= 0.0).count();
+        let (low, degree) = (self.trimmed(weights, 0.0, 0), count(unseen) + count(links));
+        Some(Seen { robot, low, degree, unseen, discounted_claim, weights })
+    }
+
+    /// The slope of the link of `sightings[index]` to the robot itself, 1/m²; 0 without a link.
+    pub(super) fn slope<const D: usize>(
+        &self,
+        index: usize,
+        sighting: &Sighting<D>,
+        survey: &Survey<'_>,
+    ) -> f64 {
+        match &survey.links {
+            Links::Sums { slopes, .. } => slopes[index],
+            _ => self.link(&sighting.offset_m).map_or(0.0, |link| link.slope),
+        }
+    }
+
+    /// Fills the line of one sighting, as it would stand in the table.
+    fn fill_line<const D: usize>(
+        &self,
+        index: usize,
+        own: RobotId,
+        sightings: &[Sighting<D>],
+        line: &mut [f64],
+    ) {
+        let one = &sightings[index];
+        for (place, (other, weight)) in sightings.iter().zip(line).enumerate() {
+            *weight = if place == index {
+                self.counted(one.id, own, self.weight_lower_bound(&one.offset_m))
+            } else {
+                self.counted(one.id, other.id, self.weight_between(one, other))
+            };
+        }
+    }
+
+    /// What robot `own` has to tell: its level, or the trimmed one under [`Assume::Free`]. Only that needs `scratch`, of one number
+    /// a sighting; with less the level is 0.
+    #[must_use]
+    pub fn level<const D: usize>(&self, own: RobotId, sightings: &[Sighting<D>], scratch: &mut [f64]) -> f64 {
+        let weights = sightings
+            .iter()
+            .map(|sighting| self.counted(own, sighting.id, self.weight_lower_bound(&sighting.offset_m)));
+        if self.assume == Assume::Obedient {
+            return weights.fold(0.0, |sum, weight| sum + weight.max(0.0));
+        }
+        let Some(scratch) = scratch.get_mut(..sightings.len()) else { return 0.0 };
+        scratch.iter_mut().zip(weights).for_each(|(place, weight)| *place = weight);
+        scratch.sort_unstable_by(f64::total_cmp);
+        self.trimmed(scratch, 0.0, 0)
+    }
+
+    fn weight_between<const D: usize>(&self, one: &Sighting<D>, other: &Sighting<D>) -> f64 {
+        self.weight_lower_bound(&subtract(&other.position_m, &one.position_m))
+    }
+
+    /// The weight of a link as `robot` counts it: −1, as without a link, if `other` does not count for it.
+    #[inline]
+    fn counted(&self, robot: RobotId, other: RobotId, weight: f64) -> f64 {
+        if self.need.counts(robot, other) { weight } else { -1.0 }
+    }
+
+    /// How many robots that count for `sightings[index]` are not in sight of robot `own`.
+    fn unseen<const D: usize>(&self, index: usize, own: RobotId, sightings: &[Sighting<D>]) -> usize {
+        let robot = sightings[index].id;
+        let others = sightings[..index].iter().chain(&sightings[index + 1..]);
+        let seen = self.need.counting_among(robot, others.map(|other| other.id).chain([own]));
+        usize::from(self.need.counting(robot)).saturating_sub(seen)
+    }
+}
+
+impl<'memory> Links<'memory> {
+    /// No links yet of so many `robots`; `None` if `memory` is too short.
+    fn new(assume: Assume, robots: usize, memory: &'memory mut [f64]) -> Option<Self> {
+        match (assume, robots.checked_mul(robots)) {
+            (Assume::Obedient, _) => {
+                let (lows, rest) = memory.split_at_mut_checked(robots)?;
+                let (degrees, rest) = rest.split_at_mut_checked(robots)?;
+                let slopes = rest.get_mut(..robots)?;
+                lows.fill(0.0);
+                degrees.fill(0.0);
+                Some(Self::Sums { lows, degrees, slopes })
+            }
+            (Assume::Free, Some(square)) if square <= memory.len() => {
+                Some(Self::Table { weights: &mut memory[..square], robots })
+            }
+            (Assume::Free, _) => Some(Self::Line(memory.get_mut(..robots)?)),
+        }
     }
 }
 
 impl Survey<'_> {
-    fn add(&mut self, index: usize, weight: f64) {
-        if weight >= 0.0 {
-            self.lows[index] += weight;
-            self.degrees[index] += 1.0;
-        }
+    /// The robot's own level, or its trimmed level under [`Assume::Free`].
+    #[must_use]
+    pub fn level(&self) -> f64 {
+        self.level
     }
 
-    /// What is seen of the links of a sighting whose claim is worth so much.
-    pub(crate) fn seen(&self, index: usize, worth: f64) -> Seen {
-        Seen { low: self.lows[index], degree: self.degrees[index], unseen: self.unseen, worth }
+    /// Adds the link of a sighting with the robot itself.
+    fn add_own(&mut self, index: usize, weight: f64, slope: f64) {
+        match &mut self.links {
+            Links::Sums { lows, degrees, slopes } => {
+                slopes[index] = slope;
+                if weight >= 0.0 {
+                    lows[index] += weight;
+                    degrees[index] += 1.0;
+                }
+            }
+            Links::Table { weights, robots } => weights[index * *robots + index] = weight,
+            Links::Line(_) => {}
+        }
     }
 }

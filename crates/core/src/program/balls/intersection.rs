@@ -5,7 +5,7 @@ use crate::program::balls::row::Row;
 
 /// Planes count as parallel below this square of the sine of their angle.
 const PARALLEL: f64 = 1e-24;
-/// Boundaries count as touching while the square of the radius they leave is negative by no more than this share.
+/// Boundaries count as touching while the square of the radius they leave is negative by no more than this fraction.
 const TOUCHING: f64 = 1e-12;
 /// Boundaries cross well from this square of the sine of their angle on.
 const CROSSING: f64 = 1e-4;
@@ -30,7 +30,7 @@ pub(crate) fn closest_on<const D: usize>(rows: &[&Row<D>], point: &Vector<D>) ->
     Some(closest)
 }
 
-/// The same for any number of boundaries in any dimension, before that step.
+/// [`closest_on`] for any number of boundaries in any dimension, without the Newton step.
 ///
 /// Of the balls, the most curved stays; the difference of another and its multiple is a plane. The planes leave a flat of
 /// `D − (count − 1)` dimensions, the ball a sphere in it.
@@ -43,9 +43,9 @@ fn closest_on_several<const D: usize>(rows: &[&Row<D>], point: &Vector<D>) -> Op
     }
     let mut flat = Flat::whole();
     for row in rows.iter().filter(|row| !core::ptr::eq(**row, sphere)) {
-        let share = if sphere.curvature() > 0.0 { row.curvature() / sphere.curvature() } else { 0.0 };
-        let normal = add_scaled(row.normal(), -share, sphere.normal());
-        flat.cut(&normal, row.bound() - share * sphere.bound())?;
+        let fraction = if sphere.curvature() > 0.0 { row.curvature() / sphere.curvature() } else { 0.0 };
+        let normal = add_scaled(row.normal(), -fraction, sphere.normal());
+        flat.cut(&normal, row.bound() - fraction * sphere.bound())?;
     }
     if sphere.curvature() > 0.0 {
         return flat.closest_on_sphere(sphere, point);
@@ -54,18 +54,18 @@ fn closest_on_several<const D: usize>(rows: &[&Row<D>], point: &Vector<D>) -> Op
     Some(flat.closest(point))
 }
 
-/// The same for two boundaries in the plane, with one root and no unit vectors.
+/// [`closest_on`] for two boundaries in the plane, without the Newton step; it takes one root and no unit vectors.
 ///
 /// The most curved boundary and the difference of the other and its multiple, a line `base + s t`, meet where
 /// `A s² + B s + C = 0`. Of both, the point closer to `point` lies on its side of their middle.
 fn crossing<const D: usize>(one: &Row<D>, other: &Row<D>, point: &Vector<D>) -> Option<Vector<D>> {
     let (ball, row) = if one.curvature() >= other.curvature() { (one, other) } else { (other, one) };
-    let share = if ball.curvature() > 0.0 { row.curvature() / ball.curvature() } else { 0.0 };
-    let normal = add_scaled(row.normal(), -share, ball.normal());
+    let fraction = if ball.curvature() > 0.0 { row.curvature() / ball.curvature() } else { 0.0 };
+    let normal = add_scaled(row.normal(), -fraction, ball.normal());
     let square = dot(&normal, &normal);
     let along: Vector<D> = core::array::from_fn(|d| if d == 0 { -normal[1] } else { normal[0] });
     let inverse = 1.0 / square;
-    let base = normal.map(|component| component * ((row.bound() - share * ball.bound()) * inverse));
+    let base = normal.map(|component| component * ((row.bound() - fraction * ball.bound()) * inverse));
     let (a, b, c) = (ball.curvature() * square, dot(ball.normal(), &along), ball.value(&base) - ball.bound());
     let (own, lift) = (b * b, -4.0 * a * c);
     let parallel = a == 0.0 && own <= PARALLEL * square * dot(ball.normal(), ball.normal());
@@ -82,7 +82,7 @@ fn crossing<const D: usize>(one: &Row<D>, other: &Row<D>, point: &Vector<D>) -> 
     Some(add_scaled(&base, step, &along))
 }
 
-/// The same for one boundary.
+/// [`closest_on`] for one boundary.
 fn closest_on_one<const D: usize>(row: &Row<D>, point: &Vector<D>) -> Option<Vector<D>> {
     let mut closest = if row.curvature() > 0.0 {
         onto_ball(row.normal(), row.curvature(), row.bound(), point)?
@@ -104,14 +104,14 @@ fn step_onto<const D: usize>(row: &Row<D>, gradient: &Vector<D>, v: &Vector<D>) 
     (square > 0.0).then(|| add_scaled(v, step, gradient))
 }
 
-/// On a side of the box the coordinate is known to the last digit.
+/// Sets the coordinate along the axis of a side of the box, where it is known to the last digit.
 fn straighten<const D: usize>(row: &Row<D>, v: &mut Vector<D>) {
     if let Some(axis) = row.axis() {
         v[axis] = row.bound() / row.normal()[axis];
     }
 }
 
-/// One Newton step onto all boundaries at once, the shortest there is; none if they touch.
+/// Makes one Newton step onto all boundaries at once, the shortest there is; it makes none if they touch.
 fn polish<const D: usize>(rows: &[&Row<D>], v: &mut Vector<D>) {
     if let &[one, other] = rows
         && let Some(step) = step_onto_both(one, other, v)
@@ -129,7 +129,7 @@ fn polish<const D: usize>(rows: &[&Row<D>], v: &mut Vector<D>) {
     *v = add_scaled(v, 1.0, &step.base);
 }
 
-/// The same for two boundaries that are far from parallel, without roots.
+/// The step of [`polish`] for two boundaries that are far from parallel, without roots.
 fn step_onto_both<const D: usize>(one: &Row<D>, other: &Row<D>, v: &Vector<D>) -> Option<Vector<D>> {
     let [a, b] = [one, other].map(|row| row.gradient(v));
     let [missing_a, missing_b] = [one, other].map(|row| row.bound() - row.value(v));

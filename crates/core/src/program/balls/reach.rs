@@ -50,13 +50,13 @@ impl<const D: usize> Reach<D> {
         length(&self.far_m) * (1.0 + 4.0 * f64::EPSILON)
     }
 
-    /// At least what `n·v + c |v|²` is anywhere in the box for a `normal` n known up to `wrong` along each axis and a `curvature` c;
-    /// NaN if that is no curvature. A row surely holds wherever the robot can go if this is at most its bound.
+    /// A number that `n·v + c |v|²` is at most, anywhere in the box, for a `normal` n known up to `error` along each axis and a
+    /// `curvature` c. It is NaN if c is no curvature. A row surely holds wherever the robot can go if this is at most its bound.
     #[inline]
-    pub(crate) fn most(&self, normal: &Vector<D>, wrong: f64, curvature: f64) -> f64 {
+    pub(crate) fn lhs_max(&self, normal: &Vector<D>, error: f64, curvature: f64) -> f64 {
         let mut most = 0.0;
         for (component, far_m) in normal.iter().zip(&self.far_m) {
-            most += (component.abs() + wrong + curvature * far_m) * far_m;
+            most += (component.abs() + error + curvature * far_m) * far_m;
         }
         if curvature >= 0.0 { most * SURELY } else { f64::NAN }
     }
@@ -95,15 +95,15 @@ mod tests {
     }
 
     #[test]
-    fn no_point_of_the_box_gives_more_than_the_most() {
+    fn no_point_of_the_box_exceeds_the_largest_left_hand_side() {
         let reach = Reach::between([-0.75, -0.5], [0.25, 1.0]);
         let (normal, curvature) = ([2.0, -3.0], 0.5);
         for (x, y) in [(-0.75, -0.5), (-0.75, 1.0), (0.25, -0.5), (0.25, 1.0)] {
             let value = normal[0] * x + normal[1] * y + curvature * (x * x + y * y);
-            assert!(value <= reach.most(&normal, 0.0, curvature));
+            assert!(value <= reach.lhs_max(&normal, 0.0, curvature));
         }
-        assert!((reach.most(&normal, 0.1, 0.0) - (2.1 * 0.75 + 3.1 * 1.0)).abs() < 1e-8);
-        assert!(reach.most(&normal, 0.0, -0.5).is_nan() && reach.most(&normal, 0.0, f64::NAN).is_nan());
+        assert!((reach.lhs_max(&normal, 0.1, 0.0) - (2.1 * 0.75 + 3.1 * 1.0)).abs() < 1e-8);
+        assert!(reach.lhs_max(&normal, 0.0, -0.5).is_nan() && reach.lhs_max(&normal, 0.0, f64::NAN).is_nan());
     }
 
     #[test]
@@ -118,7 +118,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_no_number_allows_no_move() {
+    fn a_corner_without_a_number_forbids_any_move() {
         let input = InputBox { min_m_s: [f64::NAN, 1.0], max_m_s: [f64::NAN, -1.0] };
         assert_eq!(Reach::new(&input, 0.5), Reach::between([0.0; 2], [0.0; 2]));
     }

@@ -48,27 +48,6 @@ impl<const D: usize> Row<D> {
         Self { normal, curvature: 0.0, bound: larger(bound_m, 0.0) }
     }
 
-    /// (far) for `offset` r, m, and β, m²: `r·v + |v|² ≤ β`.
-    //= method far
-    #[must_use]
-    pub fn far(offset: &Vector<D>, beta_m2: f64) -> Self {
-        Self::new(*offset, 1.0, beta_m2)
-    }
-
-    /// (far′) for the gradient g, 1/m, and κ, 1/m²: `g·v − κ|v|² ≥ −spend`.
-    //= method far-prime
-    #[must_use]
-    pub fn far_level(gradient: &Vector<D>, bend: f64, spend: f64) -> Self {
-        Self::new(gradient.map(|component| -component), bend, spend)
-    }
-
-    /// (near) for `offset` r, m: `2 r·v ≥ −give`, m².
-    //= method near
-    #[must_use]
-    pub fn near(offset: &Vector<D>, give_m2: f64) -> Self {
-        Self::new(offset.map(|component| -2.0 * component), 0.0, give_m2)
-    }
-
     /// Gradient part, scaled.
     #[must_use]
     pub fn normal(&self) -> &Vector<D> {
@@ -119,10 +98,10 @@ impl<const D: usize> Row<D> {
         add_scaled(&self.normal, 2.0 * self.curvature, v)
     }
 
-    /// True when v breaks the row by no more than `share` of its terms.
-    pub(crate) fn nearly_holds(&self, v: &Vector<D>, share: f64) -> bool {
+    /// True when v breaks the row by no more than `fraction` of its terms.
+    pub(crate) fn nearly_holds(&self, v: &Vector<D>, fraction: f64) -> bool {
         let (value, size) = self.value_and_size(v);
-        value <= self.bound + share * size
+        value <= self.bound + fraction * size
     }
 
     /// By how much v breaks the row, scaled; 0 if it holds.
@@ -192,7 +171,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_no_number_allows_no_move() {
+    fn a_coefficient_without_a_number_forbids_any_move() {
         for row in [
             Row::new([f64::NAN, 0.0], 1.0, 1.0),
             Row::new([0.0, f64::INFINITY], 1.0, 1.0),
@@ -203,20 +182,6 @@ mod tests {
         }
         assert_eq!(Row::new([1.0, 0.0], 0.0, f64::NAN).bound, 0.0);
         assert_eq!(Row::new([1.0, 0.0], 0.0, -3.0).bound, 0.0);
-    }
-
-    //= method far type=test
-    //= method near type=test
-    //= method far-prime type=test
-    #[test]
-    fn rows_by_hand() {
-        let far = Row::far(&[0.5, 0.0], 0.75);
-        assert!(far.holds(&[0.65, 0.0]) && !far.holds(&[0.66, 0.0]) && far.holds(&[-1.15, 0.0]));
-        assert!(!far.holds(&[-1.16, 0.0]));
-        let near = Row::near(&[0.5, 0.0], 0.1);
-        assert!(near.holds(&[-0.1, 9.0]) && !near.holds(&[-0.1 - 1e-15, 9.0]));
-        let level = Row::far_level(&[2.0, 0.0], 1.0, 0.0);
-        assert!(level.holds(&[2.0, 0.0]) && !level.holds(&[2.01, 0.0]) && !level.holds(&[-0.01, 0.0]));
     }
 
     #[test]

@@ -1,18 +1,18 @@
-//! The closest point where it is likely to be: on the two boundaries that decided a tick ago.
+//! A warm start: the closest point is looked for first on the two boundaries that decided a tick ago.
 
 use crate::num::{Vector, dot, subtract};
 use crate::program::balls::Program;
 use crate::program::balls::intersection::closest_on;
 use crate::program::balls::row::Row;
 
-/// A boundary is near within this share of the longest move, in the scale of rows.
+/// A boundary is near within this fraction of the longest move, in the scale of rows.
 const NEAR: f64 = 1e-3;
 /// Gradients are far from parallel from this square of the sine of their angle on.
 const APART: f64 = 1e-4;
 
 impl<const D: usize> Program<'_, D> {
     /// Where the two boundaries near `before` meet, if that is the closest point: every row holds there, and [`decide`].
-    pub(crate) fn guess(&self, desired: &Vector<D>, before: &Vector<D>) -> Option<Vector<D>> {
+    pub(super) fn warm_start(&self, desired: &Vector<D>, before: &Vector<D>) -> Option<Vector<D>> {
         let [one, other] = self.nearest(before)?;
         let v = closest_on(&[one, other], desired)?;
         (decide(one, other, &v, desired) && self.rows().iter().all(|row| row.holds(&v))).then_some(v)
@@ -34,8 +34,8 @@ impl<const D: usize> Program<'_, D> {
     }
 }
 
-/// True if at v, of both boundaries the point closest to `desired`, the way there is a sum of their gradients with factors that are
-/// not negative: then no other point of the two balls is as close.
+/// True if no other point of the two balls is as close to `desired` as v, which is on both boundaries. That is so if the way
+/// from v to `desired` is a sum of the two gradients with factors that are not negative.
 fn decide<const D: usize>(one: &Row<D>, other: &Row<D>, v: &Vector<D>, desired: &Vector<D>) -> bool {
     let ([a, b], way) = ([one, other].map(|row| row.gradient(v)), subtract(desired, v));
     let (aa, ab, bb) = (dot(&a, &a), dot(&a, &b), dot(&b, &b));
@@ -57,17 +57,17 @@ mod tests {
         let mut memory = [Row::default(); 5];
         let mut program = Program::new(&mut memory, Reach::new(&input, 1.0));
         let corner = [1.0, 0.5];
-        assert_eq!(program.guess(&[3.0, 2.0], &corner), Some(corner));
-        assert_eq!(program.guess(&[3.0, 2.0], &[0.9999, 0.5001]), Some(corner));
-        assert_eq!(program.guess(&[3.0, 0.4], &corner), None);
-        assert_eq!(program.guess(&[0.5, 2.0], &corner), None);
-        assert_eq!(program.guess(&[3.0, 2.0], &[0.0, 0.0]), None);
+        assert_eq!(program.warm_start(&[3.0, 2.0], &corner), Some(corner));
+        assert_eq!(program.warm_start(&[3.0, 2.0], &[0.9999, 0.5001]), Some(corner));
+        assert_eq!(program.warm_start(&[3.0, 0.4], &corner), None);
+        assert_eq!(program.warm_start(&[0.5, 2.0], &corner), None);
+        assert_eq!(program.warm_start(&[3.0, 2.0], &[0.0, 0.0]), None);
         program.push(Row::new([1.0, 1.0], 0.0, 1.4));
-        assert_eq!(program.guess(&[3.0, 2.0], &corner), None, "a third row is broken there");
+        assert_eq!(program.warm_start(&[3.0, 2.0], &corner), None, "a third row is broken there");
     }
 
     #[test]
-    fn where_gradients_are_nearly_parallel_nothing_is_guessed() {
+    fn where_gradients_are_nearly_parallel_there_is_no_warm_start() {
         let ball = Row::new([0.0, 0.0], 1.0, 1.0);
         let grazing = |sine: f64| Row::new([1.0, sine], 0.0, 1.0);
         for (sine, taken) in [(0.5, true), (0.1, true), (1e-3, false), (0.0, false)] {

@@ -132,7 +132,7 @@ impl<'a> Moment<'a> {
     /// above a narrow one); without numbers malicious ones last.
     pub(crate) fn draw(&self, svg: &mut Svg, axes: &Axes, marker: Marker) {
         let points: Vec<[f64; 2]> = self.points().into_iter().map(|point| axes.at(point)).collect();
-        let links = links(self.record(), self.case.scenario.radius_m, self.tick);
+        let links = links(self.record(), self.case.scenario.link.radius_m, self.tick);
         let (red, grey): (Vec<Link>, Vec<Link>) = links.iter().partition(|link| link.malicious);
         for (some, colour) in [(grey, LINK), (red, MALICIOUS)] {
             draw_links(svg, &points, &some, colour, links.len() <= DOTTED);
@@ -147,7 +147,7 @@ impl<'a> Moment<'a> {
     /// Robots that are closer to another one than the scenario demands, by index.
     #[must_use]
     pub(crate) fn too_close(&self) -> Vec<usize> {
-        let close = links(self.record(), self.case.scenario.distance_min_m, self.tick);
+        let close = links(self.record(), self.case.scenario.limits.distance_min_m, self.tick);
         let mut robots: Vec<usize> = close.iter().flat_map(|pair| [pair.first, pair.second]).collect();
         robots.sort_unstable();
         robots.dedup();

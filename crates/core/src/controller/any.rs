@@ -1,0 +1,92 @@
+//! The closed enum of all controllers: one dispatch, then the code of one.
+
+use crate::controller::budget::control::BudgetController;
+use crate::controller::composed::ComposedController;
+use crate::controller::none::Unfiltered;
+use crate::controller::{Control, Decision, Standing, View};
+use crate::equations::link::LinkShape;
+use crate::need::Need;
+use crate::num::Vector;
+use crate::robot::report::Mode;
+use crate::robot::scratch::Scratch;
+use crate::settings::{Controller, Settings};
+
+/// A controller of some kind with its parameters.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[expect(clippy::large_enum_variant, reason = "there is one a robot, and it is copied once")]
+pub enum AnyController<const D: usize> {
+    /// The paper's.
+    Composed(ComposedController<D>),
+    /// Ours.
+    Budget(BudgetController<D>),
+    /// None.
+    None(Unfiltered<D>),
+}
+
+/// Calls the same method of whichever controller it is.
+macro_rules! dispatch {
+    ($of:expr, $controller:ident => $call:expr) => {
+        match $of {
+            AnyController::Composed($controller) => $call,
+            AnyController::Budget($controller) => $call,
+            AnyController::None($controller) => $call,
+        }
+    };
+}
+
+impl<const D: usize> AnyController<D> {
+    pub(crate) fn new(settings: &Settings<D>, link: LinkShape) -> Self {
+        match &settings.controller {
+            Controller::Composed(of) => Self::Composed(ComposedController::new(settings, of, link)),
+            Controller::Budget(of) => Self::Budget(BudgetController::new(settings, of, link)),
+            Controller::None => Self::None(Unfiltered::new(settings)),
+        }
+    }
+
+    /// Who counts for whom ([`Control::need`]).
+    #[must_use]
+    pub fn need(&self) -> &Need {
+        dispatch!(self, controller => controller.need())
+    }
+
+    /// How far sensed robots matter, m ([`Control::sight_m`]).
+    #[must_use]
+    pub fn sight_m(&self, link: &LinkShape) -> f64 {
+        dispatch!(self, controller => controller.sight_m(link.radius_m))
+    }
+
+    /// True if it promises something ([`Control::promises`]).
+    #[must_use]
+    pub fn promises(&self) -> bool {
+        dispatch!(self, controller => controller.promises())
+    }
+
+    /// True if a whole team can be computed at once ([`Control::can_be_computed_at_once`]).
+    #[must_use]
+    pub fn can_be_computed_at_once(&self) -> bool {
+        dispatch!(self, controller => controller.can_be_computed_at_once())
+    }
+
+    /// What a robot tells ([`Control::level`]).
+    #[must_use]
+    pub fn level(&self, view: &View<'_, D>, scratch: &mut Scratch<'_, D>) -> f64 {
+        dispatch!(self, controller => controller.level(view, scratch))
+    }
+
+    /// What a robot on its own does ([`Control::alone`]).
+    #[must_use]
+    pub fn alone(
+        &self,
+        view: &View<'_, D>,
+        desired: &Vector<D>,
+        scratch: &mut Scratch<'_, D>,
+    ) -> Decision<D> {
+        dispatch!(self, controller => controller.alone(view, desired, scratch))
+    }
+
+    /// What an answer is worth ([`Control::mode`]).
+    #[must_use]
+    pub fn mode(&self, standing: &Standing) -> Mode {
+        dispatch!(self, controller => controller.mode(standing))
+    }
+}

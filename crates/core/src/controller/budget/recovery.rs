@@ -1,0 +1,74 @@
+//! Recovery: how a robot mends what is violated, such as a start outside of the safe set.
+//!
+//! Where h_k or a distance is below its limit, the right-hand side of its row is 0, so that it cannot get worse. In addition
+//! the desired displacement is raised along the gradient of what is violated, by what would mend it to first order, but by no
+//! more than the longest move ρ.
+
+use crate::controller::budget::Own;
+use crate::controller::budget::inequality::Pair;
+use crate::controller::budget::rows::Rows;
+use crate::controller::budget::settings::Budget;
+use crate::num::{Vector, add_scaled, dot, length};
+
+impl Budget {
+    /// Recovery of a neighbour's h_k, which is certainly below 0 by `deficit`. The robot's own move changes h_k along
+    /// `gradient`, 1/m.
+    //= theory sec:recovery
+    pub(super) fn recover_neighbor<const D: usize>(
+        &self,
+        deficit: f64,
+        gradient: &Vector<D>,
+        rows: &mut Rows<'_, D>,
+    ) {
+        rows.count_violation(true);
+        rows.raise(gradient, self.mend_m(deficit, gradient));
+    }
+
+    /// Recovery of the robot's own h_i, if it is below 0.
+    //= theory sec:recovery
+    pub(super) fn recover_own<const D: usize>(&self, own: &Own<D>, rows: &mut Rows<'_, D>) {
+        if own.h < 0.0 {
+            rows.count_violation(own.h + own.degree * self.weight_error() < 0.0);
+            rows.raise(&own.gradient, self.mend_m(-own.h, &own.gradient));
+        }
+    }
+
+    /// Recovery of a distance that may be less than Δ_d: each of the two robots makes up for half of what is missing.
+    //= theory sec:recovery
+    pub(super) fn recover_distance<const D: usize>(
+        &self,
+        offset: &Vector<D>,
+        pair: &Pair,
+        rows: &mut Rows<'_, D>,
+    ) {
+        let error_m = self.errors.offset_m;
+        rows.count_violation(self.spare_m2(pair, error_m) < 0.0);
+        let missing_m = self.distance_min_m + error_m - pair.distance_m;
+        rows.raise(offset, (0.5 * missing_m).min(self.move_max_m));
+    }
+
+    /// How far to go along `gradient` (1/m) to make up for `deficit`, m, at most ρ.
+    fn mend_m<const D: usize>(&self, deficit: f64, gradient: &Vector<D>) -> f64 {
+        (deficit / length(gradient)).min(self.move_max_m)
+    }
+}
+
+impl<const D: usize> Rows<'_, D> {
+    /// Counts a violation that is possible, and `certain` or not.
+    fn count_violation(&mut self, certain: bool) {
+        self.doubtful += 1;
+        self.broken += usize::from(certain);
+    }
+
+    /// Raises the desired displacement along `direction` to at least `wanted_m`.
+    fn raise(&mut self, direction: &Vector<D>, wanted_m: f64) {
+        let size = length(direction);
+        if size > 0.0 && size.is_finite() && wanted_m > 0.0 {
+            let unit = direction.map(|component| component / size);
+            let missing = wanted_m - dot(&unit, &self.desired_m);
+            if missing > 0.0 {
+                self.desired_m = add_scaled(&self.desired_m, missing, &unit);
+            }
+        }
+    }
+}

@@ -1,0 +1,204 @@
+//! The paper's controller: one row a robot (eq:split), and the closest velocity that satisfies it (seq:qp).
+//!
+//! Exactly as printed: no recovery, no slack. The one choice is the split (docs/theory, `sec:split`). The equations are in
+//! [`crate::equations::composition`].
+
+use crate::controller::{Batch, Control, Decision, Glimpse, Motion, Neighbor, Own, Standing, View};
+use crate::equations::composition::{Composed, Composition, PhiSplit, Sum, TERM_LARGE, Term};
+use crate::equations::link::{Link, LinkShape};
+use crate::need::Need;
+use crate::num::scaled::Scaled;
+use crate::num::{Vector, dot};
+use crate::program::box_row::closest;
+use crate::program::{InputBox, Outcome};
+use crate::robot::neighbor::RobotId;
+use crate::robot::report::{Mode, Reason};
+use crate::robot::scratch::Scratch;
+use crate::settings::{ComposedSettings, Settings};
+
+/// The controller with its parameters.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ComposedController<const D: usize> {
+    /// The equations.
+    pub composed: Composed,
+    link: LinkShape,
+    need: Need,
+    input: InputBox<D>,
+}
+
+/// What both ends of a link share in their rows.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Pair {
+    /// `2 ∂a/∂Δ²`, 1/m².
+    pub slope: f64,
+    /// `E^c_ij`.
+    pub collision: f64,
+}
+
+/// The sums behind φ_i and H_i.
+#[derive(Clone, Copy, Debug)]
+pub struct Sums<const D: usize> {
+    row: Sum<D, f64>,
+    /// The sum of Ê of the robot and its neighbours: none of them is larger.
+    terms: f64,
+}
+
+impl<const D: usize> ComposedController<D> {
+    pub(crate) fn new(settings: &Settings<D>, parameters: &ComposedSettings, link: LinkShape) -> Self {
+        let need = settings.need_of_neighbors();
+        let composed = Composed {
+            split: parameters.phi_split,
+            w_r: parameters.w_r,
+            w_c: parameters.w_c,
+            alpha: parameters.alpha,
+            robots: settings.team.robots,
+            required: need.need(RobotId(0)),
+            distance_min_m: settings.limits.distance_min_m,
+        };
+        Self { composed, link, need, input: settings.limits.input }
+    }
+
+    /// Row and φ_i with free exponents where plain numbers overflow or vanish, from all neighbours.
+    #[cold]
+    fn careful<Known>(
+        &self,
+        own: &Own,
+        neighbors: impl Iterator<Item = Neighbor<D, Known, Option<f64>>> + Clone,
+    ) -> Composition<D> {
+        let terms = neighbors.filter_map(|neighbor| {
+            let distance_m2 = dot(&neighbor.offset_m, &neighbor.offset_m);
+            let link: Link<Scaled> = self.link.link_at(distance_m2)?;
+            let told = neighbor.known.map_or(Scaled::ZERO, |level| self.composed.degree_term(level));
+            let collision = self.composed.collision_term(distance_m2);
+            Some(Term { offset_m: neighbor.offset_m, link, collision, told })
+        });
+        self.composed.compose(self.composed.degree_term(own.told_level), terms)
+    }
+}
+
+impl<const D: usize> Control<D> for ComposedController<D> {
+    type Pair = Pair;
+    type Told = f64;
+    type Sums = Sums<D>;
+    type Known = Option<f64>;
+
+    const ADDS: bool = true;
+    const LOOKS: bool = false;
+    const USES_PHI: bool = true;
+
+    fn need(&self) -> &Need {
+        &self.need
+    }
+
+    /// None where slope and collision term are both less than `f64` holds: then only a huge Ê makes the pair matter.
+    #[inline]
+    fn pair(&self, offset_m: &Vector<D>, link: &Link<f64>) -> Option<Pair> {
+        let collision = self.composed.collision_term(dot(offset_m, offset_m));
+        (link.slope != 0.0 || collision != 0.0).then_some(Pair { slope: link.slope, collision })
+    }
+
+    fn pairs(&self, links: &mut Batch<'_, D>, mut make: impl FnMut(usize, Option<Pair>)) {
+        self.composed.collision_terms(links.distances_m2);
+        for (index, (collision, slope)) in links.distances_m2.iter().zip(links.slopes).enumerate() {
+            let (slope, collision) = (*slope, *collision);
+            make(index, (slope != 0.0 || collision != 0.0).then_some(Pair { slope, collision }));
+        }
+    }
+
+    /// Ê of a told level, 0 of none.
+    #[inline]
+    fn told(&self, _robot: RobotId, level: Option<f64>) -> f64 {
+        level.map_or(0.0, |level| self.composed.degree_term(level))
+    }
+
+    #[inline]
+    fn sums(&self, own: &f64) -> Sums<D> {
+        Sums { row: Sum::new(*own), terms: *own }
+    }
+
+    #[inline]
+    fn hear(&self, sums: &mut Sums<D>, told: &f64) {
+        sums.terms += *told;
+    }
+
+    #[inline]
+    fn add(&self, sums: &mut Sums<D>, offset_m: &Vector<D>, pair: &Pair, [own, other]: [&f64; 2]) {
+        let pull = self.composed.coefficient(*own, *other, pair.slope, pair.collision);
+        sums.row.add_link(offset_m, pull, pair.collision);
+    }
+
+    #[inline]
+    fn add_both(
+        &self,
+        [first, second]: [&mut Sums<D>; 2],
+        offset_m: &Vector<D>,
+        pair: &Pair,
+        [one, other]: [&f64; 2],
+    ) {
+        let pull = self.composed.coefficient(*one, *other, pair.slope, pair.collision);
+        first.row.add_link(offset_m, pull, pair.collision);
+        second.row.add_link(offset_m, -pull, pair.collision);
+    }
+
+    fn know(&self, glimpse: &Glimpse<'_, f64>) -> Option<f64> {
+        Some(glimpse.told_level)
+    }
+
+    //= paper seq:qp
+    #[inline]
+    fn decide(
+        &self,
+        own: &Own,
+        sums: &Sums<D>,
+        neighbors: impl Iterator<Item = Neighbor<D, Pair, Option<f64>>> + Clone,
+        motion: &Motion<D>,
+        _scratch: &mut Scratch<'_, D>,
+    ) -> Decision<D> {
+        // Beside a huge Ê no slope counts as 0, so pairs that were left out might matter.
+        let row = match self.composed.split {
+            PhiSplit::Neighbors => sums.row.with_terms(sums.terms),
+            PhiSplit::Own => sums.row,
+        };
+        let plain = row.finish(&self.composed).filter(|_| sums.terms < TERM_LARGE);
+        let Composition { row, phi } = plain.unwrap_or_else(|| self.careful(own, neighbors));
+        let solution = closest(&motion.desired_m_s, &row, &self.input);
+        Decision {
+            velocity_m_s: solution.velocity_m_s,
+            outcome: solution.outcome,
+            phi: Some(phi),
+            doubt: None,
+        }
+    }
+
+    fn alone(&self, view: &View<'_, D>, desired: &Vector<D>, scratch: &mut Scratch<'_, D>) -> Decision<D> {
+        let own = Own { id: view.id, level: view.told_level, told_level: view.told_level, degree: 0 };
+        let told = self.told(view.id, Some(view.told_level));
+        let mut sums = self.sums(&told);
+        for slot in view.linked() {
+            let other = self.told(slot.id, slot.told_level());
+            self.hear(&mut sums, &other);
+            if let Some(pair) = self.pair(&slot.offset_m, &slot.link) {
+                self.add(&mut sums, &slot.offset_m, &pair, [&told, &other]);
+            }
+        }
+        let neighbors = view.linked().map(|slot| Neighbor {
+            id: slot.id,
+            offset_m: slot.offset_m,
+            pair: None,
+            known: slot.told_level(),
+        });
+        let motion = Motion { desired_m_s: *desired, before_m_s: view.before_m_s };
+        self.decide(&own, &sums, neighbors, &motion, scratch)
+    }
+
+    /// Never guaranteed: thm:cbf-qp needs continuous time. The gravest of what speaks against the answer is named.
+    fn mode(&self, standing: &Standing) -> Mode {
+        Mode::Degraded(match standing.outcome {
+            _ if standing.degree < standing.need => Reason::Degree,
+            Outcome::Infeasible => Reason::Infeasible,
+            _ if standing.phi.is_some_and(|phi| phi < 0.0) => Reason::OutsideSafeSet,
+            _ if standing.untold > 0 => Reason::Untold,
+            _ => Reason::ContinuousTime,
+        })
+    }
+}

@@ -1,0 +1,39 @@
+//! When things happen, and how old they may be.
+
+use core::time::Duration;
+
+/// Periods and ages.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Clock {
+    /// τ₁: how often the level is shared.
+    pub level_period: Duration,
+    /// τ₂: how often the value is shared and updated.
+    pub value_period: Duration,
+    /// The longest that a velocity is held before the next tick, at least τ₁; `None` for τ₁. The rows of `budget` are for
+    /// moves of this length, so it must cover the jitter of the ticks.
+    pub hold_max: Option<Duration>,
+    /// A level told longer ago than this counts as not told. It bounds how long a broken assumption is felt.
+    pub told_max: Duration,
+    /// Bound of the difference between the clocks of any two robots; a told level is that much older than it says.
+    pub error: Duration,
+}
+
+impl Default for Clock {
+    fn default() -> Self {
+        Self {
+            level_period: Duration::from_millis(5),
+            value_period: Duration::from_millis(100),
+            hold_max: None,
+            told_max: Duration::from_secs(1),
+            error: Duration::ZERO,
+        }
+    }
+}
+
+impl Clock {
+    /// How long a velocity may be held: the time given, or τ₁.
+    #[must_use]
+    pub fn hold_max(&self) -> Duration {
+        self.hold_max.unwrap_or(self.level_period)
+    }
+}

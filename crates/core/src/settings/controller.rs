@@ -1,0 +1,79 @@
+//! Which controller a robot runs, each with its own parameters.
+
+use core::time::Duration;
+
+use crate::controller::budget::knowledge::{Assume, Trust};
+use crate::controller::budget::settings::fraction_of_rate;
+use crate::equations::composition::PhiSplit;
+
+/// Which controller a robot runs.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Controller {
+    /// The paper's, as printed ([`crate::controller::composed`]).
+    Composed(ComposedSettings),
+    /// Ours ([`crate::controller::budget`]): a guarantee in discrete time, for any lie and any loss of told levels.
+    Budget(BudgetSettings),
+    /// No program: the desired velocity, cut to the box. For whoever wants the consensus alone, or filters elsewhere.
+    None,
+}
+
+/// Parameters of `composed`.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ComposedSettings {
+    /// Which φ_i.
+    pub phi_split: PhiSplit,
+    /// w_r, the weight of degrees.
+    pub w_r: f64,
+    /// w_c, the weight of collisions, 1/m².
+    pub w_c: f64,
+    /// α(s) = alpha·s, 1/s.
+    pub alpha: f64,
+}
+
+/// Parameters of `budget`. All robots of a team must have the same; only trust may differ.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct BudgetSettings {
+    /// γ: the fraction of h_k that may be lost in a tick, in (0, 1]; `None` for a rate of 2/s, with which robots get far
+    /// ([`fraction_of_rate`]).
+    pub gamma: Option<f64>,
+    /// κ, at least 0: by how much that fraction rises with h_k.
+    pub gain_slope: f64,
+    /// γ_c: the fraction of D − Δ_d² that may be lost in a tick, in (0, 1].
+    pub gamma_c: f64,
+    /// What is believed of levels.
+    pub trust: Trust,
+    /// What malicious robots are assumed to do.
+    pub assume: Assume,
+}
+
+impl Default for Controller {
+    fn default() -> Self {
+        Self::Composed(ComposedSettings::default())
+    }
+}
+
+impl Default for ComposedSettings {
+    fn default() -> Self {
+        Self { phi_split: PhiSplit::Neighbors, w_r: 15.0, w_c: 25.0, alpha: 0.1 }
+    }
+}
+
+impl Default for BudgetSettings {
+    fn default() -> Self {
+        Self {
+            gamma: None,
+            gain_slope: 0.0,
+            gamma_c: 0.2,
+            trust: Trust::ToldOrSeen,
+            assume: Assume::Obedient,
+        }
+    }
+}
+
+impl BudgetSettings {
+    /// γ: the one given, or that of a rate of 2/s in a tick of `period`.
+    #[must_use]
+    pub fn gamma(&self, period: Duration) -> f64 {
+        self.gamma.unwrap_or_else(|| fraction_of_rate(2.0, period.as_secs_f64()))
+    }
+}

@@ -1,0 +1,396 @@
+//! Every number of the settings: its name in files, what it is, what it may be. One row each.
+
+use core::time::Duration;
+
+use crate::settings::params::{MAGNITUDE_MAX, ROBOTS_MAX};
+use crate::settings::range::Allowed;
+use crate::settings::{
+    BudgetSettings, Clock, ComposedSettings, Controller, Errors, LinkSettings, Settings, Team, epsilon_of,
+};
+
+/// The name of a number in an error.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[expect(missing_docs, reason = "the table says what each is")]
+pub enum Field {
+    Robots,
+    Faults,
+    RadiusM,
+    Epsilon,
+    Q2,
+    WR,
+    WC,
+    Alpha,
+    Gamma,
+    GainSlope,
+    GammaC,
+    DistanceMinM,
+    PositionErrorM,
+    TrackingErrorM,
+    LevelPeriod,
+    ValuePeriod,
+    HoldMax,
+    ToldMax,
+    ClockError,
+    InputMinMS,
+    InputMaxMS,
+}
+
+/// The settings of a team without those of a dimension. Parameters of a controller are there if it may be run.
+#[derive(Debug)]
+pub struct Parts<'a> {
+    /// Who is in the team.
+    pub team: &'a mut Team,
+    /// What a link is.
+    pub link: &'a mut LinkSettings,
+    /// Δ_d, m.
+    pub distance_min_m: &'a mut f64,
+    /// Parameters of `composed`.
+    pub composed: Option<&'a mut ComposedSettings>,
+    /// Parameters of `budget`.
+    pub budget: Option<&'a mut BudgetSettings>,
+    /// Periods and ages.
+    pub clock: &'a mut Clock,
+    /// Stated bounds of errors.
+    pub errors: &'a mut Errors,
+    /// Δ_d must be below this, m. It depends on the input box.
+    pub distance_limit_m: f64,
+}
+
+/// A number of the settings.
+#[derive(Clone, Copy, Debug)]
+pub struct Row {
+    /// Which.
+    pub field: Field,
+    /// Its name in files, with the table it stands in.
+    pub name: &'static str,
+    /// What it is, with its unit.
+    pub about: &'static str,
+    /// What it is now, s for times; `None` if the controller has no such number.
+    pub get: fn(&Parts<'_>) -> Option<f64>,
+    /// Sets it. A number that is not of the kind of the field is cut to it.
+    pub set: fn(&mut Parts<'_>, f64),
+    /// What it may be, whatever the others are.
+    pub range: Allowed,
+    /// What it may be given the others, if that is less.
+    pub limit: Option<Limit>,
+    /// Why it may be only that, if it has a limit.
+    pub why: &'static str,
+}
+
+/// What a number may be, given the others.
+pub type Limit = fn(&Parts<'_>) -> Allowed;
+
+const POSITIVE: Allowed = Allowed::LeftOpen(0.0, MAGNITUDE_MAX);
+const NOT_NEGATIVE: Allowed = Allowed::Closed(0.0, MAGNITUDE_MAX);
+const FRACTION: Allowed = Allowed::LeftOpen(0.0, 1.0);
+#[expect(clippy::cast_lossless, reason = "`f64::from` is not const")]
+const TEAM_MAX: f64 = ROBOTS_MAX as f64;
+/// A time between two events, s.
+const SECONDS: Allowed = Allowed::Closed(1e-6, 3_600.0);
+
+/// All of them, in the order in which they are checked.
+pub const TABLE: [Row; 19] = [
+    Row {
+        field: Field::Robots,
+        name: "team.robots",
+        about: "n",
+        get: |of| Some(f64::from(of.team.robots)),
+        set: |of, to| of.team.robots = whole(to),
+        range: Allowed::Closed(2.0, TEAM_MAX),
+        limit: None,
+        why: "",
+    },
+    Row {
+        field: Field::Faults,
+        name: "team.faults",
+        about: "F, how many robots may be malicious",
+        get: |of| Some(f64::from(of.team.faults)),
+        set: |of, to| of.team.faults = whole(to),
+        range: Allowed::Closed(0.0, TEAM_MAX),
+        limit: Some(|of| Allowed::Closed(0.0, f64::from(of.team.robots.saturating_sub(1) / 2))),
+        why: "2F + 1 <= n",
+    },
+    Row {
+        field: Field::RadiusM,
+        name: "link.radius_m",
+        about: "R, how far a link reaches, m",
+        get: |of| Some(of.link.radius_m),
+        set: |of, to| of.link.radius_m = to,
+        range: POSITIVE,
+        limit: None,
+        why: "",
+    },
+    Row {
+        field: Field::PositionErrorM,
+        name: "controller.position_error_m",
+        about: "budget: bound of the error of every sensed position, own and others', m",
+        get: |of| Some(of.errors.position_m),
+        set: |of, to| of.errors.position_m = to,
+        range: NOT_NEGATIVE,
+        limit: None,
+        why: "",
+    },
+    Row {
+        field: Field::TrackingErrorM,
+        name: "controller.tracking_error_m",
+        about: "budget: bound of how far a robot is from where its velocities would have taken it, m",
+        get: |of| Some(of.errors.tracking_m),
+        set: |of, to| of.errors.tracking_m = to,
+        range: NOT_NEGATIVE,
+        limit: None,
+        why: "",
+    },
+    Row {
+        field: Field::DistanceMinM,
+        name: "controller.distance_min_m",
+        about: "Delta_d, how near two robots may come, m",
+        get: |of| Some(*of.distance_min_m),
+        set: |of, to| *of.distance_min_m = to,
+        range: POSITIVE,
+        limit: Some(|of| Allowed::Open(0.0, of.distance_limit_m)),
+        why: "below link.radius_m",
+    },
+    Row {
+        field: Field::Epsilon,
+        name: "link.epsilon",
+        about: "of q1 = 2 + epsilon; by default 1/(n-1) - 0.001",
+        get: |of| Some(of.link.epsilon.unwrap_or(epsilon_of(of.team.robots))),
+        set: |of, to| of.link.epsilon = Some(to),
+        range: Allowed::Open(-1.0, 1.0),
+        limit: Some(|of| Allowed::Open(0.0, 1.0 / (f64::from(of.team.robots) - 1.0))),
+        why: "below 1/(n-1)",
+    },
+    Row {
+        field: Field::Q2,
+        name: "link.q2",
+        about: "steepness of the weight, 1/m^4",
+        get: |of| Some(of.link.q2),
+        set: |of, to| of.link.q2 = to,
+        range: POSITIVE,
+        limit: None,
+        why: "",
+    },
+    Row {
+        field: Field::WR,
+        name: "controller.w_r",
+        about: "composed: weight of degrees",
+        get: |of| of.composed.as_ref().map(|composed| composed.w_r),
+        set: |of, to| composed(of, |composed| composed.w_r = to),
+        range: POSITIVE,
+        limit: None,
+        why: "",
+    },
+    Row {
+        field: Field::WC,
+        name: "controller.w_c",
+        about: "composed: weight of collisions, 1/m^2",
+        get: |of| of.composed.as_ref().map(|composed| composed.w_c),
+        set: |of, to| composed(of, |composed| composed.w_c = to),
+        range: POSITIVE,
+        limit: None,
+        why: "",
+    },
+    Row {
+        field: Field::Alpha,
+        name: "controller.alpha",
+        about: "composed: alpha(s) = alpha s, 1/s",
+        get: |of| of.composed.as_ref().map(|composed| composed.alpha),
+        set: |of, to| composed(of, |composed| composed.alpha = to),
+        range: POSITIVE,
+        limit: None,
+        why: "",
+    },
+    Row {
+        field: Field::LevelPeriod,
+        name: "clock.tau_1_s",
+        about: "levels are shared and robots move at this period, s",
+        get: |of| Some(of.clock.level_period.as_secs_f64()),
+        set: |of, to| of.clock.level_period = time(to),
+        range: SECONDS,
+        limit: None,
+        why: "",
+    },
+    Row {
+        field: Field::ValuePeriod,
+        name: "clock.tau_2_s",
+        about: "values are shared and updated at this period, s",
+        get: |of| Some(of.clock.value_period.as_secs_f64()),
+        set: |of, to| of.clock.value_period = time(to),
+        range: SECONDS,
+        limit: None,
+        why: "",
+    },
+    Row {
+        field: Field::Gamma,
+        name: "controller.gamma",
+        about: "budget: fraction of h that may be lost in a tick; by default 1 - exp(-2 tau_1)",
+        get: |of| of.budget.as_ref().map(|budget| budget.gamma(of.clock.level_period)),
+        set: |of, to| budget(of, |budget| budget.gamma = Some(to)),
+        range: FRACTION,
+        limit: None,
+        why: "",
+    },
+    Row {
+        field: Field::GainSlope,
+        name: "controller.rise",
+        about: "budget: by how much that fraction rises with h",
+        get: |of| of.budget.as_ref().map(|budget| budget.gain_slope),
+        set: |of, to| budget(of, |budget| budget.gain_slope = to),
+        range: NOT_NEGATIVE,
+        limit: None,
+        why: "",
+    },
+    Row {
+        field: Field::GammaC,
+        name: "controller.gamma_c",
+        about: "budget: fraction of distance^2 - distance_min^2 that may be lost in a tick",
+        get: |of| of.budget.as_ref().map(|budget| budget.gamma_c),
+        set: |of, to| budget(of, |budget| budget.gamma_c = to),
+        range: FRACTION,
+        limit: None,
+        why: "",
+    },
+    Row {
+        field: Field::HoldMax,
+        name: "clock.hold_max_s",
+        about: "budget: how long a velocity may be held, s; by default tau_1_s",
+        get: |of| Some(of.clock.hold_max().as_secs_f64()),
+        set: |of, to| of.clock.hold_max = Some(time(to)),
+        range: SECONDS,
+        limit: Some(|of| Allowed::Closed(of.clock.level_period.as_secs_f64(), 3_600.0)),
+        why: "at least clock.tau_1_s",
+    },
+    Row {
+        field: Field::ToldMax,
+        name: "clock.told_max_s",
+        about: "budget: a level told longer ago counts as not told, s",
+        get: |of| Some(of.clock.told_max.as_secs_f64()),
+        set: |of, to| of.clock.told_max = time(to),
+        range: SECONDS,
+        limit: None,
+        why: "",
+    },
+    Row {
+        field: Field::ClockError,
+        name: "clock.error_s",
+        about: "budget: bound of the difference of any two clocks, s",
+        get: |of| Some(of.clock.error.as_secs_f64()),
+        set: |of, to| of.clock.error = time(to),
+        range: Allowed::Closed(0.0, 3_600.0),
+        limit: None,
+        why: "",
+    },
+];
+
+impl Row {
+    /// What it may be among the others, or without them if it has no limit.
+    #[must_use]
+    pub fn allowed(&self, of: &Parts<'_>) -> Allowed {
+        self.limit.map_or(self.range, |limit| limit(of))
+    }
+
+    /// The table that it stands in, and its key there.
+    #[must_use]
+    pub fn place(&self) -> (&'static str, &'static str) {
+        self.name.split_once('.').unwrap_or(("", self.name))
+    }
+}
+
+impl Field {
+    /// Its row; `None` for the corners of the input box, which are lists.
+    #[must_use]
+    pub fn row(self) -> Option<&'static Row> {
+        TABLE.iter().find(|row| row.field == self)
+    }
+
+    /// Its name in files, with the table it stands in.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::InputMinMS => "controller.input_min_m_s",
+            Self::InputMaxMS => "controller.input_max_m_s",
+            _ => self.row().map_or("", |row| row.name),
+        }
+    }
+
+    /// Why it may be only what it may be, if the range depends on something else.
+    #[must_use]
+    pub fn why(self) -> &'static str {
+        match self {
+            Self::InputMinMS | Self::InputMaxMS => "the box must contain 0",
+            _ => self.row().map_or("", |row| row.why),
+        }
+    }
+}
+
+impl<const D: usize> Settings<D> {
+    /// All but the input box. Δ_d may be up to `distance_limit_m`, m.
+    #[must_use]
+    pub fn parts(&mut self, distance_limit_m: f64) -> Parts<'_> {
+        let (composed, budget) = match &mut self.controller {
+            Controller::Composed(composed) => (Some(composed), None),
+            Controller::Budget(budget) => (None, Some(budget)),
+            Controller::None => (None, None),
+        };
+        Parts {
+            team: &mut self.team,
+            link: &mut self.link,
+            distance_min_m: &mut self.limits.distance_min_m,
+            composed,
+            budget,
+            clock: &mut self.clock,
+            errors: &mut self.errors,
+            distance_limit_m,
+        }
+    }
+}
+
+fn composed(of: &mut Parts<'_>, set: impl FnOnce(&mut ComposedSettings)) {
+    if let Some(composed) = of.composed.as_deref_mut() {
+        set(composed);
+    }
+}
+
+fn budget(of: &mut Parts<'_>, set: impl FnOnce(&mut BudgetSettings)) {
+    if let Some(budget) = of.budget.as_deref_mut() {
+        set(budget);
+    }
+}
+
+fn whole(number: f64) -> u16 {
+    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "saturates")]
+    let whole = number as u16;
+    whole
+}
+
+/// To the nanosecond.
+fn time(seconds: f64) -> Duration {
+    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "saturates")]
+    let nanos = libm::round(seconds * 1e9) as u64;
+    Duration::from_nanos(nanos)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_is_set_is_what_one_gets() {
+        for row in &TABLE {
+            let controllers = [Controller::default(), Controller::Budget(BudgetSettings::default())];
+            let mut found = 0;
+            for controller in controllers {
+                let mut settings = Settings::<2> { controller, ..Settings::default() };
+                let mut parts = settings.parts(3.0);
+                (row.set)(&mut parts, 4.0);
+                if let Some(value) = (row.get)(&parts) {
+                    assert!((value - 4.0).abs() < 1e-12, "{}", row.name);
+                    found += 1;
+                }
+            }
+            assert!(found > 0, "{} belongs to no controller", row.name);
+            assert_eq!(row.field.name(), row.name);
+            assert!(!row.about.is_empty());
+        }
+    }
+}

@@ -1,0 +1,56 @@
+//! What every engine does: compute all robots of a tick.
+
+use closeranks_core::controller::Control;
+use closeranks_core::num::Vector;
+
+use crate::attack::liars::Liars;
+use crate::engine::fleet::Fleet;
+use crate::engine::team::Team;
+use crate::faults::edges::Edges;
+use crate::frame::Frame;
+use crate::transport::Transport;
+
+/// Computes the robots of a run.
+pub(crate) trait Robots<const D: usize> {
+    /// One tick: fills everything in `frame` but positions, desired velocities, references and assumptions.
+    fn step(&mut self, frame: &mut Frame<D>, liars: &mut Liars);
+
+    /// What went wrong around the robots in this tick; `None` where nothing can.
+    fn edges(&self) -> Option<&Edges<D>> {
+        None
+    }
+
+    /// Where robot `index` counts itself in this tick, if it keeps a reference of its own.
+    fn counted(&self, _index: usize) -> Option<Counted<D>> {
+        None
+    }
+}
+
+/// Where a robot counts itself.
+pub(crate) struct Counted<const D: usize> {
+    /// The place, m.
+    pub(crate) place_m: Vector<D>,
+    /// True if it is not the last place plus the last move.
+    pub(crate) began_anew: bool,
+}
+
+impl<const D: usize, T: Transport> Robots<D> for Fleet<D, T> {
+    fn step(&mut self, frame: &mut Frame<D>, liars: &mut Liars) {
+        self.step(frame, liars);
+    }
+
+    fn edges(&self) -> Option<&Edges<D>> {
+        Some(self.edges())
+    }
+
+    fn counted(&self, index: usize) -> Option<Counted<D>> {
+        let robot = self.running(index)?;
+        Some(Counted { place_m: robot.reference()?, began_anew: robot.began_anew() })
+    }
+}
+
+impl<const D: usize, C: Control<D> + Copy> Robots<D> for Team<D, C> {
+    fn step(&mut self, frame: &mut Frame<D>, liars: &mut Liars) {
+        self.step(frame, liars);
+    }
+}

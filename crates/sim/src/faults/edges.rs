@@ -1,0 +1,38 @@
+//! What stands between a robot and the world, apart from the network: its clock, its sensors and its power.
+
+use closeranks_core::num::Vector;
+
+use crate::faults::clocks::Shown;
+use crate::faults::outages::Downtime;
+use crate::faults::sensing::Senses;
+use crate::scenario::Scenario;
+
+/// The clocks, sensors and outages of a run.
+#[derive(Clone, Debug)]
+pub struct Edges<const D: usize> {
+    /// The robots' own clocks.
+    pub clocks: Shown,
+    /// What robots sense of positions.
+    pub senses: Senses<D>,
+    /// Who is down.
+    pub downtime: Downtime,
+}
+
+impl<const D: usize> Edges<D> {
+    /// Those of `scenario`.
+    #[must_use]
+    pub fn new(scenario: &Scenario) -> Self {
+        let (faults, seed, robots) = (&scenario.faults, scenario.seed, scenario.team.robots);
+        Self {
+            clocks: Shown::new(faults.clocks, seed, robots, scenario.clock.level_period),
+            senses: Senses::new(faults.sensing, seed, robots),
+            downtime: Downtime::new(faults.outages, seed, robots),
+        }
+    }
+
+    /// Begins a tick at `time_s` with everybody at `positions_m`.
+    pub fn begin_tick(&mut self, time_s: f64, positions_m: &[Vector<D>]) {
+        self.downtime.begin_tick(time_s);
+        self.senses.begin_tick(time_s, positions_m);
+    }
+}
