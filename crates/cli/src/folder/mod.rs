@@ -39,6 +39,7 @@ impl Folder {
             leftovers::clean(&target)?;
         }
         check(&target)?;
+        try_writing(&target)?;
         Ok(Self { target, files: Vec::new() })
     }
 
@@ -72,6 +73,15 @@ impl Folder {
 /// The folder that `target` lies in.
 pub(crate) fn parent(target: &Path) -> &Path {
     target.parent().filter(|parent| !parent.as_os_str().is_empty()).unwrap_or(Path::new("."))
+}
+
+/// Fails if nothing can be written beside `target`: better before a long run than after it.
+fn try_writing(target: &Path) -> Result<()> {
+    let above = std::path::absolute(target)?;
+    let there = above.ancestors().skip(1).find(|above| above.is_dir()).unwrap_or(Path::new("."));
+    let tried = tempfile::Builder::new().prefix(leftovers::TRIED).tempdir_in(there);
+    tried.with_context(|| format!("cannot write to the folder `{}`", there.display()))?;
+    Ok(())
 }
 
 /// Locks a folder against other programs of ours that put results into it, until the file is dropped. None where the system

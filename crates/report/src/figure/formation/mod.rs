@@ -1,15 +1,21 @@
 //! A panel with the robots of one tick and the links between them.
 
+pub(crate) mod links;
+pub(crate) mod marker;
+pub(crate) mod view;
+
 use closeranks_sim::output::record::Record;
 
+use self::links::{Link, links};
+use self::marker::{Marker, ring, robots_group};
+use self::view::View;
 use crate::figure::Case;
-use crate::figure::links::{Link, links, position};
-use crate::figure::panel::axes::{Axes, Place};
+use crate::figure::panel::axes::Axes;
 use crate::figure::panel::ticks::{Range, plain};
 use crate::figure::panel::title::Title;
-use crate::svg::palette::{CLOSE, FRAME, LINK, MALICIOUS, NORMAL};
+use crate::svg::palette::{LINK, MALICIOUS};
 use crate::svg::path::PathData;
-use crate::svg::{Element, Piece, Svg};
+use crate::svg::{Element, Svg};
 
 /// Up to so many robots have numbers in them.
 const NUMBERED: u16 = 40;
@@ -20,41 +26,6 @@ const DOTTED: usize = 1_500;
 const DOTS: &str = "1.2 1.9";
 /// Their sum.
 const PERIOD: f64 = 3.1;
-
-/// A direction from which robots are seen.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) struct View {
-    /// Axis from left to right.
-    across: usize,
-    /// Axis from bottom to top.
-    up: usize,
-    /// What a panel says in three dimensions.
-    note: &'static str,
-    /// Label of the axis to the left.
-    pub(crate) up_label: &'static [Piece<'static>],
-}
-
-/// Views of robots in space: from above, and from the front. In the plane the first is all.
-const VIEWS: [View; 2] = [
-    View {
-        across: 0,
-        up: 1,
-        note: "3D, seen along z",
-        up_label: &[Piece::Italic("y"), Piece::Plain(" (m)")],
-    },
-    View {
-        across: 0,
-        up: 2,
-        note: "3D, seen along y",
-        up_label: &[Piece::Italic("z"), Piece::Plain(" (m)")],
-    },
-];
-
-/// The views that show all coordinates of `cases`.
-#[must_use]
-pub(crate) fn views(cases: &[Case<'_>]) -> &'static [View] {
-    if cases.iter().any(|case| case.record.dimension > 2) { &VIEWS } else { &VIEWS[..1] }
-}
 
 /// One tick of a case.
 #[derive(Clone, Copy, Debug)]
@@ -69,15 +40,6 @@ pub(crate) struct Moment<'a> {
     pub(crate) view: View,
 }
 
-/// How robots are drawn.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Marker {
-    /// Radius of the circle; squares have the same area.
-    pub(crate) radius: f64,
-    /// With the robot's number.
-    pub(crate) numbered: bool,
-}
-
 /// Everything that panels of one figure share.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Look {
@@ -89,22 +51,6 @@ pub(crate) struct Look {
     pub(crate) marker: Marker,
     /// Height of a panel over its width.
     pub(crate) aspect: f64,
-}
-
-impl View {
-    /// Where robot `index` is seen at `tick`, m.
-    #[must_use]
-    pub(crate) fn point(self, record: &Record, tick: usize, index: usize) -> [f64; 2] {
-        let position = position(record, tick, index);
-        [position[self.across], position[self.up]]
-    }
-
-    /// Says in the panel from where robots are seen, if there is more than one way.
-    pub(crate) fn draw_note(self, svg: &mut Svg, place: Place, record: &Record) {
-        if record.dimension > 2 {
-            note(svg, place, self.note);
-        }
-    }
 }
 
 impl Look {
@@ -224,17 +170,10 @@ impl<'a> Moment<'a> {
             let malicious = kind(&alike[0]);
             svg.begin(&robots_group(malicious, marker));
             for index in alike {
-                draw_robot(svg, points[*index], marker, malicious, index + 1);
+                marker.draw(svg, points[*index], malicious, index + 1);
             }
             svg.end();
         }
-    }
-}
-
-fn draw_robot(svg: &mut Svg, point: [f64; 2], marker: Marker, malicious: bool, number: usize) {
-    svg.add(shape(point, marker.radius, malicious));
-    if marker.numbered {
-        svg.add(robot_number(point, marker.radius, number));
     }
 }
 
@@ -277,42 +216,4 @@ pub(crate) fn link_style(element: Element, colour: &str, dotted: bool) -> Elemen
     } else {
         element.number("stroke-width", 0.25).number("stroke-opacity", 0.5)
     }
-}
-
-/// What all robots of a kind share.
-pub(crate) fn robots_group(malicious: bool, marker: Marker) -> Element {
-    let colour = if malicious { MALICIOUS } else { NORMAL };
-    let edge = if marker.numbered { 0.9 } else { 0.4 };
-    let group = Element::group().text("fill", colour).text("stroke", "#ffffff").number("stroke-width", edge);
-    group.text("text-anchor", "middle").text("font-weight", "bold")
-}
-
-/// Around a robot that is closer to another one than it may be.
-pub(crate) fn ring(point: [f64; 2], radius: f64) -> Element {
-    let ring = Element::new("circle").point(["cx", "cy"], point).number("r", radius + 2.6);
-    ring.text("fill", "none").text("stroke", CLOSE).number("stroke-width", 1.8)
-}
-
-/// A circle, or for malicious robots a square of the same area.
-pub(crate) fn shape(point: [f64; 2], radius: f64, malicious: bool) -> Element {
-    if malicious {
-        let side = 1.772 * radius;
-        let corner = point.map(|coordinate| coordinate - 0.5 * side);
-        Element::new("rect").point(["x", "y"], corner).number("width", side).number("height", side)
-    } else {
-        Element::new("circle").point(["cx", "cy"], point).number("r", radius)
-    }
-}
-
-fn robot_number([x, y]: [f64; 2], radius: f64, number: usize) -> Element {
-    let size = if number < 10 { 1.4 * radius } else { 1.2 * radius };
-    let text = Element::new("text").point(["x", "y"], [x, y + 0.36 * size]).number("font-size", size);
-    text.text("fill", "#ffffff").text("stroke", "none").label(&[Piece::Plain(&number.to_string())])
-}
-
-/// A remark in the lower right corner of a panel.
-fn note(svg: &mut Svg, place: Place, text: &str) {
-    let at = [place.left + place.width - 5.0, place.bottom() - 5.0];
-    let element = Element::new("text").point(["x", "y"], at).number("font-size", 9.0);
-    svg.add(element.text("text-anchor", "end").text("fill", FRAME).label(&[Piece::Plain(text)]));
 }

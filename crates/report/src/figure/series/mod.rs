@@ -1,10 +1,12 @@
 //! A panel with a column of the record over time, a line a robot.
 
+mod inset;
+mod line_numbers;
+
 use closeranks_sim::output::record::Record;
 
+use self::line_numbers::End;
 use crate::figure::Case;
-use crate::figure::inset;
-use crate::figure::line_numbers::{self, End};
 use crate::figure::panel::axes::Axes;
 use crate::figure::panel::ticks::{Range, drawable};
 use crate::figure::trace::{steps, thin};
