@@ -77,6 +77,13 @@ fn json_has_the_golden_numbers() {
         let (told, code) = check(edge_list(&entry).as_bytes(), &["--json"]);
         let mut found: Value = serde_json::from_str(&told).unwrap();
         let witness = found.as_object_mut().unwrap().remove("witness").unwrap();
+        let read = found.as_object_mut().unwrap().remove("read").unwrap();
+        let links = entry["edges"].as_array().unwrap().len();
+        let as_told = json!({
+            "format": "edges", "told_by": "content", "robots": entry["n"], "links": links,
+            "directed": entry["directed"], "notes": [],
+        });
+        assert_eq!(read, as_told, "{}", entry["name"]);
         let expected = json!({
             "n": entry["n"],
             "directed": entry["directed"],
@@ -98,11 +105,21 @@ fn every_format_gives_the_same_answer() {
         &["geometric", "11", "0.5", "--seed", "3"],
     ];
     for maker in makers {
-        let expected = check(&make(maker), &["--json"]);
+        let numbers = |graph: &[u8], arguments: &[&str]| {
+            let (told, code) = check(graph, arguments);
+            let mut found: Value = serde_json::from_str(&told).unwrap();
+            let read = found.as_object_mut().unwrap().remove("read").unwrap();
+            (found, code, read)
+        };
+        let expected = numbers(&make(maker), &["--json"]);
         for format in ["edges", "matrix", "graph6", "graphml", "dot", "json"] {
             let graph = make(&[maker, &["--format", format]].concat());
-            assert_eq!(check(&graph, &["--json"]), expected, "{format} guessed");
-            assert_eq!(check(&graph, &["--json", "--format", format]), expected, "{format} asked for");
+            let [told, asked] =
+                [&["--json"][..], &["--json", "--format", format]].map(|more| numbers(&graph, more));
+            assert_eq!((&told.0, told.1), (&expected.0, expected.1), "{format} told by its content");
+            assert_eq!((&asked.0, asked.1), (&expected.0, expected.1), "{format} asked for");
+            assert_eq!([&told.2["told_by"], &asked.2["told_by"]], ["content", "request"]);
+            assert_eq!([&told.2["format"], &asked.2["format"]], [format, format]);
         }
     }
 }
@@ -115,7 +132,8 @@ fn the_verdict_is_one_sentence_with_a_witness() {
         told,
         "Agrees if nobody lies: (1,1)-robust, proved by exhaustive search of 1 set; not any single liar: not
 (2,2)-robust.
-4 robots, 3 links, undirected; degrees 1 to 2, connectivity 1
+read as an edge list (by its content): 4 robots, 3 links, undirected
+degrees 1 to 2, connectivity 1
 
 r  largest s  proved by
 ----------------------------------------
@@ -173,36 +191,65 @@ fn what_is_not_settled_in_time_is_said_to_be_open() {
 #[test]
 fn bad_graphs_are_refused_with_their_place() {
     let folder = tempfile::tempdir().unwrap();
-    let many: String = (0..129).fold(String::new(), |list, node| list + &format!("n{node}\n"));
-    let cases = [
+    let many: String =
+        (0..129).fold("undirected\n".into(), |list: String, node| list + &format!("n{node}\n"));
+    let cases: [(&str, &str, &[&str], &str); 11] = [
         (
             "a.edges",
             "a b\nb b\n",
+            &["--strict"],
             "error: loop: \"b\" would hear itself\n --> a.edges:2:1\n  |\n2 | b b\n  | ^^^\n",
         ),
-        ("a.edges", "a b\n\nb a\n", "error: edge from \"b\" to \"a\" appears twice\n --> a.edges:3:1\n"),
-        ("a.csv", "0,1\n0,0\n", "error: row 0 column 1 is 1 but row 1 column 0 is not"),
+        (
+            "a.edges",
+            "a b\n\nb a\n",
+            &["--strict"],
+            "error: edge from \"b\" to \"a\" appears twice\n --> a.edges:3:1\n",
+        ),
+        ("a.csv", "0,1,0\n0,0,0\n0,0,0\n", &[], "error: row 0 column 1 is a link but row 1 column 0 is not"),
+        // The second 7 is marked, not the one within 17.
+        (
+            "a.edges",
+            "17 b 7 x\n",
+            &[],
+            "error: found \"x\", expected two names, and at most a weight after them\n",
+        ),
         (
             "a.csv",
-            "0,7\n7,0\n",
-            "error: found \"7\", expected 0 or 1\n --> a.csv:1:3\n  |\n1 | 0,7\n  |   ^\n",
+            "0,7,0\n7,0,0\n0,0,0\n",
+            &[],
+            "error: found \"7\", expected 0 or 1, or that weights are asked for: then any number but 0 is a link\n --> a.csv:1:3\n  |\n1 | 0,7,0\n  |   ^\n",
         ),
         (
             "a.dot",
             "graph {\n a -> b }",
+            &[],
             "error: found \"->\", expected -> in a digraph, -- in a graph\n --> a.dot:2:4\n",
         ),
         (
             "a.json",
             "{\"nodes\": [1],\n\"edges\": [{\"source\": 1, \"target\": 3}]}",
+            &[],
             "error: no node is named \"3\"\n",
         ),
-        ("a.edges", &many, "error: more than 128 nodes\n   --> a.edges:129:1\n"),
-        ("a.txt", "", "error: a.txt:1: no node, at least one is needed\n"),
+        ("a.edges", &many, &[], "error: more than 128 nodes\n   --> a.edges:130:1\n"),
+        ("a.txt", "", &[], "error: a.txt:1: no node, at least one is needed\n"),
+        (
+            "a.adjlist",
+            "3 2\n0 1\n1 2\n",
+            &[],
+            "error: the text may be an edge list or an edge list after a line of counts, which are different graphs: expected the format edges or counted-edges\n",
+        ),
+        (
+            "a.edges",
+            "0 1\r1 2 3\r",
+            &[],
+            "error: 3 columns, but 2 in line 1: expected as many in every line of an edge list\n --> a.edges:2:1\n  |\n2 | 1 2 3\n",
+        ),
     ];
-    for (name, graph, message) in cases {
+    for (name, graph, arguments, message) in cases {
         fs::write(folder.path().join(name), graph).unwrap();
-        let output = closeranks(folder.path(), &["check", name, "-o", "out"], b"");
+        let output = closeranks(folder.path(), &[&["check", name, "-o", "out"], arguments].concat(), b"");
         assert!(text(&output.stderr).starts_with(message), "{}", text(&output.stderr));
         assert_eq!(output.status.code(), Some(2));
         assert!(output.stdout.is_empty() && !folder.path().join("out").exists());
@@ -212,7 +259,7 @@ fn bad_graphs_are_refused_with_their_place() {
 #[test]
 fn bad_arguments_are_refused() {
     let long = " ".repeat(5 << 20);
-    let cases: [(&[&str], &[u8], &str); 9] = [
+    let cases: [(&[&str], &[u8], &str); 15] = [
         (
             &["check", "-", "--leaders", "x"],
             b"a b",
@@ -221,7 +268,17 @@ fn bad_arguments_are_refused() {
         (&["check", "-", "--additions"], b"a b", "--additions to what end?"),
         (&["check", "-", "--directed"], b"digraph { a -> b }", "DOT says itself what its edges are"),
         (&["check", "-", "--every", "3"], b"a b", "--every is for recorded runs"),
-        (&["check", "-"], &[0xff, 0xfe], "is not text: byte 0 is not UTF-8"),
+        (&["check", "-", "--undirected"], b"graph { a -- b }", "--undirected is not for"),
+        (&["check", "-", "--directed", "--undirected"], b"a b", "cannot be used with"),
+        (
+            &["check", "-", "--which", "1"],
+            b"a b",
+            "--which is not for `standard input`: an edge list has one graph",
+        ),
+        (&["check", "-", "--which", "3"], b"Bw\nBg\n", "2 graphs in the text, choose one: 1 to 2"),
+        (&["check", "-", "--weights"], b"a b", "--weights is not for `standard input`, read as an edge list"),
+        (&["check", "-"], &[0x1f, 0x8b, 0], "is compressed: allowed is text, as gunzip writes it"),
+        (&["check", "-"], &[0xff, 0xff], "is not text: byte 0 is not UTF-8"),
         (&["check", "-"], b"PAR1", "the recording `standard input` cannot be read"),
         (&["check", "-"], long.as_bytes(), "is too long: allowed is at most 4194304 bytes"),
         (&["check", "missing"], b"", "cannot read the graph `missing`"),
@@ -240,12 +297,52 @@ fn bad_arguments_are_refused() {
 }
 
 #[test]
+fn what_was_read_is_said() {
+    let cases: [(&[u8], &[&str], &str); 6] = [
+        (
+            b"a b\nb a\n",
+            &[],
+            "read as an edge list (by its content): 2 robots, 1 link, undirected\nnote: 1 parallel link counts once\n",
+        ),
+        (
+            b"# Directed graph\n1 2\n",
+            &[],
+            "read as an edge list (by its content): 2 robots, 1 edge, directed\n",
+        ),
+        (
+            b"# Directed graph\n1 2\n",
+            &["--undirected"],
+            "2 robots, 1 link, undirected\nnote: the comment in line 1 says directed, which was overruled\n",
+        ),
+        (
+            b"0 1 1\n0 0 0\n0 0 0\n",
+            &["--directed", "--transpose"],
+            "read as a matrix (by its content): 3 robots, 2 edges, directed\nin-degrees 0 to 2",
+        ),
+        (
+            b"0 1 1\n0 0 0\n0 0 0\n",
+            &["--directed"],
+            "read as a matrix (by its content): 3 robots, 2 edges, directed\nin-degrees 0 to 1",
+        ),
+        (
+            b"\xff\xfea\0 \0b\0\n\0",
+            &[],
+            "read as an edge list (by its content): 2 robots, 1 link, undirected\n",
+        ),
+    ];
+    for (graph, arguments, line) in cases {
+        let (told, _) = check(graph, arguments);
+        assert!(told.contains(line), "{told}");
+    }
+}
+
+#[test]
 fn the_folder_has_picture_and_page() {
     let folder = tempfile::tempdir().unwrap();
     let output = closeranks(
         folder.path(),
         &["check", "-", "--format", "edges", "-o", "out"],
-        b"<a> \x1b[31m\n<a> c\n",
+        b"<a> \x1b[31m\n<a> c\n<a> c\n",
     );
     assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
     assert!(!text(&output.stdout).contains('\u{1b}'), "names cannot steer the terminal");
@@ -253,6 +350,8 @@ fn the_folder_has_picture_and_page() {
     assert!(file("graph.png").starts_with(b"\x89PNG"));
     assert!(text(&file("graph.svg")).contains("&lt;a&gt;"));
     let page = text(&file("report.html"));
+    assert!(page.contains("read as an edge list (as --format says): 3 robots, 2 links, undirected"));
+    assert!(page.contains("1 parallel link counts once"));
     assert!(page.contains("Agrees if nobody lies") && page.contains("<svg") && page.contains("largest s"));
 }
 

@@ -3,7 +3,7 @@
 use alloc::string::String;
 use alloc::vec::Vec;
 
-use super::error::FormatError;
+use crate::formats::error::FormatError;
 
 /// Deepest nesting that is read.
 const DEPTH_LIMIT: usize = 64;

@@ -2,7 +2,7 @@
 
 use alloc::string::String;
 
-use super::error::FormatError;
+use crate::formats::error::FormatError;
 
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) enum Token {
@@ -19,21 +19,36 @@ pub(super) enum Token {
     End,
 }
 
+impl Token {
+    /// What it says, as a value of an attribute.
+    pub(super) fn into_text(self) -> String {
+        match self {
+            Self::Name(name) => name,
+            Self::Keyword(word) => String::from(word),
+            _ => String::new(),
+        }
+    }
+}
+
 const KEYWORDS: [&str; 6] = ["strict", "graph", "digraph", "node", "edge", "subgraph"];
 
 /// Reads tokens off the front of a text.
 pub(super) struct Tokens<'a> {
     rest: &'a str,
+    /// Where the next token is looked for.
     pub(super) line: usize,
+    /// Where the last token began.
+    pub(super) start: usize,
 }
 
 impl<'a> Tokens<'a> {
     pub(super) fn new(text: &'a str) -> Self {
-        Self { rest: text, line: 1 }
+        Self { rest: text, line: 1, start: 1 }
     }
 
     pub(super) fn next(&mut self) -> Result<Token, FormatError> {
         self.skip_blanks()?;
+        self.start = self.line;
         let Some(first) = self.rest.chars().next() else {
             return Ok(Token::End);
         };
@@ -41,7 +56,8 @@ impl<'a> Tokens<'a> {
             return Ok(token);
         }
         match first {
-            '"' => self.quoted(),
+            '"' => self.quoted().map(Token::Name),
+            '<' => self.html(),
             _ if is_bare(first) || first == '-' => Ok(self.bare(first)),
             _ => Err(FormatError::unexpected(self.line, &String::from(first), "a name or a sign of DOT")),
         }
@@ -75,16 +91,37 @@ impl<'a> Tokens<'a> {
         }
     }
 
-    fn quoted(&mut self) -> Result<Token, FormatError> {
+    /// A text in quotes; `"a" + "b"` is one text.
+    fn quoted(&mut self) -> Result<String, FormatError> {
+        let mut name = self.one_quoted()?;
+        loop {
+            let (rest, line) = (self.rest, self.line);
+            self.skip_blanks()?;
+            if !self.rest.starts_with('+') {
+                (self.rest, self.line) = (rest, line);
+                return Ok(name);
+            }
+            self.advance(1);
+            self.skip_blanks()?;
+            if !self.rest.starts_with('"') {
+                return Err(FormatError::unexpected(self.line, self.rest, "a text in quotes behind +"));
+            }
+            name.push_str(&self.one_quoted()?);
+        }
+    }
+
+    fn one_quoted(&mut self) -> Result<String, FormatError> {
         let mut name = String::new();
         let mut escaped = false;
         for (index, c) in self.rest.char_indices().skip(1) {
             match c {
                 '"' if !escaped => {
                     self.advance(index + 1);
-                    return Ok(Token::Name(name));
+                    return Ok(name);
                 }
                 '\\' if !escaped => escaped = true,
+                // A line may be broken within quotes.
+                '\n' if escaped => escaped = false,
                 _ => {
                     // Only \" is an escape of DOT's own; others belong to labels.
                     if escaped && c != '"' && c != '\\' {
@@ -96,6 +133,24 @@ impl<'a> Tokens<'a> {
             }
         }
         Err(FormatError::unexpected(self.line, self.rest, "a name that ends with a quote"))
+    }
+
+    /// A label of HTML, `<…>` with brackets in pairs inside.
+    fn html(&mut self) -> Result<Token, FormatError> {
+        let mut depth = 0_usize;
+        for (index, c) in self.rest.char_indices() {
+            match c {
+                '<' => depth += 1,
+                '>' => depth -= 1,
+                _ => {}
+            }
+            if depth == 0 {
+                let label = String::from(&self.rest[..=index]);
+                self.advance(index + 1);
+                return Ok(Token::Name(label));
+            }
+        }
+        Err(FormatError::unexpected(self.line, self.rest, "a label <…> that ends"))
     }
 
     fn bare(&mut self, first: char) -> Token {

@@ -1,20 +1,43 @@
 //! DOT, the language of Graphviz.
 
+mod chain;
+mod token;
+
 use alloc::string::String;
 use alloc::vec::Vec;
 
-use super::Named;
-use super::builder::Builder;
-use super::dot_token::{Token, Tokens};
-use super::error::FormatError;
+use super::builder::{Builder, Draft};
+use super::error::{FormatError, WriteError};
+use super::{Named, Options};
+use token::{Token, Tokens};
 
+/// Deepest nesting of subgraphs that is read.
+const DEPTH_LIMIT: usize = 64;
+
+/// Whether it begins with `graph`, `digraph` or `strict` and a brace follows, perhaps behind a name.
+pub(super) fn looks_like(text: &str) -> bool {
+    let mut tokens = Tokens::new(text);
+    let mut next = || tokens.next().unwrap_or(Token::End);
+    let first = next();
+    let kind = if first == Token::Keyword("strict") { next() } else { first };
+    let behind = match next() {
+        Token::Name(_) => next(),
+        other => other,
+    };
+    matches!(kind, Token::Keyword("graph" | "digraph")) && behind == Token::Sign('{')
+}
+
+/// Reads tokens one ahead.
 struct Reader<'a> {
     tokens: Tokens<'a>,
     next: Token,
+    /// Line of `next`.
+    line: usize,
     builder: Builder,
+    depth: usize,
 }
 
-pub(super) fn read(text: &str) -> Result<Named, FormatError> {
+pub(super) fn read(text: &str, _: &Options<'_>) -> Result<Draft, FormatError> {
     let mut tokens = Tokens::new(text);
     let mut next = tokens.next()?;
     let strict = next == Token::Keyword("strict");
@@ -27,12 +50,13 @@ pub(super) fn read(text: &str) -> Result<Named, FormatError> {
         other => return Err(unexpected(tokens.line, &other, "\"graph\" or \"digraph\"")),
     };
     let next = tokens.next()?;
-    let mut reader = Reader { tokens, next, builder: Builder::new(directed) };
-    reader.body()?;
+    let line = tokens.line;
+    let mut reader = Reader { tokens, next, line, builder: Builder::new(directed), depth: 0 };
     if strict {
-        reader.builder.merge_double_edges();
+        reader.builder.expect_parallel();
     }
-    reader.builder.finish_by_number(reader.tokens.line)
+    reader.body()?;
+    reader.builder.finish_by_number(reader.line)
 }
 
 impl Reader<'_> {
@@ -47,69 +71,34 @@ impl Reader<'_> {
         self.step()?;
         match &self.next {
             Token::End => Ok(()),
-            other => Err(unexpected(self.tokens.line, other, "one graph only")),
+            other => Err(unexpected(self.line, other, "one graph only")),
         }
     }
 
-    fn statement(&mut self) -> Result<(), FormatError> {
-        let line = self.tokens.line;
-        match self.step()? {
-            Token::Sign(';' | ',') => Ok(()),
-            Token::Keyword("graph" | "node" | "edge") => self.attributes(),
-            Token::Name(_) if self.next == Token::Sign('=') => {
-                self.step()?;
-                self.step().map(|_| ())
-            }
-            Token::Name(name) => self.chain(&name, line),
-            other => Err(unexpected(line, &other, "a node, an edge, an attribute or } (no subgraphs)")),
-        }
-    }
-
-    /// A node, or edges one after the other.
-    fn chain(&mut self, name: &str, line: usize) -> Result<(), FormatError> {
-        let mut from = self.builder.node(name, line)?;
-        self.port()?;
-        while matches!(self.next, Token::Arrow | Token::Dashes) {
-            let line = self.tokens.line;
-            let sign = self.step()?;
-            if (sign == Token::Arrow) != self.builder.is_directed() {
-                let allowed = "-> in a digraph, -- in a graph";
-                return Err(unexpected(line, &sign, allowed));
-            }
-            let to = match self.step()? {
-                Token::Name(name) => self.builder.node(&name, line)?,
-                other => return Err(unexpected(line, &other, "the name of a node")),
-            };
-            self.port()?;
-            self.builder.edge(from, to, line)?;
-            from = to;
-        }
-        self.attributes()
-    }
-
-    fn port(&mut self) -> Result<(), FormatError> {
-        while self.next == Token::Sign(':') {
-            self.step()?;
-            self.step()?;
-        }
-        Ok(())
-    }
-
-    /// Lists in brackets, which are passed over.
-    fn attributes(&mut self) -> Result<(), FormatError> {
+    /// Lists in brackets, which are passed over but for one thing: the value of `dir`, which says who hears whom.
+    fn attributes(&mut self) -> Result<Option<String>, FormatError> {
+        let mut direction = None;
         while self.next == Token::Sign('[') {
+            self.step()?;
             while self.next != Token::Sign(']') {
-                if self.step()? == Token::End {
-                    return Err(unexpected(self.tokens.line, &Token::End, "]"));
+                let line = self.line;
+                match self.step()? {
+                    Token::End => return Err(unexpected(line, &Token::End, "]")),
+                    Token::Name(key) if self.next == Token::Sign('=') => {
+                        self.step()?;
+                        let value = self.step()?;
+                        direction = if key == "dir" { Some(value.into_text()) } else { direction };
+                    }
+                    _ => {}
                 }
             }
             self.step()?;
         }
-        Ok(())
+        Ok(direction)
     }
 
     fn expect(&mut self, token: &Token, allowed: &'static str) -> Result<(), FormatError> {
-        let line = self.tokens.line;
+        let line = self.line;
         let found = self.step()?;
         if found == *token { Ok(()) } else { Err(unexpected(line, &found, allowed)) }
     }
@@ -117,6 +106,7 @@ impl Reader<'_> {
     /// Takes the next token.
     fn step(&mut self) -> Result<Token, FormatError> {
         let following = self.tokens.next()?;
+        self.line = self.tokens.start;
         Ok(core::mem::replace(&mut self.next, following))
     }
 }
@@ -137,7 +127,7 @@ fn unexpected(line: usize, found: &Token, allowed: &'static str) -> FormatError 
     FormatError::unexpected(line, found, allowed)
 }
 
-pub(super) fn write(named: &Named) -> String {
+pub(super) fn write(named: &Named) -> Result<String, WriteError> {
     let directed = named.graph.is_directed();
     let names: Vec<String> = named.names.iter().map(|name| quote(name)).collect();
     let mut text = String::from(if directed { "digraph {\n" } else { "graph {\n" });
@@ -149,7 +139,7 @@ pub(super) fn write(named: &Named) -> String {
         text.extend(["  ", &names[from], sign, &names[to], ";\n"]);
     }
     text.push_str("}\n");
-    text
+    Ok(text)
 }
 
 fn quote(name: &str) -> String {
