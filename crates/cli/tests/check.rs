@@ -276,7 +276,11 @@ fn bad_arguments_are_refused() {
             "--which is not for `standard input`: an edge list has one graph",
         ),
         (&["check", "-", "--which", "3"], b"Bw\nBg\n", "2 graphs in the text, choose one: 1 to 2"),
-        (&["check", "-", "--weights"], b"a b", "--weights is not for `standard input`, read as an edge list"),
+        (
+            &["check", "-", "--weights"],
+            b"graph { a -- b }",
+            "--weights is not for `standard input`, read as DOT",
+        ),
         (&["check", "-"], &[0x1f, 0x8b, 0], "is compressed: allowed is text, as gunzip writes it"),
         (&["check", "-"], &[0xff, 0xff], "is not text: byte 0 is not UTF-8"),
         (&["check", "-"], b"PAR1", "the recording `standard input` cannot be read"),

@@ -59,7 +59,7 @@ fn what_others_write_is_read() {
     let path = Graph::undirected(3, &[(0, 1), (1, 2)]).unwrap();
     let arrow = Graph::directed(3, &[(0, 1), (1, 2)]).unwrap();
     let graph_of = |text: &str, format| read(text, &asked(format)).unwrap().named.graph;
-    assert_eq!(graph_of("# made by hand\n2 1 {'weight': 3}\n0 1 0.5\n", Format::EdgeList), path);
+    assert_eq!(graph_of("# made by hand\n2 1 {'weight': 3}\n0 1 {}\n", Format::EdgeList), path);
     assert_eq!(graph_of("Bg\n", Format::Graph6).edge_count(), 2);
     assert_eq!(graph_of(">>graph6<<IheA@GUAo\n", Format::Graph6).edge_count(), 15);
     let savetxt = "0.0e+00 1.0e+00 0.0e+00\n1.0e+00 0.0e+00 1.0e+00\n0.0e+00 1.0e+00 0.0e+00\n";

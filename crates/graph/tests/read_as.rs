@@ -83,6 +83,7 @@ fn edge_lists_that_are_refused() {
             ("1 2\n01 3\n", "the names \"1\" and \"01\" are the same number"),
             ("# was directed once\n1 2\n", "line 1: a comment speaks of direction, but not plainly"),
             ("% bip\n1 1\n", "expected a graph with one numbering"),
+            ("0.5 1.0\n1.0 0.5\n", "this does not look like an edge list"),
             ("a,,b\n", "found \"b\""),
             ("a,\n", "line 1: found \"a\", expected two names"),
         ],
@@ -102,6 +103,7 @@ fn what_may_be_two_graphs_is_refused() {
             // Three nodes and two links, or the edges 3-2, 0-1 and 1-2.
             ("3 2\n0 1\n1 2\n", "may be an edge list or an edge list after a line of counts"),
             ("1 0\n0 1\n", "may be a matrix or an edge list"),
+            ("0 2\n2 0\n", "may be a matrix or an edge list"),
             ("4 4\n2 4\n1 3\n2 4\n1 3\n", "may be an edge list after a line of counts or METIS"),
             ("# hub\na 1\nb 2\n", "may be an edge list or LGL"),
             ("1 2\n2 3\n3 1\n#\n1 2\n", "may be an edge list or TGF"),
@@ -218,6 +220,24 @@ fn formats_of_programs() {
         &[("Bw\nBg\n", "graph6: 0 1 2 | 0-1 1-2; graph 2 of the 2 in the file")],
         &Options { which: Some(2), ..Options::default() },
     );
+}
+
+#[test]
+fn what_no_format_is_sure_of_is_refused() {
+    check(
+        &[
+            // A heading of networkx, and names with blanks: a star of the robot called robot it is not.
+            ("# GMT Thu\nrobot 0\nrobot 1\n", "this does not look like an edge list, nor like anything else"),
+            ("# GMT Thu\nrobot 0 1\nrobot 1 {}\nrobot 1 0\n", "found"),
+            (
+                "robot 0 2\nrobot 1 {}\nrobot 2 {}\n",
+                "line 1: found \"2\", expected {…} behind the names, as in other lines",
+            ),
+        ],
+        &Options::default(),
+    );
+    let adjlist = Options { ending: Some("adjlist"), ..Options::default() };
+    check(&[("robot 0\trobot 1\nrobot 1\n", "this does not look like an adjacency list")], &adjlist);
 }
 
 #[test]

@@ -8,7 +8,7 @@ use super::error::{FormatError, Problem};
 use super::table::{Format, ROWS, Row, Sign, row};
 use super::{Named, Options, ToldBy};
 
-/// The row to read `text` with. Where several shapes fit and read different graphs, the ending of the name decides if it
+/// The row to read `text` with. Who asks for weights has a matrix. Where several shapes fit and read different graphs, the ending of the name decides if it
 /// settles; else the text is refused with the names of all that fit.
 pub(super) fn choose(text: &str, options: &Options<'_>) -> Result<(&'static Row, ToldBy), FormatError> {
     if let Some(format) = options.format {
@@ -18,18 +18,30 @@ pub(super) fn choose(text: &str, options: &Options<'_>) -> Result<(&'static Row,
     if let Some(own) = own {
         return Ok((own, ToldBy::Content));
     }
+    if options.weights {
+        return Ok((row(Format::Matrix), ToldBy::Content));
+    }
     let fits = |row: &&Row| matches!(row.sign, Sign::Shape { looks_like, .. } if looks_like(text));
     let fitting: Vec<&'static Row> = ROWS.iter().filter(fits).collect();
     match fitting.as_slice() {
-        [] => Ok((closest(options), ToldBy::Content)),
+        [] => complaint(text, options),
         [one] => Ok((one, ToldBy::Content)),
         [first, ..] if all_the_same(text, options, &fitting) => Ok((first, ToldBy::Content)),
         _ => by_ending(options, &fitting).map(|row| (row, ToldBy::Ending)),
     }
 }
 
-/// Whose complaint helps most where nothing fits: the format of the ending, if it is one without a sign of its own, else
-/// the edge list.
+/// Where nothing fits: the row whose reader says best what is wrong. If that one would read the text after all, although it
+/// does not look like its format, that is no more than a guess, and refused.
+fn complaint(text: &str, options: &Options<'_>) -> Result<(&'static Row, ToldBy), FormatError> {
+    let row = closest(options);
+    match (row.read)(text, options) {
+        Err(_) => Ok((row, ToldBy::Content)),
+        Ok(_) => Err(FormatError::new(1, Problem::Doubtful { format: row.format })),
+    }
+}
+
+/// The format of the ending, if it is one without a sign of its own, else the edge list.
 fn closest(options: &Options<'_>) -> &'static Row {
     let is_shape = |row: &&Row| matches!(row.sign, Sign::Shape { .. });
     let of_ending = ROWS.iter().filter(is_shape).find(|row| has_ending(row, options));

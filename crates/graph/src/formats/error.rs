@@ -40,6 +40,11 @@ pub enum Problem {
         /// Those that fit, in the order of the table.
         formats: Vec<Format>,
     },
+    /// The text does not look like any format, though the reader of one would make a graph of it.
+    Doubtful {
+        /// Which.
+        format: Format,
+    },
     /// The text is a single word, and not one of graph6.
     OneWord {
         /// The word, shortened.
@@ -186,6 +191,12 @@ impl fmt::Display for Problem {
             Self::Unexpected { found, allowed } => write!(f, "found {found:?}, expected {allowed}"),
             Self::Missing { allowed } => write!(f, "expected {allowed}"),
             Self::Ambiguous { formats } => ambiguous(f, formats),
+            Self::Doubtful { format } => write!(
+                f,
+                "this does not look like {}, nor like anything else: expected to be told the format, perhaps {}",
+                format.title(),
+                format.name()
+            ),
             Self::OneWord { word } => {
                 write!(f, "the text is one word, {word:?}: expected two names a line, or a line of graph6")
             }

@@ -79,7 +79,7 @@ NETWORKX = {
     "write_gexf": {"ending": "gexf"},
     "write_gml": {"ending": "gml"},
     "write_graph6": {"index": 0},
-    "write_sparse6": {"index": 0},
+    "write_sparse6": {"index": 0, "order": sorted},
     "write_graphml": {"ending": "graphml"},
     "write_graphml_lxml": {"ending": "graphml"},
     "write_graphml_xml": {"ending": "graphml"},
@@ -106,8 +106,8 @@ IGRAPH = {
 }
 
 
-def numbered(graph, first, prefix=""):
-    place = {node: f"{prefix}{first + number}" for number, node in enumerate(graph)}
+def numbered(nodes, first, prefix=""):
+    place = {node: f"{prefix}{first + number}" for number, node in enumerate(nodes)}
     return lambda node: place[node]
 
 
@@ -119,7 +119,7 @@ def networkx_files(graph, stem):
         except (nx.NetworkXError, nx.NetworkXNotImplemented):
             continue
         words = "directed" if facts.get("open") and graph.is_directed() else ""
-        names = numbered(graph, 0) if "index" in facts else None
+        names = numbered(facts.get("order", list)(graph), 0) if "index" in facts else None
         yield Written(name, path, graph, words, facts.get("lonely", True), names, refused=facts.get("refused", False))
     yield from networkx_texts(graph, stem)
 
@@ -168,6 +168,8 @@ def igraph_files(graph, stem):
     other.vs["name"] = [str(node) for node in graph]
     for name, facts in IGRAPH.items():
         path = stem.with_name(f"{stem.name}-ig-{name}.txt")
+        if name == "write_adjacency" and len(place) == 2 and any(u == v for u, v in graph.edges()):
+            continue  # Two rows with counts of loops, such as `2 3` and `3 0`, are three robots in a row to anybody.
         with contextlib.suppress(igraph.InternalError):
             write = getattr(other, name)
             write(str(path), 0, len(place) - 1) if name == "write_dimacs" else write(str(path))

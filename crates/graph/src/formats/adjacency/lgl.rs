@@ -22,12 +22,14 @@ const COMMENTS: [&str; 12] = [
     "weighted",
 ];
 
-/// Whether the first line is `# node`, all comments are of that kind, and no link is told twice.
+/// Whether the first line is `# node` and all comments are of that kind; with weights, no link may be told twice, as it would
+/// be if the first comment of an edge list were taken for a node.
 pub(in crate::formats) fn looks_like(text: &str) -> bool {
     let mut said = all_lines(text).filter(|line| !line.text.is_empty());
     let is_comment = |line: Line<'_>| head(line).is_some_and(|word| COMMENTS.contains(&word.text));
     let starts = said.next().is_some_and(|line| head(line).is_some() && !is_comment(line));
-    let reads = || read(text, &Options::default()).is_ok_and(|draft| draft.repeat.is_none());
+    let weights = all_lines(text).any(|line| !line.text.starts_with('#') && words(line).len() > 1);
+    let reads = || read(text, &Options::default()).is_ok_and(|draft| !weights || draft.repeat.is_none());
     starts && said.all(|line| !line.text.starts_with('#') || head(line).is_some()) && reads()
 }
 

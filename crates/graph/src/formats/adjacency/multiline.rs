@@ -27,8 +27,8 @@ pub(in crate::formats) fn looks_like(text: &str) -> bool {
     let heads: BTreeSet<&str> = blocks.iter().map(|(head, _)| head.text).collect();
     let mut neighbours = blocks.iter().flat_map(|(_, neighbours)| neighbours);
     let complete = heads.len() == blocks.len() && neighbours.all(|word| heads.contains(word.text));
-    let mark = |line: Line<'_>| line.text.starts_with("# GMT ") || line.text.ends_with('}');
-    !blocks.is_empty() && complete && all_lines(text).any(mark)
+    let data = all_lines(text).any(|line| line.text.ends_with('}'));
+    !blocks.is_empty() && complete && (data || super::is_of_networkx(text))
 }
 
 fn blocks(text: &str) -> Result<Vec<Block<'_>>, FormatError> {

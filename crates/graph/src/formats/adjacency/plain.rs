@@ -9,13 +9,14 @@ use crate::formats::error::FormatError;
 use crate::formats::text::{Said, refuse_strange};
 use crate::formats::words::{Line, Separator, Word, lines};
 
-/// Whether every node begins exactly one line, and somebody has a neighbour.
+/// Whether every node begins exactly one line, and somebody has a neighbour or networkx says that it wrote it.
 pub(in crate::formats) fn looks_like(text: &str) -> bool {
     let rows = rows(text);
     let heads: BTreeSet<&str> = rows.iter().filter_map(|row| row.first()).map(head).collect();
     let neighbours = || rows.iter().flat_map(|row| row.iter().skip(1));
     let complete = heads.len() == rows.len() && neighbours().all(|word| heads.contains(word.text));
-    complete && rows.len() > 1 && neighbours().count() > 0 && read(text, &Options::default()).is_ok()
+    let shape = rows.len() > 1 && neighbours().count() > 0 || super::is_of_networkx(text);
+    complete && shape && read(text, &Options::default()).is_ok()
 }
 
 /// The head of a line may end with a colon.

@@ -40,3 +40,8 @@ pub(super) fn is_likely(entries: &[Vec<Entry>]) -> bool {
     let mut below = (0..entries.len()).flat_map(|row| (0..row).map(move |column| (row, column)));
     diagonal || below.all(|(row, column)| entries[row][column] == entries[column][row])
 }
+
+/// Whether two rows have zeros in the diagonal and one number beside them: a link, and how often or how strong.
+pub(super) fn are_counts_of_two(entries: &[Vec<Entry>]) -> bool {
+    matches!(entries, [first, second] if !first[0].is_link() && !second[1].is_link() && first[1] == second[0])
+}

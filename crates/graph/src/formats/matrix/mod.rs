@@ -31,7 +31,7 @@ fn rows(text: &str) -> (Option<bool>, Vec<Vec<Word<'_>>>) {
 }
 
 /// Whether it is a square of zeros and ones or truth values, perhaps with names around; or one of other numbers without
-/// names, three rows or more, with a diagonal of zeros or symmetric. Names on one side only need three nodes, as two
+/// names, with a diagonal of zeros or symmetric (of two rows both, as two rows are edges more often). Names on one side only need three nodes, as two
 /// rows would be edges.
 pub(super) fn looks_like(text: &str) -> bool {
     let (_, rows) = rows(text);
@@ -42,7 +42,8 @@ pub(super) fn looks_like(text: &str) -> bool {
     let parsed: Option<Vec<Vec<Entry>>> =
         entries.iter().map(|row| row.iter().map(|word| Entry::of(word.text)).collect()).collect();
     parsed.is_some_and(|entries| match layout.sides_named() {
-        0 => layout.nodes > 1 && entry::are_bits(&entries) || layout.nodes > 2 && entry::is_likely(&entries),
+        0 if layout.nodes == 2 => entry::are_bits(&entries) || entry::are_counts_of_two(&entries),
+        0 => layout.nodes > 2 && (entry::are_bits(&entries) || entry::is_likely(&entries)),
         1 => layout.nodes > 2 && entry::are_bits(&entries),
         _ => layout.nodes > 1 && entry::are_bits(&entries),
     })

@@ -9,15 +9,16 @@ use crate::formats::builder::{Builder, Draft};
 use crate::formats::error::{FormatError, Problem, WriteError, shortened};
 use crate::formats::note::Note;
 use crate::formats::words::{Line, Separator, Word, lines};
-use crate::formats::{Named, Options, matrix};
+use crate::formats::{Named, Options, adjacency, matrix};
 
 /// The words of a line.
 type Row<'a> = Vec<Word<'a>>;
 
-/// Whether it reads as one, and is no square of zeros and ones of three rows or more: such an edge list would be one link
-/// between the robots 0 and 1, told several times.
+/// Whether it reads as one, and is no square of zeros and ones of three rows or more (such an edge list would be one link
+/// between the robots 0 and 1, told several times), nor dated as only adjacency lists of networkx are.
 pub(in crate::formats) fn looks_like(text: &str) -> bool {
-    let is_other = matrix::is_square_of_bits(text) || counted::surely(text);
+    let is_other =
+        matrix::is_square_of_bits(text) || counted::surely(text) || adjacency::is_of_networkx(text);
     !is_other && read(text, &Options::default()).is_ok_and(|draft| !draft.named.names.iter().any(is_fraction))
 }
 
@@ -38,11 +39,10 @@ pub(in crate::formats) fn read(text: &str, options: &Options<'_>) -> Result<Draf
     read_lines(builder, &said, &Rules::of(options))
 }
 
-/// `0.5`: an entry of a matrix, not a robot.
+/// `0.5` or `1.0e+00`: an entry of a matrix, not a robot. `1.0` may be one, as pandas writes it.
 fn is_fraction(name: &String) -> bool {
-    let mut parts = name.split('.');
-    let (whole, fraction) = (parts.next().unwrap_or(""), parts.next().unwrap_or(""));
-    whole.parse::<i64>().is_ok() && fraction.parse::<u64>().is_ok_and(|fraction| fraction > 0)
+    let fraction = name.split_once('.').map(|(_, fraction)| fraction.trim_end_matches('0'));
+    name.parse::<f64>().is_ok() && fraction.is_some_and(|fraction| !fraction.is_empty())
 }
 
 /// What is allowed beyond two names a line.
@@ -74,6 +74,7 @@ pub(super) fn read_lines(
         rows.remove(0);
     }
     refuse_unequal(&rows, rules)?;
+    refuse_mixed_weights(&rows)?;
     for row in &rows {
         match columns {
             Some(columns) => read_columns(&mut builder, row, columns)?,
@@ -111,6 +112,16 @@ fn refuse_unequal(rows: &[Row<'_>], rules: &Rules) -> Result<(), FormatError> {
             Err(FormatError::new(line(row), problem))
         }
         None => Ok(()),
+    }
+}
+
+/// Behind two names all lines have a number, or all have `{…}`.
+fn refuse_mixed_weights(rows: &[Row<'_>]) -> Result<(), FormatError> {
+    let is_data = |word: &&Word<'_>| word.text.starts_with('{');
+    let third = || rows.iter().filter_map(|row| row.get(2));
+    match (third().any(|word| is_data(&word)), third().find(|word| !is_data(word))) {
+        (true, Some(word)) => Err(word.unexpected("{…} behind the names, as in other lines")),
+        _ => Ok(()),
     }
 }
 
