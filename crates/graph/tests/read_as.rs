@@ -13,8 +13,8 @@ fn told(text: &str, options: &Options<'_>) -> String {
     let sign = if graph.is_directed() { ">" } else { "-" };
     let edges: Vec<String> =
         graph.edges().map(|(from, to)| format!("{}{sign}{}", names[from], names[to])).collect();
-    let notes: String = reading.notes.iter().map(|note| format!("; {note}")).collect();
-    format!("{}: {} | {}{notes}", reading.format.name(), names.join(" "), edges.join(" "))
+    let head = format!("{}: {} | {}", reading.format.name(), names.join(" "), edges.join(" "));
+    reading.notes.iter().fold(head, |told, note| format!("{told}; {note}"))
 }
 
 fn check(cases: &[(&str, &str)], options: &Options<'_>) {
@@ -32,6 +32,7 @@ fn edge_lists() {
             ("a -> b\nb <- c\n", "edges: a b c | a>b c>b"),
             ("0 -- 1\n1 -- 2\n", "edges: 0 1 2 | 0-1 1-2"),
             ("a->b\nb--c\n", "edges: a b c | a>b b>c c>b; 1 link without a direction counts in both"),
+            ("a-->b\nb<->c\n", "edges: a b c | a>b b>c c>b"),
             ("\"Ann B\",\"C, D\"\nE,F\n", "edges: Ann B C, D E F | Ann B-C, D E-F"),
             ("a;b;0.5\nb;c;2\n", "edges: a b c | a-b b-c"),
             ("0 1 {'weight': 3, 'color': 'red'}\n1 2 {}\n", "edges: 0 1 2 | 0-1 1-2"),
@@ -62,7 +63,9 @@ fn edge_lists_that_are_refused() {
     check(
         &[
             ("0 1\n0 1 2\n", "line 2: 3 columns, but 2 in line 1"),
-            ("0 1\n2\n", "line 2: 1 columns, but 2 in line 1"),
+            ("0 1\n1 2\n2\n", "line 3: 1 column, but 2 in line 1"),
+            ("# directed or not\n1 2\n", "line 1: a comment speaks of direction, but not plainly"),
+            ("0 1\n2\n", "line 2: 1 column, but 2 in line 1"),
             ("1 2 0.5 7\n2 3 0.5 8\n", "found \"7\", expected two names, and at most a weight after them"),
             ("a likes b\n", "found \"b\", expected two names"),
             ("0 1 0\n1 2 1\n", "a weight other than 0: nobody can know whether 0 is a link"),
@@ -74,6 +77,7 @@ fn edge_lists_that_are_refused() {
             ("(a b\n", "found \"a b\", expected pairs such as (0, 1)"),
             ("a( b\n", "found \"a(\""),
             ("a|b c\n", "found \"a|b\""),
+            ("a->b--c\n", "line 1: the text is one word"),
             ("hello\n", "line 1: the text is one word, \"hello\""),
             (
                 "a\nb\nc\n",
@@ -117,7 +121,7 @@ fn what_may_be_two_graphs_is_refused() {
     assert!(told(ring, &ending("edges")).contains("may be"));
     // The same graph either way needs no choice.
     check(
-        &[("0 1\n1 0\n", "matrix: 0 1 | 0-1"), ("0 1\n1 2\n2\n", "adjacency: 0 1 2 | 0-1 1-2")],
+        &[("0 1\n1 0\n", "matrix: 0 1 | 0-1"), ("# GMT Thu\n0 1\n1 2\n2\n", "adjacency: 0 1 2 | 0-1 1-2")],
         &Options::default(),
     );
 }
@@ -129,6 +133,18 @@ fn content_beats_ending() {
     assert_eq!(
         told("0 1\n1 2\n", &Options { ending: Some("json"), ..Options::default() }),
         "edges: 0 1 2 | 0-1 1-2"
+    );
+}
+
+#[test]
+fn tables_are_edge_lists_where_they_are_not_square() {
+    let csv = Options { ending: Some("csv"), ..Options::default() };
+    check(
+        &[
+            ("Source,Target,Weight\na,b,1\nb,c,0\n", "line 3: found \"0\", expected a weight other than 0"),
+            ("0,1,0\n0,0,x\n0,1,0\n", "line 2: found \"x\", expected 0 or 1"),
+        ],
+        &csv,
     );
 }
 

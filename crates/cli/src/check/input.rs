@@ -82,20 +82,13 @@ fn graph(arguments: &Check, name: String, text: &str) -> Result<Input> {
         weights: arguments.weights,
         which: arguments.which.map(|which| which as usize),
     };
-    let read = formats::recognise(text, &options)
-        .and_then(|(format, told_by)| Ok((formats::read(text, &options), format, told_by)));
-    match read {
-        Ok((read, format, told_by)) => {
-            refuse_useless(arguments, &name, format)?;
-            match read {
-                Ok(reading) => Ok(Input { name, reading }),
-                Err(error) => {
-                    let hint = (told_by != ToldBy::Request).then(|| hint(format, told_by, &error)).flatten();
-                    bail!(picture(&name, text, &error, hint))
-                }
-            }
-        }
-        Err(error) => bail!(picture(&name, text, &error, None)),
+    let refused =
+        |error: &FormatError, format: Option<Format>| picture(&name, text, error, hint(error, format));
+    let (format, told_by) = formats::recognise(text, &options).map_err(|error| refused(&error, None))?;
+    refuse_useless(arguments, &name, format)?;
+    match formats::read(text, &options) {
+        Ok(reading) => Ok(Input { name, reading }),
+        Err(error) => bail!(refused(&error, (told_by != ToldBy::Request).then_some(format))),
     }
 }
 
@@ -117,20 +110,26 @@ fn refuse_useless(arguments: &Check, name: &str, format: Format) -> Result<()> {
     Ok(())
 }
 
-/// What else the reader of a message may want to try.
-fn hint(format: Format, told_by: ToldBy, error: &FormatError) -> Option<String> {
-    match &error.problem {
-        Problem::OneSided { .. } => Some("if it is a directed graph, --directed says so".to_owned()),
-        Problem::DirectionUnclear => Some("--directed or --undirected says which".to_owned()),
-        Problem::Which { .. } => Some("--which chooses".to_owned()),
+/// What else the reader of a message may want to try; `format` as it was told by the content or the ending.
+fn hint(error: &FormatError, format: Option<Format>) -> Option<String> {
+    let shape = matches!(
+        error.problem,
         Problem::Unexpected { .. }
-        | Problem::Missing { .. }
-        | Problem::Columns { .. }
-        | Problem::Count { .. }
-        | Problem::UnknownNode { .. }
-        | Problem::OneWord { .. }
-        | Problem::NodeTwice { .. } => {
-            Some(format!("read as {} ({}); --format NAME says otherwise", format.title(), told(told_by)))
+            | Problem::Missing { .. }
+            | Problem::Columns { .. }
+            | Problem::Count { .. }
+            | Problem::UnknownNode { .. }
+            | Problem::NodeTwice { .. }
+    );
+    match (&error.problem, format) {
+        (Problem::Ambiguous { .. } | Problem::Doubtful { .. }, _) => {
+            Some("--format NAME says which format it is".to_owned())
+        }
+        (Problem::OneSided { .. }, _) => Some("if it is a directed graph, --directed says so".to_owned()),
+        (Problem::DirectionUnclear, _) => Some("--directed or --undirected says which".to_owned()),
+        (Problem::Which { .. }, _) => Some("--which K chooses".to_owned()),
+        (_, Some(format)) if shape => {
+            Some(format!("read as {}; --format NAME says otherwise", format.title()))
         }
         _ => None,
     }

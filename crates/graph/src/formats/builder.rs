@@ -56,7 +56,7 @@ impl Builder {
     }
 
     /// For lists in which each end may name the other: a link u — v is not parallel to v — u.
-    pub(super) fn from_both_ends(mut self) -> Self {
+    pub(super) fn told_from_both_ends(mut self) -> Self {
         self.listed = Some(BTreeMap::new());
         self
     }

@@ -6,7 +6,7 @@ use alloc::vec::Vec;
 
 use super::error::{FormatError, Problem};
 use super::table::{Format, ROWS, Row, Sign, row};
-use super::{Named, Options, ToldBy};
+use super::{Named, Options, ToldBy, matrix};
 
 /// The row to read `text` with. Who asks for weights has a matrix. Where several shapes fit and read different graphs, the ending of the name decides if it
 /// settles; else the text is refused with the names of all that fit.
@@ -34,17 +34,21 @@ pub(super) fn choose(text: &str, options: &Options<'_>) -> Result<(&'static Row,
 /// Where nothing fits: the row whose reader says best what is wrong. If that one would read the text after all, although it
 /// does not look like its format, that is no more than a guess, and refused.
 fn complaint(text: &str, options: &Options<'_>) -> Result<(&'static Row, ToldBy), FormatError> {
-    let row = closest(options);
+    let row = closest(text, options);
     match (row.read)(text, options) {
         Err(_) => Ok((row, ToldBy::Content)),
         Ok(_) => Err(FormatError::new(1, Problem::Doubtful { format: row.format })),
     }
 }
 
-/// The format of the ending, if it is one without a sign of its own, else the edge list.
-fn closest(options: &Options<'_>) -> &'static Row {
-    let is_shape = |row: &&Row| matches!(row.sign, Sign::Shape { .. });
-    let of_ending = ROWS.iter().filter(is_shape).find(|row| has_ending(row, options));
+/// The format of the ending, if it is one without a sign of its own, else the edge list. Endings of matrices are used for
+/// other tables too: then the text must be as square as one.
+fn closest(text: &str, options: &Options<'_>) -> &'static Row {
+    let helps = |row: &&Row| match (row.format, row.sign) {
+        (Format::Matrix, _) => matrix::is_square(text),
+        (_, sign) => matches!(sign, Sign::Shape { .. }),
+    };
+    let of_ending = ROWS.iter().filter(|row| has_ending(row, options)).find(helps);
     of_ending.unwrap_or_else(|| row(Format::EdgeList))
 }
 
@@ -56,13 +60,9 @@ fn has_ending(row: &Row, options: &Options<'_>) -> bool {
 fn by_ending(options: &Options<'_>, fitting: &[&'static Row]) -> Result<&'static Row, FormatError> {
     let settles =
         |row: &&&Row| matches!(row.sign, Sign::Shape { settles: true, .. }) && has_ending(row, options);
-    match fitting.iter().find(settles) {
-        Some(row) => Ok(row),
-        None => {
-            let formats = fitting.iter().map(|row| row.format).collect();
-            Err(FormatError::new(1, Problem::Ambiguous { formats }))
-        }
-    }
+    let formats = || fitting.iter().map(|row| row.format).collect();
+    let found = fitting.iter().find(settles).copied();
+    found.ok_or_else(|| FormatError::new(1, Problem::Ambiguous { formats: formats() }))
 }
 
 /// Whether all of them read one and the same graph, so that it does not matter which is right.

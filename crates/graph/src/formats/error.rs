@@ -202,7 +202,8 @@ impl fmt::Display for Problem {
             }
             Self::Columns { found, first_line, first } => write!(
                 f,
-                "{found} columns, but {first} in line {first_line}: expected as many in every line of an edge list"
+                "{found} column{}, but {first} in line {first_line}: expected as many in every line of an edge list",
+                if *found == 1 { "" } else { "s" }
             ),
             Self::SameNumber { first, second } => {
                 write!(
@@ -212,7 +213,7 @@ impl fmt::Display for Problem {
             }
             Self::DirectionUnclear => write!(
                 f,
-                "a comment speaks of direction, but not plainly: expected \"directed\" or \"undirected\" as its first word"
+                "a comment speaks of direction, but not plainly: expected \"directed graph\" or \"undirected graph\" as its first words"
             ),
             Self::Count { what, promised, found } => {
                 write!(f, "{promised} {what} promised, {found} found: is the text cut off?")

@@ -151,7 +151,8 @@ fn transposed(graph: &Graph) -> Graph {
 /// Writes `named` down. What is written reads back as the same graph; matrix and graph6 have no place for names.
 pub fn write(named: &Named, format: Format) -> Result<String, WriteError> {
     match table::row(format).write {
-        Some(write) => write(named),
-        None => Err(WriteError::ReadOnly { format }),
+        table::Write::Always(write) => Ok(write(named)),
+        table::Write::Names(write) => write(named),
+        table::Write::Never => Err(WriteError::ReadOnly { format }),
     }
 }

@@ -56,8 +56,16 @@ pub enum Format {
 /// A reader: the graph of a text, or what is wrong with it. Lines end in `\n` alone.
 pub(super) type Read = fn(&str, &Options<'_>) -> Result<Draft, FormatError>;
 
-/// A writer: the text, or why there is none.
-pub(super) type Write = fn(&Named) -> Result<String, WriteError>;
+/// How a graph is written.
+#[derive(Clone, Copy)]
+pub(super) enum Write {
+    /// Not at all: the format is only read.
+    Never,
+    /// Whatever its names are.
+    Always(fn(&Named) -> String),
+    /// If its names can be written down.
+    Names(fn(&Named) -> Result<String, WriteError>),
+}
 
 /// Whether a text could be of a format.
 pub(super) type LooksLike = fn(&str) -> bool;
@@ -85,13 +93,13 @@ pub(super) struct Row {
     pub(super) open: bool,
     pub(super) sign: Sign,
     pub(super) read: Read,
-    pub(super) write: Option<Write>,
+    pub(super) write: Write,
 }
 
 impl Row {
     /// A format that is read only, and that nothing else looks like.
     const fn new(format: Format, name: &'static str, title: &'static str, read: Read, sign: Sign) -> Self {
-        Self { format, name, title, endings: &[], open: false, sign, read, write: None }
+        Self { format, name, title, endings: &[], open: false, sign, read, write: Write::Never }
     }
 
     const fn endings(mut self, endings: &'static [&'static str]) -> Self {
@@ -105,7 +113,7 @@ impl Row {
     }
 
     const fn written(mut self, write: Write) -> Self {
-        self.write = Some(write);
+        self.write = write;
         self
     }
 }
@@ -128,11 +136,11 @@ pub(super) static ROWS: [Row; Format::ALL.len()] = [
     Row::new(F::Matrix, "matrix", "a matrix", matrix::read, shape(matrix::looks_like))
         .endings(&["csv", "mat", "tsv"])
         .open()
-        .written(matrix::write),
+        .written(Write::Always(matrix::write)),
     Row::new(F::EdgeList, "edges", "an edge list", text::edge_list::read, shape(text::edge_list::looks_like))
         .endings(&["edges", "edgelist", "el", "ncol", "txt", "csv", "tsv"])
         .open()
-        .written(text::edge_list::write),
+        .written(Write::Names(text::edge_list::write)),
     Row::new(
         F::CountedEdges,
         "counted-edges",
@@ -170,7 +178,7 @@ pub(super) static ROWS: [Row; Format::ALL.len()] = [
         .open(),
     Row::new(F::Graph6, "graph6", "graph6", bits::read, Own(bits::looks_like))
         .endings(&["g6", "graph6", "d6", "s6", "sparse6"])
-        .written(bits::write),
+        .written(Write::Always(bits::write)),
     Row::new(
         F::MatrixMarket,
         "matrix-market",
@@ -189,14 +197,14 @@ pub(super) static ROWS: [Row; Format::ALL.len()] = [
     Row::new(F::Gml, "gml", "GML", gml::read, Own(gml::looks_like)).endings(&["gml"]),
     Row::new(F::GraphMl, "graphml", "GraphML", xml::graphml::read, Own(xml::looks_like_graphml))
         .endings(&["graphml", "xml"])
-        .written(xml::graphml::write),
+        .written(Write::Names(xml::graphml::write)),
     Row::new(F::Gexf, "gexf", "GEXF", xml::gexf::read, Own(xml::looks_like_gexf)).endings(&["gexf"]),
     Row::new(F::Dot, "dot", "DOT", dot::read, Own(dot::looks_like))
         .endings(&["dot", "gv"])
-        .written(dot::write),
+        .written(Write::Always(dot::write)),
     Row::new(F::Json, "json", "JSON", json::read, Own(json::looks_like))
         .endings(&["json"])
-        .written(json::write),
+        .written(Write::Always(json::write)),
 ];
 
 /// What is known about a format.
@@ -255,6 +263,6 @@ impl Format {
     /// Whether graphs can be written in it.
     #[must_use]
     pub fn is_written(self) -> bool {
-        row(self).write.is_some()
+        !matches!(row(self).write, Write::Never)
     }
 }

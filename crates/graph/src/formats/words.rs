@@ -110,7 +110,7 @@ impl Separator {
     }
 
     /// The words of a line. An empty one at the end is left out.
-    pub(super) fn words<'a>(self, line: Line<'a>) -> Vec<Word<'a>> {
+    pub(super) fn words(self, line: Line<'_>) -> Vec<Word<'_>> {
         let mut words = Vec::new();
         let mut rest = line.text;
         while let Some((word, after)) = self.first(rest) {

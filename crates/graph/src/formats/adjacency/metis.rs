@@ -67,7 +67,7 @@ pub(in crate::formats) fn read(text: &str, _: &Options<'_>) -> Result<Draft, For
         let problem = Problem::Count { what: "nodes", promised: head.nodes, found: rest.len() };
         return Err(FormatError::new(head.line, problem));
     }
-    let mut builder = Builder::new(false).from_both_ends();
+    let mut builder = Builder::new(false).told_from_both_ends();
     builder.declare_numbers(1, head.nodes, head.line)?;
     let listed = neighbours(&head, &rest)?;
     let mut pairs = BTreeSet::new();

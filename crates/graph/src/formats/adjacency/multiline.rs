@@ -64,7 +64,7 @@ fn neighbour(line: Line<'_>) -> Result<Word<'_>, FormatError> {
 
 pub(in crate::formats) fn read(text: &str, options: &Options<'_>) -> Result<Draft, FormatError> {
     let said = Said::of(text, options.directed)?;
-    let mut builder = Said::builder(said, options.directed).from_both_ends();
+    let mut builder = Said::builder(said, options.directed).told_from_both_ends();
     let mut last = 1;
     for (head, neighbours) in blocks(text)? {
         refuse_strange(&head)?;

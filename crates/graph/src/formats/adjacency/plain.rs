@@ -9,13 +9,14 @@ use crate::formats::error::FormatError;
 use crate::formats::text::{Said, refuse_strange};
 use crate::formats::words::{Line, Separator, Word, lines};
 
-/// Whether every node begins exactly one line, and somebody has a neighbour or networkx says that it wrote it.
+/// Whether every node begins exactly one line, and somebody has two neighbours or networkx says that it wrote it. Lines of two
+/// names and of one are not enough: they may be an edge list that was cut off.
 pub(in crate::formats) fn looks_like(text: &str) -> bool {
     let rows = rows(text);
     let heads: BTreeSet<&str> = rows.iter().filter_map(|row| row.first()).map(head).collect();
     let neighbours = || rows.iter().flat_map(|row| row.iter().skip(1));
     let complete = heads.len() == rows.len() && neighbours().all(|word| heads.contains(word.text));
-    let shape = rows.len() > 1 && neighbours().count() > 0 || super::is_of_networkx(text);
+    let shape = rows.iter().any(|row| row.len() > 2) || super::is_of_networkx(text);
     complete && shape && read(text, &Options::default()).is_ok()
 }
 
@@ -32,7 +33,7 @@ fn rows(text: &str) -> Vec<Vec<Word<'_>>> {
 
 pub(in crate::formats) fn read(text: &str, options: &Options<'_>) -> Result<Draft, FormatError> {
     let said = Said::of(text, options.directed)?;
-    let mut builder = Said::builder(said, options.directed).from_both_ends();
+    let mut builder = Said::builder(said, options.directed).told_from_both_ends();
     let mut last = 1;
     for row in rows(text) {
         let Some((first, neighbours)) = row.split_first() else {

@@ -6,7 +6,7 @@ mod sparse6;
 use alloc::string::String;
 
 use super::builder::Draft;
-use super::error::{FormatError, Problem, WriteError};
+use super::error::{FormatError, Problem};
 use super::note::Note;
 use super::words::{Line, all_lines};
 use super::{Named, Options};
@@ -62,8 +62,8 @@ pub(super) fn read(text: &str, options: &Options<'_>) -> Result<Draft, FormatErr
     Ok(draft)
 }
 
-pub(super) fn write(named: &Named) -> Result<String, WriteError> {
-    Ok(graph6::write(&named.graph))
+pub(super) fn write(named: &Named) -> String {
+    graph6::write(&named.graph)
 }
 
 /// The number of nodes and the bytes after it. Above 258 047 nodes, with eight bytes, it is none that we could read.

@@ -24,10 +24,7 @@ pub(super) fn read(line: Line<'_>, bytes: &[u8]) -> Result<Draft, FormatError> {
     let width = usize::BITS - count.saturating_sub(1).leading_zeros();
     let mut node = 0;
     let mut index = 0;
-    while width > 0 {
-        let Some((grows, other)) = group(bytes, &mut index, width) else {
-            break;
-        };
+    while let Some((grows, other)) = group(bytes, &mut index, width) {
         node += usize::from(grows);
         if other >= count || node >= count {
             break;
@@ -41,14 +38,14 @@ pub(super) fn read(line: Line<'_>, bytes: &[u8]) -> Result<Draft, FormatError> {
     builder.finish(number)
 }
 
-/// The next bit b and number x.
+/// The next bit b and number x, which has a bit or more.
 fn group(bytes: &[u8], index: &mut usize, width: u32) -> Option<(bool, usize)> {
     let mut next = || {
         let bit = bit(bytes, *index);
         *index += 1;
         bit
     };
-    let grows = next()?;
+    let grows = next().filter(|_| width > 0)?;
     let mut other = 0;
     for _ in 0..width {
         other = other << 1 | usize::from(next()?);

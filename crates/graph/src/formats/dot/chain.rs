@@ -1,7 +1,6 @@
 //! Statements of DOT: nodes, chains of edges, subgraphs.
 
 use alloc::collections::BTreeSet;
-use alloc::string::String;
 use alloc::vec::Vec;
 
 use super::token::Token;
@@ -61,7 +60,7 @@ impl Reader<'_> {
         }
         let direction = self.attributes()?;
         if groups.len() > 1 {
-            let direction = self.direction(direction, line)?;
+            let direction = self.direction(direction.as_deref(), line)?;
             groups.windows(2).for_each(|pair| self.join(&pair[0], &pair[1], direction, line));
         }
         Ok(groups.into_iter().flatten().collect())
@@ -81,12 +80,11 @@ impl Reader<'_> {
     }
 
     /// What an attribute `dir` makes of an edge. In a graph without directions it has no place.
-    fn direction(&self, said: Option<String>, line: usize) -> Result<Direction, FormatError> {
-        match (said.as_deref(), self.builder.is_directed()) {
-            (None | Some("none"), false) => Ok(Direction::Both),
+    fn direction(&self, said: Option<&str>, line: usize) -> Result<Direction, FormatError> {
+        match (said, self.builder.is_directed()) {
             (None | Some("forward"), true) => Ok(Direction::Forward),
             (Some("back"), true) => Ok(Direction::Back),
-            (Some("both" | "none"), true) => Ok(Direction::Both),
+            (None | Some("none"), false) | (Some("both" | "none"), true) => Ok(Direction::Both),
             (Some(other), true) => {
                 Err(FormatError::unexpected(line, other, "dir=forward, back, both or none"))
             }

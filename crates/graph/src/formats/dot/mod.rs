@@ -7,7 +7,7 @@ use alloc::string::String;
 use alloc::vec::Vec;
 
 use super::builder::{Builder, Draft};
-use super::error::{FormatError, WriteError};
+use super::error::FormatError;
 use super::{Named, Options};
 use token::{Token, Tokens};
 
@@ -127,7 +127,7 @@ fn unexpected(line: usize, found: &Token, allowed: &'static str) -> FormatError 
     FormatError::unexpected(line, found, allowed)
 }
 
-pub(super) fn write(named: &Named) -> Result<String, WriteError> {
+pub(super) fn write(named: &Named) -> String {
     let directed = named.graph.is_directed();
     let names: Vec<String> = named.names.iter().map(|name| quote(name)).collect();
     let mut text = String::from(if directed { "digraph {\n" } else { "graph {\n" });
@@ -139,7 +139,7 @@ pub(super) fn write(named: &Named) -> Result<String, WriteError> {
         text.extend(["  ", &names[from], sign, &names[to], ";\n"]);
     }
     text.push_str("}\n");
-    Ok(text)
+    text
 }
 
 fn quote(name: &str) -> String {

@@ -9,7 +9,7 @@ use alloc::vec::Vec;
 use core::fmt::Write;
 
 use super::builder::{Builder, Draft};
-use super::error::{FormatError, WriteError};
+use super::error::FormatError;
 use super::{Named, Options};
 use value::{Kind, Value, parse};
 
@@ -83,7 +83,7 @@ fn read_lists(mut builder: Builder, file: &Value, inside: Option<&str>) -> Resul
 
 /// A list of nodes, and for each of them the list of its neighbours.
 fn read_adjacency(builder: Builder, file: &Value, adjacency: &Value) -> Result<Draft, FormatError> {
-    let mut builder = builder.from_both_ends();
+    let mut builder = builder.told_from_both_ends();
     let nodes = list(file, file.get("nodes"), FORMS)?;
     for node in nodes {
         let id = node.get("id").unwrap_or(node);
@@ -110,7 +110,7 @@ fn name(value: &Value) -> Result<&str, FormatError> {
     }
 }
 
-pub(super) fn write(named: &Named) -> Result<String, WriteError> {
+pub(super) fn write(named: &Named) -> String {
     let ids: Vec<String> = named.names.iter().map(|name| id(name)).collect();
     let mut text = String::from("{\n  \"directed\": ");
     text.push_str(if named.graph.is_directed() { "true" } else { "false" });
@@ -124,7 +124,7 @@ pub(super) fn write(named: &Named) -> Result<String, WriteError> {
         text.extend([start, "\n    {\"source\": ", &ids[from], ", \"target\": ", &ids[to], "}"]);
     }
     text.push_str("\n  ]\n}\n");
-    Ok(text)
+    text
 }
 
 /// A whole number as a number, anything else as a text.

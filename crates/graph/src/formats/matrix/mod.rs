@@ -8,7 +8,7 @@ use alloc::string::String;
 use alloc::vec::Vec;
 
 use super::builder::{Builder, Draft};
-use super::error::{FormatError, Problem, WriteError};
+use super::error::{FormatError, Problem};
 use super::text::{Said, refuse_strange};
 use super::words::{Line, Separator, Word, lines};
 use super::{Named, Options};
@@ -46,6 +46,15 @@ pub(super) fn looks_like(text: &str) -> bool {
         0 => layout.nodes > 2 && (entry::are_bits(&entries) || entry::is_likely(&entries)),
         1 => layout.nodes > 2 && entry::are_bits(&entries),
         _ => layout.nodes > 1 && entry::are_bits(&entries),
+    })
+}
+
+/// Whether the widths of its rows make a square, and more than half of what is in it are numbers or truth values.
+pub(super) fn is_square(text: &str) -> bool {
+    let (_, rows) = rows(text);
+    Layout::of(&rows).is_some_and(|layout| {
+        let words: Vec<&Word<'_>> = layout.entries(&rows).into_iter().flatten().collect();
+        words.iter().filter(|word| Entry::of(word.text).is_some()).count() * 2 > words.len()
     })
 }
 
@@ -121,7 +130,7 @@ fn read_row(
     Ok(())
 }
 
-pub(super) fn write(named: &Named) -> Result<String, WriteError> {
+pub(super) fn write(named: &Named) -> String {
     let graph = &named.graph;
     let mut text = String::from(if graph.is_directed() { "directed\n" } else { "" });
     for from in 0..graph.node_count() {
@@ -131,5 +140,5 @@ pub(super) fn write(named: &Named) -> Result<String, WriteError> {
         }
         text.push('\n');
     }
-    Ok(text)
+    text
 }

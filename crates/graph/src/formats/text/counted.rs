@@ -97,8 +97,7 @@ fn numbered_from(edges: &[Line<'_>], nodes: usize) -> Result<usize, FormatError>
         Some(word) if has_zero => {
             Err(word.unexpected("a number below that of the nodes, as there is a node 0"))
         }
-        Some(_) => Ok(1),
         None if has_zero => Ok(0),
-        None => Ok(1),
+        _ => Ok(1),
     }
 }

@@ -21,7 +21,6 @@ impl Said {
             all_lines(text).take_while(|line| line.text.is_empty() || line.text.starts_with(['#', '%']))
         {
             match speaks(line.text) {
-                Speech::Nothing => {}
                 Speech::Plain(directed) => said = said.or(Some(Self { line: line.number, directed })),
                 Speech::Bipartite => {
                     let allowed =
@@ -31,7 +30,7 @@ impl Said {
                 Speech::Unclear if asked.is_none() => {
                     return Err(FormatError::new(line.number, Problem::DirectionUnclear));
                 }
-                Speech::Unclear => {}
+                Speech::Nothing | Speech::Unclear => {}
             }
         }
         Ok(said)
@@ -55,6 +54,10 @@ enum Speech {
     Unclear,
 }
 
+/// What may stand behind the first word of `# Directed graph`.
+const NOUNS: [&str; 10] =
+    ["graph", "network", "multigraph", "edges", "links", "edge", "weighted", "unweighted", "simple", "yes"];
+
 fn speaks(comment: &str) -> Speech {
     let is_konect = comment.starts_with('%');
     let mut words = comment.split_whitespace().map(bare).filter(|word| !word.is_empty());
@@ -68,10 +71,12 @@ fn speaks(comment: &str) -> Speech {
         Some("asym") if is_konect => Speech::Plain(true),
         Some("bip") if is_konect => Speech::Bipartite,
         Some(first) => match direction(first) {
-            Some(directed) if words.all(|word| direction(word).is_none_or(|other| other == directed)) => {
-                Speech::Plain(directed)
+            Some(directed) => {
+                let next =
+                    words.next().is_none_or(|word| NOUNS.iter().any(|noun| noun.eq_ignore_ascii_case(word)));
+                let agree = words.all(|word| direction(word).is_none_or(|other| other == directed));
+                if next && agree { Speech::Plain(directed) } else { Speech::Unclear }
             }
-            Some(_) => Speech::Unclear,
             None if words.any(|word| direction(word).is_some()) => Speech::Unclear,
             None => Speech::Nothing,
         },

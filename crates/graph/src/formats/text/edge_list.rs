@@ -1,8 +1,9 @@
 //! Edge lists.
 
-use alloc::string::{String, ToString};
+use alloc::string::String;
 use alloc::vec::Vec;
 
+use super::arrow::{arrow_of, glued, read_arrow};
 use super::header::{self, Columns};
 use super::{Said, counted, plain, refuse_strange};
 use crate::formats::builder::{Builder, Draft};
@@ -19,7 +20,9 @@ type Row<'a> = Vec<Word<'a>>;
 pub(in crate::formats) fn looks_like(text: &str) -> bool {
     let is_other =
         matrix::is_square_of_bits(text) || counted::surely(text) || adjacency::is_of_networkx(text);
-    !is_other && read(text, &Options::default()).is_ok_and(|draft| !draft.named.names.iter().any(is_fraction))
+    !is_other
+        && read(text, &Options::default())
+            .is_ok_and(|draft| !draft.named.names.iter().any(|name| is_fraction(name)))
 }
 
 pub(in crate::formats) fn read(text: &str, options: &Options<'_>) -> Result<Draft, FormatError> {
@@ -40,7 +43,7 @@ pub(in crate::formats) fn read(text: &str, options: &Options<'_>) -> Result<Draf
 }
 
 /// `0.5` or `1.0e+00`: an entry of a matrix, not a robot. `1.0` may be one, as pandas writes it.
-fn is_fraction(name: &String) -> bool {
+fn is_fraction(name: &str) -> bool {
     let fraction = name.split_once('.').map(|(_, fraction)| fraction.trim_end_matches('0'));
     name.parse::<f64>().is_ok() && fraction.is_some_and(|fraction| !fraction.is_empty())
 }
@@ -162,7 +165,7 @@ fn read_edge(builder: &mut Builder, from: &Word<'_>, to: &Word<'_>) -> Result<()
 }
 
 /// The two nodes, the first with its line.
-fn ends(
+pub(super) fn ends(
     builder: &mut Builder,
     from: &Word<'_>,
     to: &Word<'_>,
@@ -184,59 +187,6 @@ pub(in crate::formats) fn refuse_no_weight(weight: &Word<'_>) -> Result<(), Form
         Some(_) => Ok(()),
         None => Err(weight.unexpected("two names, and at most a weight after them")),
     }
-}
-
-/// Which ends hear the other.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Arrow {
-    Forward,
-    Back,
-    Both,
-    None,
-}
-
-fn arrow_of(word: &str) -> Option<Arrow> {
-    match word {
-        "->" | "-->" | "=>" | "→" => Some(Arrow::Forward),
-        "<-" | "<--" | "<=" | "←" => Some(Arrow::Back),
-        "<->" | "<-->" | "<=>" | "↔" => Some(Arrow::Both),
-        "--" | "-" | "—" | "–" => Some(Arrow::None),
-        _ => None,
-    }
-}
-
-/// `a->b` or `a--b`: a word with one arrow inside.
-fn glued(word: &str) -> Option<(&str, &str, &str)> {
-    ["<->", "->", "<-", "--"].into_iter().find_map(|arrow| {
-        let (from, to) = word.split_once(arrow)?;
-        let whole = !from.is_empty() && !to.is_empty() && !to.contains(arrow);
-        whole.then_some((from, arrow, to))
-    })
-}
-
-fn read_arrow(
-    builder: &mut Builder,
-    from: &Word<'_>,
-    (sign, arrow): (&Word<'_>, Option<Arrow>),
-    to: &Word<'_>,
-    rules: &Rules,
-) -> Result<(), FormatError> {
-    match (rules.asked, arrow) {
-        (Some(false), Some(Arrow::Forward | Arrow::Back)) => {
-            return Err(sign.unexpected("-- between two names, as they were said to be undirected"));
-        }
-        (Some(true), Some(Arrow::None)) => {
-            return Err(sign.unexpected("-> between two names, as they were said to be directed"));
-        }
-        _ => {}
-    }
-    let ((from, line), to) = ends(builder, from, to)?;
-    match arrow {
-        Some(Arrow::Forward) => builder.link(from, to, false, line),
-        Some(Arrow::Back) => builder.link(to, from, false, line),
-        _ => builder.link(from, to, true, line),
-    }
-    Ok(())
 }
 
 /// A row under a header that says which columns count.
@@ -269,7 +219,7 @@ pub(in crate::formats) fn write(named: &Named) -> Result<String, WriteError> {
     for name in &named.names {
         let unfit = |c: char| c.is_whitespace() || matches!(c, '#' | '\u{feff}');
         if !plain(name) || name.contains(unfit) || glued(name).is_some() || arrow_of(name).is_some() {
-            return Err(WriteError::Name { name: name.to_string() });
+            return Err(WriteError::Name { name: name.clone() });
         }
         text.push_str(name);
         text.push('\n');

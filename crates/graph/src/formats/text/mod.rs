@@ -1,5 +1,6 @@
 //! Edge lists of all kinds.
 
+mod arrow;
 pub(super) mod counted;
 mod direction;
 pub(super) mod edge_list;

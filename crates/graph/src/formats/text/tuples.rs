@@ -125,7 +125,6 @@ impl Reader<'_> {
             match (c, quote) {
                 ('"' | '\'', None) => quote = Some(c),
                 (c, Some(open)) if c == open => quote = None,
-                (_, Some(_)) => {}
                 ('{' | '[' | '(', None) => depth += 1,
                 (',' | ')', None) if depth == 0 => {
                     let zero = self.rest[..index].trim().parse::<f64>().is_ok_and(|weight| weight == 0.0);
