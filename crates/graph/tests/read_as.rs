@@ -107,6 +107,7 @@ fn what_may_be_two_graphs_is_refused() {
             // Three nodes and two links, or the edges 3-2, 0-1 and 1-2.
             ("3 2\n0 1\n1 2\n", "may be an edge list or an edge list after a line of counts"),
             ("1 0\n0 1\n", "may be a matrix or an edge list"),
+            ("1 2 2\n1 0 2\n0 0 1\n", "may be a matrix or an edge list"),
             ("0 2\n2 0\n", "may be a matrix or an edge list"),
             ("4 4\n2 4\n1 3\n2 4\n1 3\n", "may be an edge list after a line of counts or METIS"),
             ("# hub\na 1\nb 2\n", "may be an edge list or LGL"),

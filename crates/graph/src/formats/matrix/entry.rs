@@ -34,11 +34,25 @@ pub(super) fn are_bits(entries: &[Vec<Entry>]) -> bool {
     entries.iter().flatten().all(|entry| entry.is_bit())
 }
 
-/// Whether a square of other numbers may be an adjacency matrix: it has a diagonal of zeros, or is symmetric.
+/// Whether a square of other numbers may be an adjacency matrix: it has a diagonal of zeros, or is symmetric, or would tell a
+/// link twice or a loop as edges with weights.
 pub(super) fn is_likely(entries: &[Vec<Entry>]) -> bool {
     let diagonal = (0..entries.len()).all(|node| !entries[node][node].is_link());
     let mut below = (0..entries.len()).flat_map(|row| (0..row).map(move |column| (row, column)));
-    diagonal || below.all(|(row, column)| entries[row][column] == entries[column][row])
+    diagonal
+        || below.all(|(row, column)| entries[row][column] == entries[column][row])
+        || tells_twice(entries)
+}
+
+/// Whether the first two entries of a row are one number, or those of another row in some order.
+fn tells_twice(entries: &[Vec<Entry>]) -> bool {
+    let ends = |row: usize| Some((*entries[row].first()?, *entries[row].get(1)?));
+    (0..entries.len()).any(|row| {
+        let Some((from, to)) = ends(row) else {
+            return false;
+        };
+        from == to || (0..row).any(|other| [Some((from, to)), Some((to, from))].contains(&ends(other)))
+    })
 }
 
 /// Whether two rows have zeros in the diagonal and one number beside them: a link, and how often or how strong.
