@@ -13,7 +13,7 @@ use std::time::Instant;
 use closeranks_graph::budget::{Budget, Meter, Progress};
 use closeranks_graph::decide::Robustness;
 use closeranks_graph::definition;
-use closeranks_graph::formats::{self, Format, Named};
+use closeranks_graph::formats::{self, Format, Named, Options};
 use closeranks_graph::graph::Graph;
 use closeranks_graph::makers::{MakerError, random};
 use closeranks_graph::verdict::Interval;
@@ -33,7 +33,10 @@ fn main() -> Result<(), Failure> {
     match words.iter().map(String::as_str).collect::<Vec<_>>()[..] {
         ["graphs"] => print_graphs(),
         [method, question, graph6] => {
-            let graph = formats::read(graph6, Format::Graph6, None)?.graph;
+            let graph =
+                formats::read(graph6, &Options { format: Some(Format::Graph6), ..Options::default() })?
+                    .named
+                    .graph;
             let (answer, seconds) = median_of_runs(answer_by(method, question)?, &graph);
             println!("{answer} {seconds:e}");
             Ok(())

@@ -14,20 +14,11 @@ use serde_json::{Map, Value, json};
 use super::answer::Answer;
 use super::words;
 
-/// What a graph is, in one line.
+/// Degrees and connectivity, in one line.
 pub(super) fn graph(graph: &Graph) -> String {
     let (least, most) = (graph.degree_min(), graph.degree_max());
-    let [kind, links, heard] = if graph.is_directed() {
-        ["directed", "edge", "in-degrees"]
-    } else {
-        ["undirected", "link", "degrees"]
-    };
-    format!(
-        "{}, {}, {kind}; {heard} {least} to {most}, connectivity {}",
-        words::count(graph.node_count() as u64, "robot"),
-        words::count(graph.edge_count() as u64, links),
-        node_connectivity(graph)
-    )
+    let heard = if graph.is_directed() { "in-degrees" } else { "degrees" };
+    format!("{heard} {least} to {most}, connectivity {}", node_connectivity(graph))
 }
 
 /// The whole answer; intervals where `look` stopped the search.
