@@ -1,6 +1,7 @@
 //! The paper's controller: all constraints composed into one function, split into one row a robot.
 //!
-//! Exactly as printed: no recovery, no slack. The one choice is the share (METHOD.md 2.3).
+//! The equations are exactly as printed: there is no recovery and no slack. The one choice is how φ is split
+//! (docs/theory, `sec:split`).
 
 use crate::equations::barrier::{collision_barrier, degree_barrier};
 use crate::equations::link::{LANES, Link};

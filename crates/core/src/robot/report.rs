@@ -28,7 +28,8 @@ pub struct Report {
     pub level: f64,
     /// h_i = c_i − F′ (eq:h_i); under `budget` with free liars T_i − θ, with a margin the least that it can be.
     pub h: f64,
-    /// φ_i (eq:phi_i) if the answer depends on it: under `composed`. May be negative while all is well (METHOD.md 2.2).
+    /// φ_i (eq:phi_i) if the answer depends on it: under `composed`. It may be negative while all is well
+    /// (docs/theory, sec:phi).
     pub phi: Option<f64>,
     /// What the program found.
     pub outcome: Outcome,
@@ -56,9 +57,9 @@ pub struct RoundReport {
 /// What a robot can promise for its answer.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Mode {
-    /// All assumptions of THEORY.md B that a robot can check hold. It cannot check that positions are exact, that all
-    /// robots have the same settings, and that messages were not delayed on their way (docs/budget.md). `composed`
-    /// never says so: its theorem needs continuous time.
+    /// Every assumption of `budget` that a robot can check holds (docs/theory, thm:any-claim). It cannot check that all robots
+    /// have the same settings, that every robot within R is sensed, and more (docs/budget.md). `composed` never says so: its
+    /// theorem needs continuous time.
     Guaranteed,
     /// The answer is used, but an assumption does not hold.
     Degraded(Reason),
@@ -79,7 +80,7 @@ pub enum Reason {
     /// close.
     OutsideSafeSet,
     /// More time than a velocity may be held has passed since the last tick. Said for
-    /// [`told_max`](crate::settings::Settings::told_max) more: until then a level told before may be worth less than it says.
+    /// [`told_max`](crate::settings::Clock::told_max) more: until then a level told before may be worth less than it says.
     Late,
     /// The robot, or under [`Assume::Obedient`](crate::controller::budget::knowledge::Assume::Obedient) a neighbour, is not where the
     /// stated errors and the input box allow it to be: sensing or tracking is worse than stated. Said for as long.
