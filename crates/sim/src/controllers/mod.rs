@@ -144,42 +144,42 @@ macro_rules! controllers {
 
 controllers! {
     table {
-    /// Ours (docs/budget.md).
-    Budget: Row {
-        name: "budget",
-        about: "ours: a guarantee in discrete time, for any lie and any loss of messages",
-        knows: Knows::Local,
-        uses_phi: false,
-        promises: &Law::PROMISED,
-        counted: Counted::Covered,
-        expects: &Law::PROMISED,
-        inside: Inside::Margins,
-        make: Make::Local(|scenario| settings::Controller::Budget(scenario.budget)),
-    },
-    /// The paper's (eq:split, seq:qp).
-    Composed: Row {
-        name: "composed",
-        about: "the paper's, as printed",
-        knows: Knows::Local,
-        uses_phi: true,
-        promises: &Law::COMPOSED,
-        counted: Counted::Covered,
-        expects: &Law::EXPECTED,
-        inside: Inside::Shares,
-        make: Make::Local(|scenario| settings::Controller::Composed(scenario.composed)),
-    },
-    /// None: the desired velocity, cut to the box. What the paper's robots would do unfiltered.
-    None: Row {
-        name: "none",
-        about: "the desired velocity, cut to the input box",
-        knows: Knows::Local,
-        uses_phi: false,
-        promises: &Law::EXPECTED,
-        counted: Counted::All,
-        expects: &Law::EXPECTED,
-        inside: Inside::Margins,
-        make: Make::Local(|_| settings::Controller::None),
-    },
+        /// Ours (docs/budget.md).
+        Budget: Row {
+            name: "budget",
+            about: "ours: a guarantee in discrete time, for any lie and any loss of messages",
+            knows: Knows::Local,
+            uses_phi: false,
+            promises: &Law::PROMISED,
+            counted: Counted::Covered,
+            expects: &Law::PROMISED,
+            inside: Inside::Margins,
+            make: Make::Local(|scenario| settings::Controller::Budget(scenario.budget)),
+        },
+        /// The paper's (eq:split, seq:qp).
+        Composed: Row {
+            name: "composed",
+            about: "the paper's, as printed",
+            knows: Knows::Local,
+            uses_phi: true,
+            promises: &Law::COMPOSED,
+            counted: Counted::Covered,
+            expects: &Law::EXPECTED,
+            inside: Inside::Shares,
+            make: Make::Local(|scenario| settings::Controller::Composed(scenario.composed)),
+        },
+        /// None: the desired velocity, cut to the box. What the paper's robots would do unfiltered.
+        None: Row {
+            name: "none",
+            about: "the desired velocity, cut to the input box",
+            knows: Knows::Local,
+            uses_phi: false,
+            promises: &Law::EXPECTED,
+            counted: Counted::All,
+            expects: &Law::EXPECTED,
+            inside: Inside::Margins,
+            make: Make::Local(|_| settings::Controller::None),
+        },
     }
     global {}
 }
