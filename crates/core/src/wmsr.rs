@@ -30,6 +30,7 @@ pub struct Round {
 /// rounding included. `own` must be finite; beyond 1e300 the sum may
 /// overflow, and then only the hull is kept. O(k log k) for k values, no allocation.
 //= paper eq:linear
+//= theory thm:contraction
 #[must_use]
 pub fn update(own: f64, told: &mut [f64], faults: u16) -> Round {
     told.sort_unstable_by(f64::total_cmp);

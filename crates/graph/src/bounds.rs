@@ -36,6 +36,7 @@ pub fn r_most(graph: &Graph) -> usize {
 /// networks that change in time if it holds at every step. The graph need not be (F+1,F+1)-robust.
 /// The proof is that of docs/theory, `thm:contraction`. With all nodes normal only the degrees count.
 //= paper thm:rs_robust
+//= theory thm:contraction
 #[must_use]
 pub fn f_by_degree(graph: &Graph, normal: NodeSet) -> Option<usize> {
     let normal = normal.intersection(graph.nodes());
@@ -53,6 +54,7 @@ pub fn f_by_degree(graph: &Graph, normal: NodeSet) -> Option<usize> {
 ///
 /// The proof is that of docs/theory, `thm:two-faced`. `None` if no F is guaranteed.
 //= paper thm:rs_robust
+//= theory thm:two-faced
 #[must_use]
 pub fn f_by_degree_byzantine(graph: &Graph, normal: NodeSet) -> Option<usize> {
     let normal = normal.intersection(graph.nodes());
@@ -112,6 +114,8 @@ fn take(before: NodeSet, after: NodeSet, count: usize) -> NodeSet {
 mod tests {
     use super::*;
 
+    //= theory thm:contraction type=test
+    //= theory thm:two-faced type=test
     #[test]
     fn the_paper_asks_seven_neighbors_of_eleven_robots() {
         let mut graph = Graph::empty(11, false).unwrap();

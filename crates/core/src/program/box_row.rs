@@ -37,6 +37,7 @@ pub struct Solution<const D: usize> {
 /// holds up to the rounding of one inner product over the box, however far outside it `desired` lies. Without
 /// allocation; about 4·D² comparisons at worst.
 //= paper seq:qp
+//= theory sec:box-row
 #[must_use]
 pub fn closest<const D: usize>(desired: &Vector<D>, row: &Row<D>, input: &InputBox<D>) -> Solution<D> {
     let clipped = input.clip(desired);

@@ -104,7 +104,7 @@ impl ValueAttack {
         one_kind(reader, section, &KINDS)
     }
 
-    /// True when no two neighbours are told different values, as def:malicious wants it.
+    /// True when no two neighbours are told different values, as the paper's definition wants it (misbeh).
     #[must_use]
     pub fn has_one_voice(self) -> bool {
         !matches!(self, Self::Faces { .. } | Self::Split)

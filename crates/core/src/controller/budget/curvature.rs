@@ -115,7 +115,7 @@ impl Curvature {
     ///
     /// `M · error`, M the largest |eigenvalue| of the Hessian in reach: K, or near the rim, where the weight is convex, the
     /// radial one `4 (R² − s) f′(s) − 2 f(s)`, which falls with s as long as it is positive.
-    //= theory sec:margins
+    //= theory eq:gradient-error
     #[inline]
     #[must_use]
     pub fn gradient_error(&self, distance_m: f64, error_m: f64) -> f64 {
