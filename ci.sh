@@ -30,6 +30,9 @@ else
   test $? -eq 2
 fi
 
+step "the pictures in docs are those that this program draws"
+CLOSERANKS=target/release/closeranks docs/pictures/make.sh --check
+
 step "a campaign of 2,000 runs, other ones for every commit"
 seed=$((16#$(git rev-parse --short=8 HEAD 2> /dev/null || echo 1)))
 cargo run --release --locked --quiet -- sweep scenarios/campaign.toml --runs 2000 --seed "$seed" -o "$out/campaign"

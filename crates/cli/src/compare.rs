@@ -1,85 +1,81 @@
 //! `closeranks compare FILE`: the same scenario and seed under several controllers, side by side.
 
 use anyhow::{Result, bail};
-use clap::ValueEnum;
-use closeranks_report::content::{Figure, Page, Section};
-use closeranks_report::figure::{Case, figure1, figure2};
+use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
+use closeranks_report::content::{Figure, Link, Page, Section};
+use closeranks_report::figure::{Case, figure1, figure2, figure3};
 use closeranks_report::html::html;
-use closeranks_report::png::{SCALE_200_DPI, png};
+use closeranks_report::robustness::robustness;
 use closeranks_report::table::{Line, table, text};
 use closeranks_sim::scenario::{Controller, Scenario};
 use closeranks_sim::world::{self, Options, Run};
 use rayon::prelude::*;
 
+use crate::as_run::as_run;
 use crate::folder::Folder;
-use crate::{json, output, progress, source, story};
+use crate::{json, output, pages, progress, sentences, source};
 
-/// A controller by its name in scenario files.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub(crate) enum Name {
-    /// The paper's.
-    Composed,
-    /// Ours.
-    Budget,
-    /// The desired velocity, cut to the box.
-    None,
-}
-
-impl Name {
-    /// What it names.
-    pub(crate) fn controller(self) -> Controller {
-        match self {
-            Self::Composed => Controller::Composed,
-            Self::Budget => Controller::Budget,
-            Self::None => Controller::None,
-        }
-    }
+/// Reads a controller by its name in scenario files.
+pub(crate) fn controller() -> impl TypedValueParser<Value = Controller> {
+    let names = Controller::ALL
+        .iter()
+        .map(|controller| PossibleValue::new(controller.name()).help(controller.row().about));
+    PossibleValuesParser::new(names)
+        .try_map(|name| Controller::named(&name).ok_or("no controller has that name"))
 }
 
 /// A finished run.
 struct Done {
+    /// Named after its controller.
     scenario: Scenario,
+    /// The scenario as it was run, TOML.
+    source: String,
     run: Run,
-    time_s: f64,
+    wall_s: f64,
 }
 
-/// Runs the scenario once a controller. Broken laws are shown and do not fail the comparison.
+/// Runs the scenario once a controller; false when a law that it expects was broken under one of them.
 pub(crate) fn compare(arguments: &crate::Compare) -> Result<bool> {
-    let (scenario, _) = source::scenario(&arguments.file)?;
+    let (scenario, source) = source::scenario(&arguments.file)?;
     let scenario = Scenario { seed: arguments.seed.unwrap_or(scenario.seed), ..scenario };
     let repeated = |index: usize| arguments.controllers[..index].contains(&arguments.controllers[index]);
     if (0..arguments.controllers.len()).any(repeated) {
-        bail!("`--controllers` names one twice; allowed is each of composed, budget, none once");
+        let names: Vec<&str> = Controller::ALL.iter().map(|controller| controller.name()).collect();
+        bail!("`--controllers` names one twice; allowed is each of {} once", names.join(", "));
     }
     let folder = arguments.output.as_deref().map(Folder::new).transpose()?;
     let bar =
         progress::bar(arguments.controllers.len() as u64, arguments.speech.quiet || arguments.speech.json);
     let runs = arguments.controllers.par_iter().map(|name| {
-        let done = done(&scenario, *name, folder.is_some());
+        let done = done(&scenario, &source, *name, folder.is_some());
         bar.inc(1);
         done
     });
     let runs = runs.collect::<Result<Vec<Done>>>()?;
     bar.finish_and_clear();
-    tell(arguments, &runs);
-    if let Some(folder) = folder {
-        save(folder, &scenario, arguments, &runs)?;
+    say(arguments, &runs);
+    if let (Some(folder), Some(target)) = (folder, &arguments.output) {
+        let files = save(folder, &scenario, &runs)?;
+        if !arguments.speech.quiet && !arguments.speech.json {
+            output::say(&format!("\nwritten to {}: {files}\n", target.display()));
+        }
     }
-    Ok(true)
+    Ok(runs.iter().all(|done| done.run.summary.failures(&done.scenario).next().is_none()))
 }
 
-fn done(scenario: &Scenario, name: Name, record: bool) -> Result<Done> {
-    let named = Scenario { name: name.controller().name().to_owned(), ..scenario.clone() };
-    let scenario = named.under(name.controller());
+fn done(scenario: &Scenario, source: &str, controller: Controller, record: bool) -> Result<Done> {
+    let source = as_run(source, &scenario.clone().under(controller));
+    let named = Scenario { name: controller.name().to_owned(), ..scenario.clone() };
+    let scenario = named.under(controller);
     let options = Options { record, robustness: true, ..Options::default() };
     let (run, time) = progress::timed(|| world::run(&scenario, options, &mut |_| ()));
-    Ok(Done { run: run?, scenario, time_s: time.as_secs_f64() })
+    Ok(Done { run: run?, source, scenario, wall_s: time.as_secs_f64() })
 }
 
 impl Done {
     fn line(&self) -> Line<'_> {
-        let Self { scenario, run, time_s } = self;
-        Line { scenario, summary: &run.summary, rounds: &run.rounds, time_s: Some(*time_s) }
+        let Self { scenario, run, wall_s, .. } = self;
+        Line { scenario, summary: &run.summary, rounds: &run.rounds, wall_s: Some(*wall_s) }
     }
 }
 
@@ -87,56 +83,90 @@ fn lines(runs: &[Done]) -> Vec<Line<'_>> {
     runs.iter().map(Done::line).collect()
 }
 
-fn tell(arguments: &crate::Compare, runs: &[Done]) {
+fn say(arguments: &crate::Compare, runs: &[Done]) {
     if arguments.speech.json {
-        let all: Vec<_> = runs.iter().map(|done| json::run(&done.scenario, &done.run, done.time_s)).collect();
+        let all: Vec<_> = runs.iter().map(|done| json::run(&done.scenario, &done.run, done.wall_s)).collect();
         output::say(&json::text(&serde_json::json!({ "runs": all })));
     } else if !arguments.speech.quiet {
         output::say(&text(&table(&lines(runs))));
         for done in runs {
-            let laws = story::laws(&done.scenario, &done.run.summary);
+            let laws = sentences::laws(&done.scenario, &done.run.summary);
             output::say(&format!(
                 "\n{}\n{}\n{laws}",
                 done.scenario.name,
-                story::start(&done.scenario, &done.run.summary)
+                sentences::start(&done.scenario, &done.run.summary)
             ));
         }
     }
 }
 
-fn save(mut folder: Folder, scenario: &Scenario, arguments: &crate::Compare, runs: &[Done]) -> Result<()> {
+/// Writes everything; says which files.
+fn save(mut folder: Folder, scenario: &Scenario, runs: &[Done]) -> Result<String> {
+    let figures = figures(runs);
+    let named: Vec<(&str, &str)> = figures.iter().map(|(name, _, svg)| (*name, svg.as_str())).collect();
+    let mut files = Vec::new();
+    for done in runs {
+        let name = &done.scenario.name;
+        let names = [format!("{name}.toml"), format!("{name}.parquet"), format!("{name}-rounds.parquet")];
+        let names = names.each_ref().map(String::as_str);
+        files.extend(pages::add_data(&mut folder, names, &done.source, &done.scenario, &done.run)?);
+    }
+    files.extend(pages::add_figures(&mut folder, &named, &|| ())?);
+    let names = pages::names(&files);
+    let figures = figures.into_iter().map(|(_, caption, svg)| pages::figure(&caption, svg)).collect();
+    folder.add("report.html", html(&page(scenario, runs, figures, files)));
+    folder.write()?;
+    Ok(format!("report.html, {names}"))
+}
+
+/// Name, caption and picture of each figure.
+fn figures(runs: &[Done]) -> Vec<(&'static str, String, String)> {
     let cases = runs.iter().filter_map(|done| {
         Some(Case { title: &done.scenario.name, scenario: &done.scenario, record: done.run.record.as_ref()? })
     });
     let cases: Vec<Case<'_>> = cases.collect();
-    let captions = ["Formations at the start and at the end.", "Degree barriers and values over time."];
-    let mut figures = Vec::new();
-    for (name, (svg, caption)) in
-        ["formations", "series"].into_iter().zip([figure1(&cases), figure2(&cases)].into_iter().zip(captions))
-    {
-        folder.add(format!("{name}.png"), png(&svg, SCALE_200_DPI)?);
-        folder.add(format!("{name}.svg"), svg.as_bytes());
-        figures.push(Figure { caption: caption.to_owned(), svg });
+    let formations = format!("Formations at the start and at the end. {}", pages::FORMATIONS);
+    let mut figures = vec![
+        ("formations", formations, figure1(&cases)),
+        ("paths", pages::PATHS.to_owned(), figure3(&cases)),
+        ("series", pages::SERIES.to_owned(), figure2(&cases)),
+    ];
+    let series =
+        runs.iter().filter_map(|done| pages::robustness_of(&done.scenario.name, &done.scenario, &done.run));
+    let series: Vec<_> = series.collect();
+    if !series.is_empty() {
+        figures.push(("robustness", pages::ROBUSTNESS.to_owned(), robustness(&series)));
     }
-    let section = Section {
+    figures
+}
+
+fn page(scenario: &Scenario, runs: &[Done], figures: Vec<Figure>, files: Vec<Link>) -> Page {
+    let side_by_side = Section {
         title: "Side by side".to_owned(),
         tables: vec![("One line a controller; heads as in the terminal.".to_owned(), table(&lines(runs)))],
         figures,
         ..Section::default()
     };
-    let page = Page {
+    let verdicts = runs.iter().map(|done| Section {
+        title: format!("Under {}", done.scenario.name),
+        paragraphs: core::iter::once(sentences::start(&done.scenario, &done.run.summary))
+            .chain(sentences::warning(&done.scenario))
+            .collect(),
+        laws: sentences::law_lines(&done.scenario, &done.run.summary),
+        ..Section::default()
+    });
+    let texts =
+        runs.iter().map(|done| pages::scenario(&format!("Under {}:", done.scenario.name), &done.source));
+    let data = Section {
+        title: "Scenarios and data".to_owned(),
+        listings: texts.collect(),
+        files,
+        ..Section::default()
+    };
+    Page {
         title: format!("{}: controllers compared", scenario.name),
         lead: format!("The same scenario and seed ({}) under each controller.", scenario.seed),
-        sections: vec![section],
-        footer: format!("closeranks {}, commit {}", env!("CARGO_PKG_VERSION"), env!("CLOSERANKS_COMMIT")),
-    };
-    folder.add("report.html", html(&page));
-    folder.write()?;
-    if let (false, false, Some(target)) = (arguments.speech.quiet, arguments.speech.json, &arguments.output) {
-        output::say(&format!(
-            "\nwritten to {}: report.html, formations and series (SVG, PNG)\n",
-            target.display()
-        ));
+        sections: core::iter::once(side_by_side).chain(verdicts).chain([data]).collect(),
+        footer: pages::footer("compare"),
     }
-    Ok(())
 }

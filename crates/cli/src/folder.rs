@@ -1,13 +1,20 @@
 //! Output folders: written beside, then renamed, so that nothing half-written is left behind and nothing of others is lost.
 
+mod leftovers;
+
 use std::collections::BTreeSet;
-use std::fs;
+use std::fs::{self, File};
 use std::path::{Path, PathBuf};
 
 use anyhow::{Context, Result, bail};
 
-/// Names the files that closeranks wrote to a folder, so that a later run may replace them.
+use crate::invocation;
+
+/// Names the command that wrote a folder and the files it wrote, so that the same command may replace them.
 const MANIFEST: &str = ".closeranks";
+
+/// What the first line of the manifest begins with.
+const WRITTEN_BY: &str = "# ";
 
 /// Says which sweep a folder holds.
 pub(crate) const SWEEP: &str = "sweep.json";
@@ -22,8 +29,17 @@ pub(crate) struct Folder {
 impl Folder {
     /// Prepares to write `target`; refuses at once if that would lose anything or cannot work.
     pub(crate) fn new(target: &Path) -> Result<Self> {
-        check(target)?;
-        Ok(Self { target: target.to_path_buf(), files: Vec::new() })
+        let there = exists(target)?;
+        let target = if there && target.is_symlink() {
+            fs::canonicalize(target).with_context(|| format!("cannot follow `{}`", target.display()))?
+        } else {
+            target.to_path_buf()
+        };
+        if let Some(_lock) = lock(parent(&target)) {
+            leftovers::clean(&target)?;
+        }
+        check(&target)?;
+        Ok(Self { target, files: Vec::new() })
     }
 
     /// Adds a file.
@@ -34,16 +50,22 @@ impl Folder {
     /// Writes everything to a folder beside the target and renames it into place.
     pub(crate) fn write(self) -> Result<()> {
         let parent = parent(&self.target);
-        let fresh = tempfile::Builder::new().prefix(".closeranks-").tempdir_in(parent);
-        let fresh = fresh.with_context(|| format!("cannot write to the folder `{}`", parent.display()))?;
-        let names: Vec<&str> = self.files.iter().map(|(name, _)| name.as_str()).collect();
-        let manifest = (MANIFEST.to_owned(), names.join("\n").into_bytes());
-        for (name, bytes) in self.files.iter().chain([&manifest]) {
+        let cannot = || format!("cannot write to the folder `{}`", parent.display());
+        fs::create_dir_all(parent).with_context(cannot)?;
+        let _lock = lock(parent); // until all is in place, so that nobody takes it for leftovers
+        let fresh = leftovers::beside(&self.target, leftovers::NEW).with_context(cannot)?;
+        for (name, bytes) in self.files.iter().chain([&self.manifest()]) {
             let path = fresh.path().join(name);
             fs::write(&path, bytes).with_context(|| format!("cannot write `{}`", path.display()))?;
         }
         check(&self.target)?;
         swap(&fresh.keep(), &self.target)
+    }
+
+    fn manifest(&self) -> (String, Vec<u8>) {
+        let mut lines = vec![format!("{WRITTEN_BY}{}", invocation::name())];
+        lines.extend(self.files.iter().map(|(name, _)| name.clone()));
+        (MANIFEST.to_owned(), lines.join("\n").into_bytes())
     }
 }
 
@@ -52,23 +74,36 @@ pub(crate) fn parent(target: &Path) -> &Path {
     target.parent().filter(|parent| !parent.as_os_str().is_empty()).unwrap_or(Path::new("."))
 }
 
+/// Locks a folder against other programs of ours that put results into it, until the file is dropped. None where the system
+/// cannot lock folders: then leftovers stay.
+fn lock(folder: &Path) -> Option<File> {
+    let file = File::open(folder).ok()?;
+    file.lock().ok()?;
+    Some(file)
+}
+
 /// Puts `fresh` where `target` is; what was there goes only after the new one is in place.
 fn swap(fresh: &Path, target: &Path) -> Result<()> {
+    let kept = leftovers::kept(fresh, target);
     let failed =
-        || format!("cannot put the results at `{}`; they are in `{}`", target.display(), fresh.display());
-    readable(fresh).with_context(failed)?;
-    if fs::symlink_metadata(target).is_err() {
-        return fs::rename(fresh, target).with_context(failed);
+        || format!("cannot put the results at `{}`; they are in `{}`", target.display(), kept.display());
+    let moved = readable(fresh).and_then(|()| exchange(fresh, target));
+    if moved.is_err() {
+        fs::rename(fresh, &kept).with_context(failed)?;
     }
-    let old = tempfile::Builder::new()
-        .prefix(".closeranks-old-")
-        .tempdir_in(parent(target))
-        .with_context(failed)?;
-    let aside = old.path().join("folder");
-    fs::rename(target, &aside).with_context(failed)?;
+    moved.with_context(failed)
+}
+
+fn exchange(fresh: &Path, target: &Path) -> std::io::Result<()> {
+    if fs::symlink_metadata(target).is_err() {
+        return fs::rename(fresh, target);
+    }
+    let old = leftovers::beside(target, leftovers::OLD)?;
+    let aside = old.path().join(leftovers::ASIDE);
+    fs::rename(target, &aside)?;
     if let Err(error) = fs::rename(fresh, target) {
-        fs::rename(&aside, target).with_context(failed)?;
-        return Err(error).with_context(failed);
+        fs::rename(&aside, target)?;
+        return Err(error);
     }
     Ok(())
 }
@@ -85,7 +120,7 @@ fn readable(_folder: &Path) -> std::io::Result<()> {
     Ok(())
 }
 
-/// Refuses a target that is a file, lies in no folder, or holds anything that closeranks did not write.
+/// Refuses a target that holds anything that closeranks did not write, or that another command wrote.
 fn check(target: &Path) -> Result<()> {
     if !exists(target)? {
         return Ok(());
@@ -96,8 +131,10 @@ fn check(target: &Path) -> Result<()> {
     }
     let manifest = fs::read_to_string(target.join(MANIFEST)).unwrap_or_default();
     let ours: BTreeSet<&str> = manifest.lines().chain([MANIFEST]).collect();
+    let mut is_empty = true;
     for entry in fs::read_dir(target).with_context(|| format!("cannot read the folder `{shown}`"))? {
         let name = entry?.file_name();
+        is_empty = false;
         if !name.to_str().is_some_and(|name| ours.contains(name)) {
             bail!(
                 "`{shown}` holds `{}`, which closeranks did not write; allowed is a new name or a folder that closeranks wrote",
@@ -105,25 +142,51 @@ fn check(target: &Path) -> Result<()> {
             );
         }
     }
-    Ok(())
+    if is_empty { Ok(()) } else { check_command(target, &manifest) }
 }
 
-/// Whether there is such a folder; refuses names that cannot be one.
+/// Refuses what another command wrote, unless it may be replaced.
+fn check_command(target: &Path, manifest: &str) -> Result<()> {
+    let writer = manifest.lines().next().and_then(|line| line.strip_prefix(WRITTEN_BY));
+    if writer == Some(invocation::name()) || invocation::may_overwrite() {
+        return Ok(());
+    }
+    let writer = writer.map_or("an earlier version of closeranks".to_owned(), |writer| format!("`{writer}`"));
+    bail!(
+        "`{}` holds what {writer} wrote; allowed is a new name, or --overwrite to replace it",
+        target.display()
+    )
+}
+
+/// Whether there is such a folder; refuses names that cannot be one. Folders above it may be missing: they are made.
 pub(crate) fn exists(target: &Path) -> Result<bool> {
     let shown = target.display();
     if target.file_name().is_none() {
         bail!("`{shown}` cannot be an output folder: allowed is the name of a folder of its own");
     }
-    if !parent(target).is_dir() {
-        bail!("`{shown}` cannot be an output folder: `{}` is not a folder", parent(target).display());
+    let mut above = target.ancestors().skip(1).filter(|above| !above.as_os_str().is_empty());
+    if let Some(above) = above.find(|above| fs::symlink_metadata(above).is_ok())
+        && !above.is_dir()
+    {
+        bail!("`{shown}` cannot be an output folder: `{}` is {}", above.display(), kind(above));
     }
     if fs::symlink_metadata(target).is_err() {
         return Ok(false);
     }
-    if !target.is_dir() || target.is_symlink() {
+    if !target.is_dir() {
         bail!(
-            "`{shown}` exists and is not a folder; allowed is a new name or a folder that closeranks wrote"
+            "`{shown}` is {}, not a folder; allowed is a new name or a folder that closeranks wrote",
+            kind(target)
         );
     }
     Ok(true)
+}
+
+/// What a path that is no folder leads to.
+fn kind(path: &Path) -> String {
+    match fs::read_link(path) {
+        Ok(to) if fs::metadata(path).is_err() => format!("a link to `{}`, which is not there", to.display()),
+        Ok(to) => format!("a link to the file `{}`", to.display()),
+        Err(_) => "a file".to_owned(),
+    }
 }

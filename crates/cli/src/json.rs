@@ -1,16 +1,19 @@
 //! The numbers of the table for machines.
 
 use closeranks_report::content::Claim;
+use closeranks_report::table::uses_phi;
 use closeranks_sim::law::Verdict;
 use closeranks_sim::monitors::robustness::weakest;
 use closeranks_sim::scenario::Scenario;
 use closeranks_sim::world::Run;
 use serde_json::{Map, Value, json};
 
-/// One run. Numbers that do not exist are null.
-pub(crate) fn run(scenario: &Scenario, run: &Run, time_s: f64) -> Value {
+/// One run. Numbers that do not exist are null, and so is phi for controllers that do not use it.
+/// Seconds are simulated ones, but for `wall_time_s`.
+pub(crate) fn run(scenario: &Scenario, run: &Run, wall_s: f64) -> Value {
     let summary = &run.summary;
     let weakest = weakest(&run.rounds);
+    let phi = uses_phi(scenario);
     let extremes = &summary.extremes;
     let laws = summary.verdicts.iter().map(|verdict| (verdict.law.name().to_owned(), law(scenario, verdict)));
     json!({
@@ -20,7 +23,7 @@ pub(crate) fn run(scenario: &Scenario, run: &Run, time_s: f64) -> Value {
         "commit": env!("CLOSERANKS_COMMIT"),
         "start": {
             "inside": summary.start.inside,
-            "phi_min": summary.start.phi_min,
+            "phi_min": phi.then_some(summary.start.phi_min),
             "h_min": summary.start.h_min,
             "degree_min": summary.start.degree_min,
             "distance_min_m": summary.start.distance_min_m,
@@ -38,18 +41,19 @@ pub(crate) fn run(scenario: &Scenario, run: &Run, time_s: f64) -> Value {
         "rounds_to_agree": extremes.rounds_to_agree,
         "spread": extremes.spread,
         "infeasible": summary.broken(closeranks_sim::law::Law::Feasible),
-        "phi_negative": summary.broken(closeranks_sim::law::Law::Shares),
-        "phi_min": extremes.phi_min,
-        "phi_global_min": extremes.phi_global_min,
+        "phi_negative": phi.then_some(summary.broken(closeranks_sim::law::Law::Shares)),
+        "phi_min": phi.then_some(extremes.phi_min),
+        "phi_global_min": phi.then_some(extremes.phi_global_min),
         "r_max_least": run.rounds.iter().map(|round| round.r_max.least).min(),
         "f_max_least": weakest.map(|round| round.f_max.least),
         "guaranteed_share": summary.guaranteed_share,
         "negative_share": summary.negative_share,
         "recovery_s": summary.recovery_s,
         "violations": summary.violations(scenario).map(|verdict| verdict.count).sum::<u64>(),
+        "duration_s": f64::from(summary.ticks) * scenario.tick_s(),
         "ticks": summary.ticks,
         "rounds": summary.rounds,
-        "time_s": time_s,
+        "wall_time_s": wall_s,
         "laws": laws.collect::<Map<_, _>>(),
         "ok": summary.failures(scenario).next().is_none(),
     })
@@ -75,8 +79,14 @@ fn law(scenario: &Scenario, verdict: &Verdict) -> Value {
 
 /// The claims of one start.
 pub(crate) fn claims(claims: &[Claim]) -> Value {
-    let claim =
-        |claim: &Claim| json!({ "sentence": claim.sentence, "holds": claim.holds, "numbers": claim.numbers });
+    let claim = |claim: &Claim| {
+        json!({
+            "sentence": claim.sentence,
+            "quotation": claim.is_quotation,
+            "holds": claim.holds,
+            "numbers": claim.numbers,
+        })
+    };
     claims.iter().map(claim).collect()
 }
 

@@ -2,23 +2,28 @@
 //!
 //! Exit codes: 0 fine, 1 a law that was expected to hold was broken, 2 bad input.
 
+mod as_run;
 mod check;
 mod compare;
 mod folder;
+mod invocation;
 mod json;
 mod maker;
 mod output;
+mod pages;
 mod paper;
 mod progress;
-mod single;
+mod run;
+mod sentences;
 mod source;
-mod story;
 mod sweep;
 
 use std::path::PathBuf;
 use std::process::ExitCode;
 
-use clap::{Args, Parser, Subcommand};
+use anyhow::Result;
+use clap::{Args, CommandFactory as _, FromArgMatches as _, Parser, Subcommand};
+use closeranks_sim::scenario::Controller;
 
 /// Keeps a team of robots agreeing while some of them lie.
 #[derive(Debug, Parser)]
@@ -60,7 +65,7 @@ Exit codes: 0 fine, 1 a law that the scenario expects was broken, 2 bad input.";
 enum Command {
     /// Run the paper's section V: three scenarios from two starts, table, claims, figures, data.
     ///
-    /// Writes figure1 and figure2 (SVG, PNG) for each start, every tick as Parquet and report.html.
+    /// Writes figures (SVG, PNG) for each start, every tick and round as Parquet, the scenarios and report.html.
     Paper(Paper),
     /// Run one scenario from a TOML file.
     #[command(after_long_help = RUN_HELP)]
@@ -91,11 +96,11 @@ struct Speech {
 
 #[derive(Args, Debug)]
 struct Paper {
-    /// Folder to write to; if it exists, it may hold only what an earlier run of closeranks wrote.
+    /// Folder to write to; what the same command wrote there is replaced.
     #[arg(short, long, value_name = "DIR", default_value = "closeranks-out")]
     output: PathBuf,
     /// Seed of initial values and of what liars say.
-    #[arg(long, default_value_t = 1)]
+    #[arg(long, default_value_t = 1, value_parser = invocation::seed, allow_negative_numbers = true)]
     seed: u64,
     #[command(flatten)]
     speech: Speech,
@@ -110,16 +115,16 @@ struct Run {
     #[arg(short, long, value_name = "DIR")]
     output: Option<PathBuf>,
     /// Use this seed instead of the file's.
-    #[arg(long, conflicts_with = "draw")]
+    #[arg(long, conflicts_with = "draw", value_parser = invocation::seed, allow_negative_numbers = true)]
     seed: Option<u64>,
     /// Use this controller instead of the file's.
-    #[arg(long, value_enum, value_name = "NAME")]
-    controller: Option<compare::Name>,
+    #[arg(long, value_parser = compare::controller(), value_name = "NAME")]
+    controller: Option<Controller>,
     /// Of a file that draws values, run number K of the sweep (from 0).
-    #[arg(long, value_name = "K")]
+    #[arg(long, value_name = "K", value_parser = invocation::seed, allow_negative_numbers = true)]
     draw: Option<u64>,
     /// Seed of that sweep [default: 1].
-    #[arg(long, value_name = "S", requires = "draw")]
+    #[arg(long, value_name = "S", requires = "draw", value_parser = invocation::seed, allow_negative_numbers = true)]
     sweep_seed: Option<u64>,
     /// Print the drawn scenario as plain TOML instead of running it.
     #[arg(long, requires = "draw")]
@@ -134,33 +139,57 @@ struct Compare {
     #[arg(value_name = "FILE")]
     file: PathBuf,
     /// Which controllers, separated by commas.
-    #[arg(long, value_enum, value_delimiter = ',', default_value = "composed,budget")]
-    controllers: Vec<compare::Name>,
-    /// Folder for figures and page; without it only the table is printed.
+    #[arg(long, value_parser = compare::controller(), value_delimiter = ',', default_value = "composed,budget")]
+    controllers: Vec<Controller>,
+    /// Folder for figures, data and page; without it only the table is printed.
     #[arg(short, long, value_name = "DIR")]
     output: Option<PathBuf>,
     /// Use this seed instead of the file's.
-    #[arg(long)]
+    #[arg(long, value_parser = invocation::seed, allow_negative_numbers = true)]
     seed: Option<u64>,
     #[command(flatten)]
     speech: Speech,
 }
 
 fn main() -> ExitCode {
-    let done = match Arguments::parse().command {
-        Command::Paper(arguments) => paper::paper(&arguments),
-        Command::Run(arguments) => single::run(&arguments),
-        Command::Compare(arguments) => compare::compare(&arguments),
-        Command::Sweep(arguments) => sweep::sweep(&arguments),
-        Command::Check(arguments) => check::check(&arguments),
-        Command::Graph(arguments) => maker::make(&arguments),
+    let command = invocation::with_overwrite(Arguments::command());
+    let done = match command.clone().try_get_matches() {
+        Ok(matches) => {
+            invocation::note(&command, &matches);
+            Arguments::from_arg_matches(&matches)
+                .map_err(Into::into)
+                .and_then(|arguments| start(&arguments.command))
+        }
+        Err(error) => return usage(&error),
     };
-    match done {
+    match done.and_then(|good| output::finish().map(|()| good)) {
         Ok(true) => ExitCode::SUCCESS,
         Ok(false) => ExitCode::from(1),
-        Err(error) => {
-            output::complain(&error);
-            ExitCode::from(2)
-        }
+        Err(error) => refuse(&error),
+    }
+}
+
+fn start(command: &Command) -> Result<bool> {
+    match command {
+        Command::Paper(arguments) => paper::paper(arguments),
+        Command::Run(arguments) => run::run(arguments),
+        Command::Compare(arguments) => compare::compare(arguments),
+        Command::Sweep(arguments) => sweep::sweep(arguments),
+        Command::Check(arguments) => check::check(arguments),
+        Command::Graph(arguments) => maker::make(arguments),
+    }
+}
+
+fn refuse(error: &anyhow::Error) -> ExitCode {
+    output::complain(error);
+    ExitCode::from(2)
+}
+
+/// Shows help, the version, or what is wrong with the command line.
+fn usage(error: &clap::Error) -> ExitCode {
+    output::keep(error.print());
+    match output::finish() {
+        Ok(()) => ExitCode::from(u8::try_from(error.exit_code()).unwrap_or(2)),
+        Err(error) => refuse(&error),
     }
 }

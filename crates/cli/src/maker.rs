@@ -9,7 +9,7 @@ use closeranks_graph::graph::Graph;
 use closeranks_graph::makers::{MakerError, fixed, random};
 
 use crate::check::Format;
-use crate::output;
+use crate::{invocation, output};
 
 /// Shown by `closeranks graph --help`.
 pub(crate) const HELP: &str = "\
@@ -45,7 +45,7 @@ pub(crate) struct Make {
     #[arg(long, value_enum, default_value_t = Format::Edges, global = true)]
     format: Format,
     /// Seed of graphs by chance: one seed is one graph, on every machine.
-    #[arg(long, default_value_t = 1, global = true)]
+    #[arg(long, default_value_t = 1, global = true, value_parser = invocation::seed, allow_negative_numbers = true)]
     seed: u64,
 }
 

@@ -4,41 +4,22 @@
 //!
 //! | what | where |
 //! | --- | --- |
-//! | the paper's figures, and one for a single run | [`figure`] |
-//! | a graph with its witness | [`network`] |
-//! | robustness over time, and the recording it comes from | [`robustness`], [`recording`] |
+//! | the paper's figures, and those of a single run | [`figure`] |
+//! | a graph with its witness; exact robustness over time | [`network`], [`robustness`] |
 //! | one self-contained page, and what is on it | [`html`], [`content`] |
+//! | the table of runs, and the paper's sentences held against them | [`table`], [`claims`] |
+//! | a record as a file, and read back | [`recording`] |
 //! | sweeps: rows, counts, bounds, figures | [`sweep`] |
 //! | SVG to PNG | [`png`] |
-//! | the table of runs, and the paper's sentences held against them | [`table`], [`claims`] |
-//! | a record as a file | [`parquet`] |
-//! | exact robustness over time, as figure and file | [`robustness`] |
 
-pub mod claims;
-pub mod content;
 pub mod figure;
-pub mod html;
-pub mod network;
-pub mod parquet;
-pub mod png;
 pub mod recording;
-pub mod robustness;
 pub mod sweep;
-pub mod table;
 
-mod axes;
-mod columns;
-mod formation;
-mod layout;
-mod legend;
-mod links;
-mod network_layout;
-mod network_mark;
-mod palette;
-mod path;
-mod series;
+mod page;
 mod svg;
-mod text;
-mod ticks;
-mod title;
-mod trace;
+
+pub use figure::{network, robustness};
+pub use page::{claims, content, html, table};
+pub use recording::write as parquet;
+pub use svg::png;

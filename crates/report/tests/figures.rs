@@ -2,7 +2,7 @@
 #![expect(clippy::unwrap_used, reason = "helpers of tests")]
 
 use closeranks_core::settings::Team;
-use closeranks_report::figure::{Case, figure1, figure2, overview};
+use closeranks_report::figure::{Case, figure1, figure2, figure3, overview};
 use closeranks_report::png::png;
 use closeranks_sim::attack::LevelAttack;
 use closeranks_sim::output::record::Record;
@@ -67,7 +67,9 @@ fn formations_have_a_panel_for_the_start_and_each_end() {
         let svg = figure1(&show(&runs));
         let panels = if number == 0 { 0 } else { number + 1 };
         assert_eq!(count(&svg, "fill=\"none\" stroke=\"#4D4D4D\""), panels, "frames");
-        assert_eq!(count(&svg, "<circle"), 9 * panels + 1, "normal robots and the legend's");
+        // Robots 1 and 10 start too close: they have rings, and the legend has one.
+        let rings = if number == 0 { 0 } else { 3 };
+        assert_eq!(count(&svg, "<circle"), 9 * panels + 1 + rings, "normal robots and the legend's");
         assert!(count(&svg, "</text>") > 11 * panels, "numbers");
         assert_eq!(count(&svg, "a &lt;b&gt; &amp; &quot;c&quot;"), usize::from(number == 4));
         is_clean(&svg);
@@ -96,9 +98,9 @@ fn lines_have_two_panels_a_case() {
         let svg = figure2(&show(&runs));
         assert_eq!(count(&svg, "fill=\"none\" stroke=\"#4D4D4D\""), 2 * number, "frames");
         assert_eq!(count(&svg, "time (s)"), number);
-        // Nine normal lines a panel of three blues, the legend's line is another.
+        // Nine normal lines a panel of three blues and as many numbers beside h; the legend's line is another.
         let blues = ["#0072B2", "#4FA3D8", "#004C78"].map(|blue| count(&svg, &format!("stroke=\"{blue}\"")));
-        assert_eq!(blues, [6 * number + 1, 6 * number, 6 * number]);
+        assert_eq!(blues, [9 * number + 1, 9 * number, 9 * number]);
         is_clean(&svg);
     }
 }
@@ -136,8 +138,62 @@ fn three_dimensions_are_projected_and_say_so() {
     };
     let record = record(&scenario);
     let svg = overview(Case { title: "cube", scenario: &scenario, record: &record });
-    assert_eq!(count(&svg, "3D, seen along z"), 2);
+    assert_eq!(count(&svg, "3D, seen along z"), 3, "start, end, paths");
+    assert_eq!(count(&svg, "3D, seen along y"), 2, "start and end");
     is_drawable(&svg);
+    let cases = [Case { title: "cube", scenario: &scenario, record: &record }];
+    for (svg, panels) in [(figure1(&cases), 2), (figure3(&cases), 1)] {
+        for view in ["3D, seen along z", "3D, seen along y"] {
+            assert_eq!(count(&svg, view), panels);
+        }
+        is_clean(&svg);
+    }
+}
+
+/// Two robots on top of each other used to look like one.
+#[test]
+fn robots_that_are_too_close_have_a_ring() {
+    let rings = |svg: &str| count(svg, "stroke=\"#CC79A7\"");
+    let runs = cases(1);
+    assert_eq!(rings(&figure1(&show(&runs))), 2 + 1, "two robots at the start, and the legend's");
+    let apart = Scenario { start: Start::Hexagon { spacing_m: 0.6 }, ..short() };
+    let record = record(&apart);
+    let cases = [Case { title: "apart", scenario: &apart, record: &record }];
+    assert_eq!(rings(&figure1(&cases)), 0, "no ring, nothing to explain");
+}
+
+/// Values agree in less than a second; of a long run nobody could see how.
+#[test]
+fn values_that_agree_early_have_an_inset() {
+    let frames = |duration_s: f64| {
+        let scenario = Scenario { duration_s, ..short() };
+        let record = record(&scenario);
+        let svg = figure2(&[Case { title: "one", scenario: &scenario, record: &record }]);
+        is_clean(&svg);
+        count(&svg, "fill=\"none\" stroke=\"#4D4D4D\"")
+    };
+    assert_eq!((frames(0.5), frames(5.0)), (2, 3));
+}
+
+/// Which line is whose could not be told.
+#[test]
+fn every_barrier_has_the_number_of_its_robot() {
+    let runs = cases(1);
+    let numbers =
+        |svg: &str| (1..=11).filter(|robot| svg.contains(&format!("<tspan>{robot}</tspan>"))).count();
+    assert_eq!(numbers(&figure2(&show(&runs))), 11);
+}
+
+/// Where robots went could not be seen, nor how near they came to each other.
+#[test]
+fn paths_and_distances_have_a_panel_a_case() {
+    for number in 0..=3 {
+        let runs = cases(number);
+        let svg = figure3(&show(&runs));
+        assert_eq!(count(&svg, "fill=\"none\" stroke=\"#4D4D4D\""), 2 * number, "frames");
+        assert_eq!(count(&svg, "r=\"2.4\""), 11 * number + 1, "starts");
+        is_clean(&svg);
+    }
 }
 
 #[test]
@@ -159,7 +215,7 @@ fn crowds_have_no_numbers() {
     };
     let record = record(&scenario);
     let svg = overview(Case { title: "crowd", scenario: &scenario, record: &record });
-    assert!(count(&svg, "<circle") > 2 * 68 && count(&svg, "</text>") < 80);
+    assert!(count(&svg, "<circle") > 2 * 68 && count(&svg, "</text>") < 140);
     is_drawable(&svg);
 }
 
@@ -175,7 +231,8 @@ fn what_is_not_finite_is_left_out() {
         }
     }
     let svg = overview(Case { title: "broken", scenario: &scenario, record: &record });
-    assert_eq!(count(&svg, "<circle"), 2 * 9 - 4 + 1);
+    // Formations with the legend's robot, three rings; starts and ends of paths with two of the legend.
+    assert_eq!(count(&svg, "<circle"), 2 * 9 - 4 + 1 + 3 + 11 + 9 - 4 + 2);
     is_drawable(&svg);
 }
 

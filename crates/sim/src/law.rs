@@ -38,9 +38,9 @@ impl Law {
         matches!(self, Self::Composition | Self::Shares)
     }
 
-    /// True if it is about what `budget` alone says of itself.
+    /// True if it is looked at only under a controller that promises it: it is about what the controller says of itself.
     #[must_use]
-    pub fn is_about_budget(self) -> bool {
+    pub fn is_own(self) -> bool {
         matches!(self, Self::Decay | Self::Mode)
     }
 

@@ -28,6 +28,7 @@ struct Mutant {
 }
 
 const TICK: &str = "core/src/controller/budget/mod.rs";
+const CONTROL: &str = "core/src/controller/budget/control.rs";
 const INEQUALITY: &str = "core/src/controller/budget/inequality.rs";
 
 const MUTANTS: [Mutant; 20] = [
@@ -91,11 +92,7 @@ const MUTANTS: [Mutant; 20] = [
     Mutant {
         name: "age from receipt",
         law: "decay",
-        lines: &[(
-            "core/src/controller/budget/allowance.rs",
-            "checked_since(told.stamp)",
-            "checked_since(told.at)",
-        )],
+        lines: &[(CONTROL, "checked_since(told.stamp)", "checked_since(told.at)")],
     },
     Mutant {
         name: "claims not cut, budgets fourfold",
@@ -138,7 +135,7 @@ const MUTANTS: [Mutant; 20] = [
         name: "no margin for distances",
         law: "distance",
         lines: &[
-            (TICK, "self.spare_m2(neighbor.pair, -error_m)", "self.spare_m2(neighbor.pair, 0.0)"),
+            (TICK, "self.spare_m2(&neighbor.pair, -error_m)", "self.spare_m2(&neighbor.pair, 0.0)"),
             (INEQUALITY, "self.spare_m2(&pair, -error_m)", "self.spare_m2(&pair, 0.0)"),
         ],
     },
@@ -164,8 +161,8 @@ const MUTANTS: [Mutant; 20] = [
         name: "the box forgotten",
         law: "input",
         lines: &[(
-            "core/src/controller/budget/decision.rs",
-            "velocity_m_s: self.settings().input.clip(&velocity),",
+            CONTROL,
+            "velocity_m_s: self.input.clip(&velocity),",
             "velocity_m_s: velocity.map(|component| 1.1 * component),",
         )],
     },
@@ -173,26 +170,10 @@ const MUTANTS: [Mutant; 20] = [
         name: "always guaranteed",
         law: "mode",
         lines: &[
-            (
-                "core/src/controller/budget/decision.rs",
-                "Some(reason) => Mode::Degraded(reason),",
-                "Some(_) => Mode::Guaranteed,",
-            ),
-            (
-                "core/src/controller/budget/decision.rs",
-                "_ if degree_low => Mode::Degraded(Reason::Degree),",
-                "",
-            ),
-            (
-                "core/src/controller/budget/decision.rs",
-                "None if exact && h < 0.0 => Mode::Degraded(Reason::OutsideSafeSet),",
-                "",
-            ),
-            (
-                "core/src/controller/budget/decision.rs",
-                "let exact = self.budget().errors.offset_m == 0.0;",
-                "let _ = (degree_low, h);",
-            ),
+            (CONTROL, "Some(reason) => Mode::Degraded(reason),", "Some(_) => Mode::Guaranteed,"),
+            (CONTROL, "_ if degree_low => Mode::Degraded(Reason::Degree),", ""),
+            (CONTROL, "None if exact && standing.h < 0.0 => Mode::Degraded(Reason::OutsideSafeSet),", ""),
+            (CONTROL, "let exact = self.budget.errors.offset_m == 0.0;", "let _ = degree_low;"),
         ],
     },
     Mutant {

@@ -1,10 +1,10 @@
 //! `closeranks sweep FILE`: many runs drawn from one file, resumable, in shards, one row each.
 
 mod manifest;
+mod report;
 mod save;
 mod shard;
 mod store;
-mod tell;
 mod work;
 
 use std::path::PathBuf;
@@ -13,11 +13,11 @@ use anyhow::Result;
 use clap::Args;
 
 use self::manifest::Manifest;
+use self::report::{Outcome, laws};
 use self::shard::Shard;
 use self::store::{PAGES, Store};
-use self::tell::{Outcome, laws};
 use self::work::Work;
-use crate::{Speech, json, output, source};
+use crate::{Speech, invocation, json, output, source};
 
 /// Seed of a sweep that names none.
 pub(crate) const SEED: u64 = 1;
@@ -64,7 +64,7 @@ pub(crate) struct Sweep {
     #[arg(long, value_name = "I/M", default_value = "1/1")]
     shard: Shard,
     /// Seed of all draws.
-    #[arg(long, value_name = "S", default_value_t = SEED)]
+    #[arg(long, value_name = "S", default_value_t = SEED, value_parser = invocation::seed, allow_negative_numbers = true)]
     seed: u64,
     /// Folder to write to; a folder where the same command was killed is gone on with.
     #[arg(short, long, value_name = "DIR")]

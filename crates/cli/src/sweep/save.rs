@@ -1,7 +1,7 @@
 //! Figures and page of a finished sweep.
 
 use anyhow::Result;
-use closeranks_report::content::{Figure, Page, Section};
+use closeranks_report::content::{Link, Page, Section};
 use closeranks_report::html::html;
 use closeranks_report::png::{SCALE_200_DPI, png};
 use closeranks_report::sweep::broken;
@@ -9,8 +9,9 @@ use closeranks_report::sweep::figure::{gyrations, shares};
 use closeranks_report::sweep::spread::Spread;
 use closeranks_report::sweep::tables::{controllers, values};
 
+use super::report::Outcome;
 use super::store::Store;
-use super::tell::Outcome;
+use crate::pages;
 
 /// Writes [`super::store::PAGES`].
 pub(crate) fn save(store: &Store, outcome: &Outcome<'_>, spread: &Spread) -> Result<()> {
@@ -20,27 +21,38 @@ pub(crate) fn save(store: &Store, outcome: &Outcome<'_>, spread: &Spread) -> Res
         store.put(&format!("{name}.svg"), svg.as_bytes())?;
         store.put(&format!("{name}.png"), &png(svg, SCALE_200_DPI)?)?;
     }
-    store.put("report.html", html(&page(outcome, laws, gyration)).as_bytes())
+    store.put("report.html", html(&page(outcome, store.rows(), laws, gyration)).as_bytes())
 }
 
-fn page(outcome: &Outcome<'_>, laws: String, gyration: String) -> Page {
+fn page(outcome: &Outcome<'_>, rows: &str, laws: String, gyration: String) -> Page {
     let text = Section {
-        title: "Sweep".to_owned(),
-        paragraphs: outcome.manifest.text.lines().map(str::to_owned).collect(),
+        title: "Sweep file and data".to_owned(),
+        listings: vec![pages::scenario("What was drawn from:", outcome.manifest.text)],
+        files: files(rows),
         ..Section::default()
     };
     Page {
-        title: format!("Sweep of {}", outcome.file),
+        title: format!("Sweep of {}", outcome.file.rsplit('/').next().unwrap_or(outcome.file)),
         lead: format!("{}.", outcome.head()),
         sections: vec![came_to(outcome, laws, gyration), by_value(outcome), violations(outcome), text],
-        footer: format!("closeranks {}, commit {}", env!("CARGO_PKG_VERSION"), env!("CLOSERANKS_COMMIT")),
+        footer: pages::footer("sweep"),
     }
+}
+
+fn files(rows: &str) -> Vec<Link> {
+    vec![
+        Link::new(rows, "one row a run and controller: what was drawn and what it came to (docs/sweeps.md)"),
+        Link::new("sweep.json", "what decides the rows: file, seed, number of runs, shard, version"),
+        Link::new("laws.svg", "share of runs in which each law was violated"),
+        Link::new("laws.png", "and for slides"),
+        Link::new("gyration.svg", "radius of gyration at the end"),
+        Link::new("gyration.png", "and for slides"),
+    ]
 }
 
 fn came_to(outcome: &Outcome<'_>, laws: String, gyration: String) -> Section {
     let caption =
         "Runs in which a law was violated; \"at most\" is the exact one-sided bound of Clopper and Pearson.";
-    let figure = |caption: &str, svg| Figure { caption: caption.to_owned(), svg };
     Section {
         title: "What it came to".to_owned(),
         tables: vec![
@@ -48,8 +60,8 @@ fn came_to(outcome: &Outcome<'_>, laws: String, gyration: String) -> Section {
             (broken::CAPTION.to_owned(), broken::table(outcome.tally)),
         ],
         figures: vec![
-            figure("Share of runs in which each law was violated; hollow where it never was.", laws),
-            figure("Radius of gyration of the team at the end: farther right is wider.", gyration),
+            pages::figure("Share of runs in which each law was violated; hollow where it never was.", laws),
+            pages::figure("Radius of gyration of the team at the end: farther right is wider.", gyration),
         ],
         ..Section::default()
     }
@@ -72,10 +84,14 @@ fn by_value(outcome: &Outcome<'_>) -> Section {
 
 fn violations(outcome: &Outcome<'_>) -> Section {
     let told = outcome.violating();
-    let mut paragraphs: Vec<String> =
-        told.into_iter().flat_map(|(what, command)| [format!("{what}. To repeat it:"), command]).collect();
-    if paragraphs.is_empty() {
-        paragraphs.push("No promised law was violated.".to_owned());
+    let none = "No promised law was violated.".to_owned();
+    Section {
+        title: "First violations".to_owned(),
+        paragraphs: if told.is_empty() { vec![none] } else { Vec::new() },
+        listings: told
+            .iter()
+            .map(|(what, command)| pages::scenario(&format!("{what}. To repeat it:"), command))
+            .collect(),
+        ..Section::default()
     }
-    Section { title: "First violations".to_owned(), paragraphs, ..Section::default() }
 }

@@ -34,7 +34,7 @@ impl Store {
         let cannot = || format!("cannot write to the folder `{shown}`");
         if exists(folder)? {
             check_names(folder)?;
-        } else if let Err(error) = fs::create_dir(folder)
+        } else if let Err(error) = fs::create_dir_all(folder)
             && !folder.is_dir()
         {
             return Err(error).with_context(cannot);
@@ -105,13 +105,15 @@ impl Store {
         format!("{PART}{block:07}.parquet")
     }
 
+    /// Removes a block.
+    pub(crate) fn remove_part(&self, block: u64) -> Result<()> {
+        let name = Self::part(block);
+        fs::remove_file(self.path(&name)).with_context(|| format!("cannot remove `{name}`"))
+    }
+
     /// Removes all blocks.
     pub(crate) fn remove_parts(&self) -> Result<()> {
-        for block in self.parts()? {
-            let name = Self::part(block);
-            fs::remove_file(self.path(&name)).with_context(|| format!("cannot remove `{name}`"))?;
-        }
-        Ok(())
+        self.parts()?.into_iter().try_for_each(|block| self.remove_part(block))
     }
 
     /// Writes a file: it is there whole or not at all.

@@ -1,5 +1,6 @@
 //! Runs blocks of a sweep, and puts them together.
 
+use std::collections::BTreeSet;
 use std::fs::File;
 use std::io::{BufWriter, Write as _};
 use std::path::Path;
@@ -17,7 +18,7 @@ use rayon::prelude::*;
 
 use super::manifest::Manifest;
 use super::store::Store;
-use crate::{progress, source};
+use crate::{output, progress, source};
 
 /// A sweep that is to be run.
 pub(crate) struct Work<'a> {
@@ -38,12 +39,12 @@ impl Work<'_> {
     /// threads, and so is each row.
     pub(crate) fn finish(&self, store: &Store) -> Result<()> {
         let Manifest { runs, shard, .. } = self.manifest;
-        let there = store.parts()?;
+        let pool = rayon::ThreadPoolBuilder::new().num_threads(self.jobs).build()?;
+        let there = pool.install(|| self.whole_parts(store))?;
         let missing: Vec<u64> = (0..shard.blocks(runs)).filter(|block| !there.contains(block)).collect();
         let left: usize = missing.iter().map(|block| shard.block(runs, *block).count()).sum();
         let all = shard.runs(runs);
         let bar = progress::runs(all, all - left as u64, self.quiet);
-        let pool = rayon::ThreadPoolBuilder::new().num_threads(self.jobs).build()?;
         pool.install(|| {
             missing.par_iter().with_max_len(1).try_for_each(|block| {
                 let rows = self.block(*block, &|| bar.inc(1))?;
@@ -52,6 +53,22 @@ impl Work<'_> {
         })?;
         bar.finish_and_clear();
         self.merge(store)
+    }
+
+    /// Blocks that are there and whole; damaged ones are removed, and so run again.
+    fn whole_parts(&self, store: &Store) -> Result<BTreeSet<u64>> {
+        let (whole, damaged): (Vec<u64>, Vec<u64>) =
+            store.parts()?.into_par_iter().partition(|block| self.part(store, *block).is_ok());
+        for block in damaged {
+            store.remove_part(block)?;
+            if !self.quiet {
+                output::note(&format!(
+                    "`{}` was damaged; its runs are run again",
+                    store.path(&Store::part(block)).display()
+                ));
+            }
+        }
+        Ok(whole.into_iter().collect())
     }
 
     /// All rows of a block, by run, then controller.

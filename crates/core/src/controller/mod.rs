@@ -198,7 +198,8 @@ pub trait Control<const D: usize> {
     /// What a robot on its own has to tell of its connectivity: c_i, the sum of the weights of its links.
     //= paper eq:connectivity
     fn level(&self, view: &View<'_, D>, _scratch: &mut Scratch<'_, D>) -> f64 {
-        view.linked().fold(0.0, |level, slot| level + slot.link.weight)
+        let counted = view.linked().filter(|slot| self.need().counts(view.id, slot.id));
+        counted.fold(0.0, |level, slot| level + slot.link.weight)
     }
 
     /// What both ends of a pair at `offset_m` (m) share, whose link is `link`.

@@ -3,7 +3,7 @@
 use closeranks_sim::law::Law;
 
 use super::tally::Tally;
-use crate::content::Table;
+use crate::page::content::Table;
 
 /// What the table shows.
 pub const CAPTION: &str = "Runs in which something was broken at all, also where assumptions did not hold:";

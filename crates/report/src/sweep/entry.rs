@@ -2,7 +2,7 @@
 
 use closeranks_sim::law::{Law, Verdict};
 use closeranks_sim::output::summary::Summary;
-use closeranks_sim::scenario::{Controller, Scenario};
+use closeranks_sim::scenario::Scenario;
 use closeranks_sim::sweep::{Drawn, Field};
 
 use super::rows::{Cell, Head, Kind};
@@ -111,10 +111,9 @@ impl Entry<'_> {
         cells
     }
 
-    /// Sweeps leave φ out under `budget`, and what `budget` says of itself under others.
+    /// Sweeps leave out what the controller has no use for.
     fn is_watched(&self, law: Law) -> bool {
-        let budget = self.scenario.controller == Controller::Budget;
-        if budget { !law.is_about_phi() } else { !law.is_about_budget() }
+        self.scenario.controller.watches(law)
     }
 
     fn outcome(&self) -> Vec<Option<Cell>> {

@@ -4,13 +4,13 @@ use super::confidence::{lower_95, upper_95};
 use super::spread::Spread;
 use super::style::{legend, names, style};
 use super::tally::{Share, Tally, promises};
-use crate::axes::{Axes, Decoration, Place};
-use crate::layout::{Grid, Row};
-use crate::palette::{FRAME, INK, LABEL, LINK, NUMBER};
-use crate::path::PathData;
+use crate::figure::panel::axes::{Axes, Decoration, Place};
+use crate::figure::panel::layout::{Grid, Row};
+use crate::figure::panel::ticks::Range;
+use crate::svg::palette::{FRAME, INK, LABEL, LINK, NUMBER};
+use crate::svg::path::PathData;
+use crate::svg::text;
 use crate::svg::{Element, Piece, Svg};
-use crate::text;
-use crate::ticks::Range;
 
 /// Width of the panel.
 const WIDTH: f64 = 560.0;
@@ -129,7 +129,7 @@ fn percent(power: i32) -> String {
 /// document.
 #[must_use]
 pub fn gyrations(tally: &Tally, spread: &Spread) -> String {
-    let rows = vec![Row { title_lines: 0, height: 250.0, axis: true, legend: true }];
+    let rows = vec![Row { title_lines: 0, height: 250.0, axis: true, legend: 1 }];
     let grid = Grid { columns: 1, width: WIDTH, gap: 0.0, rows };
     let mut svg = grid.document("Distribution of the radius of gyration at the end of the runs");
     let x = Range::of(spread.range_m());
@@ -156,7 +156,7 @@ const DECORATION: Decoration<'_> = Decoration {
 fn stairs(axes: &Axes, curve: &[[f64; 2]]) -> PathData {
     let mut path = PathData::default();
     let corners = core::iter::once([axes.x.min, 0.0]).chain(curve.iter().copied()).chain([[axes.x.max, 1.0]]);
-    for point in crate::series::steps(&corners.map(|point| axes.at(point)).collect::<Vec<_>>()) {
+    for point in crate::figure::trace::steps(&corners.map(|point| axes.at(point)).collect::<Vec<_>>()) {
         path.continue_to(point);
     }
     path

@@ -15,7 +15,7 @@ use ::parquet::file::writer::{SerializedColumnWriter, SerializedFileWriter};
 use ::parquet::schema::types::{ColumnDescriptor, Type, TypePtr};
 
 use super::rows::{Head, Kind, Rows, Values};
-use crate::parquet::WriteError;
+use crate::recording::write::WriteError;
 
 /// A group is written as soon as so many rows wait, so it may have a block of rows more. Writers and readers hold one group.
 const GROUP_ROWS: usize = 1 << 15;

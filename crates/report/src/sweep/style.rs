@@ -1,9 +1,9 @@
 //! What tells controllers apart in figures: colour, dashes and the shape of markers say the same.
 
-use crate::palette::{INK, LABEL, MALICIOUS, NORMAL};
-use crate::path::PathData;
+use crate::svg::palette::{INK, LABEL, MALICIOUS, NORMAL};
+use crate::svg::path::PathData;
+use crate::svg::text;
 use crate::svg::{Element, Piece, Svg};
-use crate::text;
 
 /// Look of a controller.
 #[derive(Clone, Copy, Debug, PartialEq)]

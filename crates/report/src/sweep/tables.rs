@@ -4,8 +4,8 @@ use std::collections::BTreeSet;
 
 use super::confidence::upper_95;
 use super::tally::{Share, Tally, promises};
-use crate::content::Table;
-use crate::table::number;
+use crate::page::content::Table;
+use crate::page::table::number;
 
 /// One line a controller: runs, violating runs, their share with its upper bound at 95 %, runs in which each of `laws` was
 /// violated, mean radius of gyration.
@@ -55,7 +55,7 @@ pub fn percent(share: f64) -> String {
 pub fn values(tally: &Tally) -> Table {
     let names: BTreeSet<&str> = tally.controllers.keys().map(String::as_str).collect();
     let mut heads = vec!["drawn".to_owned(), "value".to_owned()];
-    heads.extend(names.iter().map(|name| format!("{name}\nviolating of runs")));
+    heads.extend(names.iter().map(|name| format!("{name}\nviolating\nof runs")));
     let mut rows = Vec::new();
     for (path, values) in tally.fields.iter().filter(|(path, _)| !is_part(tally, path)) {
         let mut values: Vec<_> = values.iter().flatten().collect();

@@ -5,6 +5,8 @@
 //! implements [`Velocities`] in a file beside this one; robots then run without a controller of their own and are asked
 //! for the velocities that it finds, while links, levels, consensus, liars and monitors are those of the engine.
 
+pub mod orca;
+
 use closeranks_core::num::Vector;
 use closeranks_core::program::Outcome;
 use closeranks_core::settings;
@@ -131,7 +133,6 @@ macro_rules! controllers {
             $(#[expect(missing_docs, reason = "its file says what it is")] $global($type),)*
         }
 
-        #[allow(unused_variables, reason = "there may be no such controller")]
         impl Velocities for Global {
             fn velocities<const D: usize>(&mut self, view: &TeamView<'_, D>, answers: &mut [Answer<D>]) {
                 match *self {
@@ -180,8 +181,20 @@ controllers! {
             inside: Inside::Margins,
             make: Make::Local(|_| settings::Controller::None),
         },
+        /// Collision avoidance alone ([`orca`]).
+        Orca: Row {
+            name: "orca",
+            about: "collision avoidance alone, by reciprocal half-planes",
+            knows: Knows::Global,
+            uses_phi: false,
+            promises: &[Law::Interval, Law::Input],
+            counted: Counted::Covered,
+            expects: &[Law::Interval, Law::Input],
+            inside: Inside::Margins,
+            make: Make::Global(|_| Global::Orca(orca::Orca::default())),
+        },
     }
-    global {}
+    global { Orca: orca::Orca, }
 }
 
 impl Controller {
@@ -203,6 +216,14 @@ impl Controller {
         self.row().promises.contains(&law)
     }
 
+    /// True if monitors look at `law` under it: laws about φ_i where it uses φ_i, laws about what a controller says of itself
+    /// where it promises them.
+    #[must_use]
+    pub fn watches(self, law: Law) -> bool {
+        let about_phi = law.is_about_phi();
+        (!about_phi || self.row().uses_phi) && (!law.is_own() || self.promises(law))
+    }
+
     /// What every robot runs: the controller itself, or none beside one with global state.
     pub(crate) fn settings(self, scenario: &Scenario) -> settings::Controller {
         match self.row().make {
@@ -212,7 +233,6 @@ impl Controller {
     }
 
     /// The controller of the whole team, if it is one.
-    #[allow(unreachable_code, reason = "there may be no such controller")]
     pub(crate) fn global(self, scenario: &Scenario) -> Option<Global> {
         match self.row().make {
             Make::Local(_) => None,

@@ -132,7 +132,8 @@ impl<const D: usize> Control<D> for BudgetController<D> {
     /// The plain sum of weights, or with free liars the trimmed one, with stated errors the least that it can be.
     fn level(&self, view: &View<'_, D>, scratch: &mut Scratch<'_, D>) -> f64 {
         if self.budget.is_plain() {
-            return view.linked().fold(0.0, |level, slot| level + slot.link.weight);
+            let counted = view.linked().filter(|slot| self.budget.need.counts(view.id, slot.id));
+            return counted.fold(0.0, |level, slot| level + slot.link.weight);
         }
         let count = self.see(view, scratch.sightings);
         self.budget.level(view.id, &scratch.sightings[..count], scratch.values)

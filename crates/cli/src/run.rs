@@ -1,0 +1,147 @@
+//! `closeranks run FILE`.
+
+use anyhow::{Result, bail};
+use closeranks_graph::set::NODE_LIMIT;
+use closeranks_report::content::{Link, Page, Section};
+use closeranks_report::figure::{Case, overview};
+use closeranks_report::html::html;
+use closeranks_report::robustness::robustness;
+use closeranks_report::table::{Line, table, text};
+use closeranks_sim::scenario::Scenario;
+use closeranks_sim::world::{self, Options, Run};
+
+use crate::as_run::as_run;
+use crate::folder::Folder;
+use crate::{json, output, pages, progress, sentences, source};
+
+/// A finished run.
+struct Done {
+    scenario: Scenario,
+    /// The scenario as it was run, TOML.
+    source: String,
+    run: Run,
+    wall_s: f64,
+}
+
+/// Runs one scenario; false when a law that it expects was broken.
+pub(crate) fn run(arguments: &crate::Run) -> Result<bool> {
+    let (scenario, source) = scenario(arguments)?;
+    if arguments.print {
+        output::say(&source);
+        return Ok(true);
+    }
+    let folder = arguments.output.as_deref().map(Folder::new).transpose()?;
+    let bar = progress::bar(u64::from(scenario.ticks()), arguments.speech.quiet);
+    bar.set_message(scenario.name.clone());
+    let options = Options { record: folder.is_some(), robustness: true, ..Options::default() };
+    let (run, time) =
+        progress::timed(|| world::run(&scenario, options, &mut |tick| bar.set_position(u64::from(tick))));
+    bar.finish_and_clear();
+    let done = Done { source: as_run(&source, &scenario), run: run?, scenario, wall_s: time.as_secs_f64() };
+    if arguments.speech.json {
+        output::say(&json::text(&json::run(&done.scenario, &done.run, done.wall_s)));
+    } else if !arguments.speech.quiet {
+        output::say(&told(&done.scenario, &done.run, done.wall_s));
+    }
+    if let (Some(folder), Some(target)) = (folder, &arguments.output) {
+        let files = save(folder, &done)?;
+        if !arguments.speech.quiet && !arguments.speech.json {
+            output::say(&format!("written to {}: {files}\n", target.display()));
+        }
+    }
+    Ok(done.run.summary.failures(&done.scenario).next().is_none())
+}
+
+/// The scenario of the file, or one that is drawn from it.
+fn scenario(arguments: &crate::Run) -> Result<(Scenario, String)> {
+    let controller = arguments.controller;
+    let Some(run) = arguments.draw else {
+        let (mut scenario, source) = source::scenario(&arguments.file)?;
+        scenario.seed = arguments.seed.unwrap_or(scenario.seed);
+        if let Some(controller) = controller {
+            scenario = scenario.under(controller);
+        }
+        return Ok((scenario, source));
+    };
+    let (plan, text) = source::plan(&arguments.file)?;
+    let seed = arguments.sweep_seed.unwrap_or(crate::sweep::SEED);
+    let drawn = source::draw(&arguments.file, &text, &plan, seed, run)?;
+    let Some(controller) = controller.or_else(|| Some(drawn.scenarios.first()?.0.controller)) else {
+        bail!("run {run} has no scenario");
+    };
+    // The draws of the sweep, whatever the controller.
+    let name = format!("run {run} of {} under {}", source::name(&arguments.file), controller.name());
+    source::read(&name, drawn.under(controller))
+}
+
+fn told(scenario: &Scenario, run: &Run, wall_s: f64) -> String {
+    let line = Line { scenario, summary: &run.summary, rounds: &run.rounds, wall_s: Some(wall_s) };
+    let start = sentences::start(scenario, &run.summary);
+    let laws = sentences::laws(scenario, &run.summary);
+    let warning = sentences::warning(scenario).map(|warning| warning + "\n").unwrap_or_default();
+    format!("{}\n{start}\n{warning}{laws}", text(&table(&[line])))
+}
+
+/// Writes everything; says which files.
+fn save(mut folder: Folder, done: &Done) -> Result<String> {
+    let Done { scenario, source, run, .. } = done;
+    let Some(record) = &run.record else { return Ok(String::new()) };
+    let svg = overview(Case { title: &scenario.name, scenario, record });
+    let robustness = pages::robustness_of(&scenario.name, scenario, run).map(|series| robustness(&[series]));
+    let mut figures = vec![("overview", svg.as_str())];
+    figures.extend(robustness.as_deref().map(|svg| ("robustness", svg)));
+    let mut files = pages::add_data(
+        &mut folder,
+        ["scenario.toml", "run.parquet", "rounds.parquet"],
+        source,
+        scenario,
+        run,
+    )?;
+    files.extend(pages::add_figures(&mut folder, &figures, &|| ())?);
+    let names = pages::names(&files);
+    folder.add("report.html", html(&page(done, svg.clone(), robustness, files)));
+    folder.write()?;
+    Ok(format!("report.html, {names}"))
+}
+
+fn page(done: &Done, overview: String, robustness: Option<String>, files: Vec<Link>) -> Page {
+    let Done { scenario, source, run, wall_s } = done;
+    let line = Line { scenario, summary: &run.summary, rounds: &run.rounds, wall_s: Some(*wall_s) };
+    let mut paragraphs = vec![sentences::start(scenario, &run.summary)];
+    paragraphs.extend(sentences::warning(scenario));
+    let mut figures =
+        vec![pages::figure(&format!("{} {} {}", pages::FORMATIONS, pages::PATHS, pages::SERIES), overview)];
+    match robustness {
+        Some(svg) => figures.push(pages::figure(pages::ROBUSTNESS, svg)),
+        None => {
+            paragraphs.push(format!("Exact robustness is searched in teams of up to {NODE_LIMIT} robots."));
+        }
+    }
+    let outcome = Section {
+        title: "What it came to".to_owned(),
+        paragraphs,
+        laws: sentences::law_lines(scenario, &run.summary),
+        tables: vec![(
+            "Least and greatest over the run; heads as in the terminal.".to_owned(),
+            table(&[line]),
+        )],
+        figures,
+        ..Section::default()
+    };
+    let data = Section {
+        title: "Scenario and data".to_owned(),
+        listings: vec![pages::scenario("As it was run, with its seed and controller:", source)],
+        files,
+        ..Section::default()
+    };
+    Page {
+        title: scenario.name.clone(),
+        lead: format!(
+            "One run of closeranks under the controller {}, seed {}.",
+            scenario.controller.name(),
+            scenario.seed
+        ),
+        sections: vec![outcome, data],
+        footer: pages::footer("run"),
+    }
+}

@@ -1,0 +1,137 @@
+//! What a run came to, in sentences: where it started and what became of each law.
+
+use core::fmt::Write as _;
+
+use closeranks_report::content::{LawLine, Mark};
+use closeranks_report::table::{number, telling, uses_phi};
+use closeranks_sim::controllers::{Counted, Inside};
+use closeranks_sim::law::{Law, Verdict};
+use closeranks_sim::output::summary::Summary;
+use closeranks_sim::scenario::Scenario;
+
+/// Where the start lies, and when a start outside came inside.
+pub(crate) fn start(scenario: &Scenario, summary: &Summary) -> String {
+    let start = &summary.start;
+    let row = scenario.controller.row();
+    let measure = match row.inside {
+        Inside::Shares => format!("least phi_i {}", telling(start.phi_min, 4)),
+        Inside::Margins => format!("least h {}", number(start.h_min, 3)),
+    };
+    let place = format!(
+        "{measure}, least degree {}, least distance {} m",
+        start.degree_min,
+        number(start.distance_min_m, 3)
+    );
+    if !row.promises.contains(&Law::Degree) || row.counted == Counted::All {
+        return format!("start: {place}; {} keeps no degrees", row.name);
+    }
+    if start.inside {
+        return format!("start: inside the safe set ({place})");
+    }
+    let came = match summary.extremes.inside_from {
+        _ if row.inside == Inside::Margins => "recovering".to_owned(),
+        Some(tick) => format!("inside from t = {}", time(scenario, tick)),
+        None => "never inside".to_owned(),
+    };
+    let safe = match summary.extremes.safe_from {
+        Some(tick) => format!("degrees and distances hold from t = {} to the end", time(scenario, tick)),
+        None => "degrees and distances do not hold at the end".to_owned(),
+    };
+    format!("start: OUTSIDE the safe set ({place}): no theorem covers this run; {came}; {safe}")
+}
+
+/// A warning when more robots lie than the team is prepared for.
+pub(crate) fn warning(scenario: &Scenario) -> Option<String> {
+    let liars = scenario.malicious.len();
+    (liars > usize::from(scenario.team.faults)).then(|| {
+        format!(
+            "note: {liars} malicious robots, but the team is prepared for F = {}: no theorem covers this run",
+            scenario.team.faults
+        )
+    })
+}
+
+/// What became of each law that is expected, or that was broken.
+pub(crate) fn law_lines(scenario: &Scenario, summary: &Summary) -> Vec<LawLine> {
+    summary.verdicts.iter().filter_map(|verdict| law_line(scenario, verdict)).collect()
+}
+
+fn law_line(scenario: &Scenario, verdict: &Verdict) -> Option<LawLine> {
+    let expected = scenario.expect.contains(&verdict.law);
+    // φ belongs to the paper's controller; beside another one it says nothing.
+    let is_foreign = verdict.law.is_about_phi() && !uses_phi(scenario);
+    let mark = match (verdict.count > 0, expected) {
+        (false, true) => Mark::Held,
+        (true, true) => Mark::Broken,
+        (true, false) if !is_foreign => Mark::NotExpected,
+        _ => return None,
+    };
+    let mut detail = String::new();
+    if verdict.count > 0 {
+        detail = violation(scenario, verdict);
+        if scenario.controller.promises(verdict.law) && scenario.controller.row().counted == Counted::Covered
+        {
+            detail = format!("{detail}; {}", covered(scenario, verdict));
+        }
+    }
+    let (law, demand) = (verdict.law.name().to_owned(), verdict.law.demand().to_owned());
+    Some(LawLine { law, demand, mark, detail })
+}
+
+/// One line for each law that was broken; those that were expected to hold are marked. Then those that held.
+pub(crate) fn laws(scenario: &Scenario, summary: &Summary) -> String {
+    let mut out = String::new();
+    let lines = law_lines(scenario, summary);
+    for LawLine { law, demand, mark, detail } in &lines {
+        let mark = match mark {
+            Mark::Held => continue,
+            Mark::Broken => "BROKEN",
+            Mark::NotExpected => "broken, not expected to hold",
+        };
+        let (first, more) = detail.split_once("; ").unwrap_or((detail, ""));
+        let _ = writeln!(out, "{law}: {mark}: {first} ({demand})");
+        if !more.is_empty() {
+            let _ = writeln!(out, "    {more}");
+        }
+    }
+    let held = lines.iter().filter(|line| line.mark == Mark::Held).map(|line| line.law.as_str());
+    let held: Vec<&str> = held.collect();
+    if !held.is_empty() {
+        let _ = writeln!(out, "held at every tick: {}", held.join(", "));
+    }
+    out
+}
+
+/// Whether that is a fault of the controller.
+fn covered(scenario: &Scenario, verdict: &Verdict) -> String {
+    match verdict.first_covered {
+        None => "never where its assumptions held".to_owned(),
+        Some(first) => {
+            let (times, time) = (verdict.covered, time(scenario, first.tick));
+            format!(
+                "{times} times WHERE ITS ASSUMPTIONS HELD, first at t = {time}: a bug, or a hole in the theorem"
+            )
+        }
+    }
+}
+
+/// How often, where first and by how much.
+pub(crate) fn violation(scenario: &Scenario, verdict: &Verdict) -> String {
+    let Some(first) = verdict.first else { return "never".to_owned() };
+    let who = match first.robots {
+        [0, _] => String::new(),
+        [robot, 0] => format!(", robot {robot}"),
+        [robot, other] => format!(", robots {robot} and {other}"),
+    };
+    let amount = match verdict.law {
+        Law::Feasible => "no input in the box satisfies the row".to_owned(),
+        Law::Degree => format!("{}, demanded {}", number(first.seen, 0), number(first.demanded, 0)),
+        _ => format!("{}, demanded {}", telling(first.seen, 4), number(first.demanded, 4)),
+    };
+    let times = if verdict.count == 1 { "once".to_owned() } else { format!("{} times", verdict.count) };
+    format!("{times}, first at t = {}{who}: {amount}", time(scenario, first.tick))
+}
+
+fn time(scenario: &Scenario, tick: u32) -> String {
+    format!("{} s", number(f64::from(tick) * scenario.tick_s(), 3))
+}

@@ -1,0 +1,80 @@
+//! A panel with the way that each robot went.
+
+use crate::figure::Case;
+use crate::figure::formation::{Marker, Moment, View};
+use crate::figure::panel::axes::Axes;
+use crate::svg::palette::{MALICIOUS, NORMAL_LINES};
+use crate::svg::path::PathData;
+use crate::svg::{Element, Svg};
+
+/// A path has no two points closer than this on the page.
+const STEP: f64 = 0.8;
+
+/// Draws all paths, their starts, and the robots where they are at the end.
+pub(crate) fn draw(svg: &mut Svg, axes: &Axes, case: Case<'_>, view: View, marker: Marker) {
+    let record = case.record;
+    let mut normal = 0;
+    for index in 0..usize::from(record.robots) {
+        let malicious = record.malicious.get(index) == Some(&true);
+        let colour = if malicious { MALICIOUS } else { NORMAL_LINES[normal % NORMAL_LINES.len()] };
+        normal += usize::from(!malicious);
+        let way = (0..=record.last_tick()).map(|tick| axes.at(view.point(record, tick, index)));
+        let way = spaced(way);
+        let Some(start) = way.first() else { continue };
+        svg.add(path_style(path(&way), colour, malicious));
+        svg.add(start_mark(*start).text("stroke", colour));
+    }
+    Moment::end(case, view).draw_only_robots(svg, axes, marker);
+    view.draw_note(svg, axes.place, record);
+}
+
+/// Points that can be drawn, without those that are next to the one before; the last stays.
+fn spaced(points: impl Iterator<Item = [f64; 2]>) -> Vec<[f64; 2]> {
+    let mut kept: Vec<[f64; 2]> = Vec::new();
+    let mut last = None;
+    for point in points.filter(|point| point.iter().all(|coordinate| coordinate.is_finite())) {
+        let is_far = kept.last().is_none_or(|kept| {
+            let [dx, dy] = [point[0] - kept[0], point[1] - kept[1]];
+            dx * dx + dy * dy >= STEP * STEP
+        });
+        if is_far {
+            kept.push(point);
+        }
+        last = Some(point);
+    }
+    kept.extend(last.filter(|last| kept.last() != Some(last)));
+    kept
+}
+
+fn path(points: &[[f64; 2]]) -> Element {
+    let mut path = PathData::default();
+    for point in points {
+        path.continue_to(*point);
+    }
+    path.element()
+}
+
+fn path_style(element: Element, colour: &str, malicious: bool) -> Element {
+    let element = element.text("fill", "none").text("stroke", colour).number("stroke-width", 1.1);
+    if malicious { element.text("stroke-dasharray", "4 2") } else { element.text("stroke-linejoin", "round") }
+}
+
+/// Where a robot started; its colour is to be added.
+pub(crate) fn start_mark(point: [f64; 2]) -> Element {
+    let dot = Element::new("circle").point(["cx", "cy"], point).number("r", 2.4);
+    dot.text("fill", "#ffffff").number("stroke-width", 1.1)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_path_keeps_its_ends_and_loses_what_nobody_sees() {
+        let line = (0..=1_000_u32).map(|step| [f64::from(step) * 0.01, 0.0]);
+        let way = spaced(line.chain([[f64::NAN, 1.0]]));
+        assert_eq!((way.first(), way.last()), (Some(&[0.0, 0.0]), Some(&[10.0, 0.0])));
+        assert!(way.len() < 16, "{}", way.len());
+        assert_eq!(spaced([[1.0, 1.0]; 9].into_iter()), [[1.0, 1.0]]);
+    }
+}

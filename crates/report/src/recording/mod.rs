@@ -1,0 +1,15 @@
+//! Recorded runs as Parquet files: written, and read back.
+//!
+//! | what | where |
+//! | --- | --- |
+//! | a record, one row a tick and robot | [`mod@write`] |
+//! | exact robustness, one row a consensus round | [`rounds`] |
+//! | positions, read back | [`mod@read`] |
+
+pub mod read;
+pub mod rounds;
+pub mod write;
+
+mod columns;
+
+pub use self::read::{ReadError, Recording, read};

@@ -1,0 +1,222 @@
+//! Positions of a recorded run, read back from the Parquet file that [`crate::recording::write`] writes.
+
+use ::parquet::column::reader::{ColumnReader, ColumnReaderImpl};
+use ::parquet::data_type::DataType;
+use ::parquet::errors::ParquetError;
+use ::parquet::file::metadata::RowGroupMetaData;
+use ::parquet::file::reader::{FileReader, RowGroupReader, SerializedFileReader};
+use bytes::Bytes;
+use closeranks_graph::set::NODE_LIMIT;
+use closeranks_sim::parse::ROWS_MAX;
+
+use crate::recording::columns::AXES;
+
+/// What is needed to know who heard whom.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Recording {
+    /// The scenario, TOML, as the file's metadata have it.
+    pub scenario: String,
+    /// Number of robots n, `1 ..= 128`.
+    pub robots: usize,
+    /// Position of robot `index` at `tick` in place `tick·n + index`, m; the third is 0 in the plane.
+    pub positions_m: Vec<[f64; 3]>,
+}
+
+/// Why a file is no recording.
+#[derive(Debug, thiserror::Error)]
+pub enum ReadError {
+    /// Not Parquet, or broken.
+    #[error("not a whole Parquet file")]
+    Parquet(#[from] ParquetError),
+    /// Parquet, but it contradicts itself.
+    #[error("not a whole Parquet file: it contradicts itself")]
+    Broken,
+    /// There is no such column, or it is of another type.
+    #[error("no column {0} as `closeranks run` writes it")]
+    Column(String),
+    /// The metadata have no scenario.
+    #[error("no scenario in its metadata, as `closeranks run` writes it")]
+    Scenario,
+    /// Too long or empty.
+    #[error("{0} rows, allowed are 1 to {ROWS_MAX}")]
+    Rows(i64),
+    /// More robots than graphs can have nodes.
+    #[error("{0} robots, allowed are 1 to {NODE_LIMIT}")]
+    Robots(usize),
+    /// A row is not where it should be.
+    #[error("row {row} is not of tick {tick}, robot {robot}: rows go by ticks, then robots from 1 on")]
+    Order {
+        /// Place, from 0.
+        row: usize,
+        /// What should be there.
+        tick: usize,
+        /// What should be there.
+        robot: usize,
+    },
+    /// A column has fewer rows than the file says.
+    #[error("its columns differ in length")]
+    Ragged,
+}
+
+impl Recording {
+    /// Number of ticks, both ends included.
+    #[must_use]
+    pub fn ticks(&self) -> usize {
+        self.positions_m.len() / self.robots.max(1)
+    }
+
+    /// Where the robots are at `tick`.
+    #[must_use]
+    pub fn at(&self, tick: usize) -> &[[f64; 3]] {
+        self.positions_m.get(tick * self.robots..(tick + 1) * self.robots).unwrap_or(&[])
+    }
+}
+
+/// Reads the whole file.
+///
+/// The library that decodes Parquet panics on some broken files; such a panic is an error here.
+pub fn read(file: Vec<u8>) -> Result<Recording, ReadError> {
+    std::panic::catch_unwind(|| decode(file)).unwrap_or(Err(ReadError::Broken))
+}
+
+fn decode(file: Vec<u8>) -> Result<Recording, ReadError> {
+    let length = file.len();
+    let reader = SerializedFileReader::new(Bytes::from(file))?;
+    if !is_inside(&reader, length) {
+        return Err(ReadError::Broken);
+    }
+    let metadata = reader.metadata().file_metadata();
+    let rows = usize::try_from(metadata.num_rows()).unwrap_or(0);
+    if rows == 0 || rows as u64 > ROWS_MAX {
+        return Err(ReadError::Rows(metadata.num_rows()));
+    }
+    let pairs = metadata.key_value_metadata().into_iter().flatten();
+    let scenario = pairs.filter(|pair| pair.key == "scenario").find_map(|pair| pair.value.clone());
+    let ticks = column(&reader, "tick", rows, words)?;
+    let robots = column(&reader, "robot", rows, words)?;
+    let count = robots_of(&ticks, &robots)?;
+    let axes = |axis: &str| column(&reader, &format!("{axis}_m"), rows, doubles);
+    let [x, y] = [axes(AXES[0])?, axes(AXES[1])?];
+    let spatial = names(&reader).iter().any(|name| name == "z_m");
+    let z = if spatial { axes(AXES[2])? } else { vec![0.0; rows] };
+    let positions_m = x.into_iter().zip(y).zip(z).map(|((x, y), z)| [x, y, z]).collect();
+    Ok(Recording { scenario: scenario.ok_or(ReadError::Scenario)?, robots: count, positions_m })
+}
+
+/// Whether every column lies inside of the file: the decoder takes that for granted.
+fn is_inside(reader: &SerializedFileReader<Bytes>, length: usize) -> bool {
+    let mut columns = reader.metadata().row_groups().iter().flat_map(RowGroupMetaData::columns);
+    let most = i64::try_from(length).unwrap_or(i64::MAX);
+    columns.all(|column| {
+        let start = column.dictionary_page_offset().unwrap_or_else(|| column.data_page_offset());
+        let size = column.compressed_size();
+        start >= 0 && size >= 0 && start.checked_add(size).is_some_and(|end| end <= most)
+    })
+}
+
+/// n, if every row is where it should be.
+fn robots_of(ticks: &[i32], robots: &[i32]) -> Result<usize, ReadError> {
+    let count = ticks.iter().take_while(|tick| **tick == 0).count();
+    let wrong = |row: usize| {
+        let n = count.max(1);
+        ReadError::Order { row, tick: row / n, robot: row % n + 1 }
+    };
+    if count == 0 {
+        return Err(wrong(0));
+    }
+    let is = |number: i32, wanted: usize| usize::try_from(number) == Ok(wanted);
+    let stray =
+        (0..ticks.len()).find(|&row| !(is(ticks[row], row / count) && is(robots[row], row % count + 1)));
+    match stray {
+        Some(row) => Err(wrong(row)),
+        None if !ticks.len().is_multiple_of(count) => Err(wrong(ticks.len())),
+        None if count > NODE_LIMIT => Err(ReadError::Robots(count)),
+        None => Ok(count),
+    }
+}
+
+fn names(reader: &SerializedFileReader<Bytes>) -> Vec<String> {
+    let schema = reader.metadata().file_metadata().schema_descr_ptr();
+    schema.columns().iter().map(|column| column.name().to_owned()).collect()
+}
+
+/// The column `name` of all row groups, without nulls.
+fn column<T>(
+    reader: &SerializedFileReader<Bytes>,
+    name: &str,
+    rows: usize,
+    read: impl Fn(&dyn RowGroupReader, usize, &mut Vec<T>, usize) -> Result<bool, ParquetError>,
+) -> Result<Vec<T>, ReadError> {
+    let unknown = || ReadError::Column(name.to_owned());
+    let place = names(reader).iter().position(|known| known == name).ok_or_else(unknown)?;
+    if reader.metadata().file_metadata().schema_descr().column(place).max_def_level() > 0 {
+        return Err(unknown());
+    }
+    let mut values = Vec::new();
+    for group in 0..reader.num_row_groups() {
+        let group = reader.get_row_group(group)?;
+        if !read(group.as_ref(), place, &mut values, rows)? {
+            return Err(unknown());
+        }
+    }
+    if values.len() == rows { Ok(values) } else { Err(ReadError::Ragged) }
+}
+
+fn words(
+    group: &dyn RowGroupReader,
+    place: usize,
+    values: &mut Vec<i32>,
+    most: usize,
+) -> Result<bool, ParquetError> {
+    match group.get_column_reader(place)? {
+        ColumnReader::Int32ColumnReader(reader) => drain(reader, values, most).map(|()| true),
+        _ => Ok(false),
+    }
+}
+
+fn doubles(
+    group: &dyn RowGroupReader,
+    place: usize,
+    values: &mut Vec<f64>,
+    most: usize,
+) -> Result<bool, ParquetError> {
+    match group.get_column_reader(place)? {
+        ColumnReader::DoubleColumnReader(reader) => drain(reader, values, most).map(|()| true),
+        _ => Ok(false),
+    }
+}
+
+/// Reads until the end, but never more than `most` values and one block.
+fn drain<T: DataType>(
+    mut reader: ColumnReaderImpl<T>,
+    values: &mut Vec<T::T>,
+    most: usize,
+) -> Result<(), ParquetError> {
+    const BLOCK: usize = 1 << 16;
+    while values.len() <= most {
+        let (records, ..) = reader.read_records(BLOCK, None, None, values)?;
+        if records == 0 {
+            break;
+        }
+    }
+    Ok(())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Row 200 used to be called "not of tick 1" where the trouble was that there were 200 robots.
+    #[test]
+    fn too_many_robots_are_called_so() {
+        let ticks: Vec<i32> = (0..2).flat_map(|tick| [tick; 200]).collect();
+        let robots: Vec<i32> = (0..2).flat_map(|_| 1..=200).collect();
+        let told =
+            |ticks: &[i32], robots: &[i32]| robots_of(ticks, robots).map_err(|error| error.to_string());
+        assert_eq!(told(&ticks, &robots), Err("200 robots, allowed are 1 to 128".to_owned()));
+        assert_eq!(told(&[0, 0, 1, 1], &[1, 2, 1, 2]), Ok(2));
+        let stray = "row 3 is not of tick 1, robot 2: rows go by ticks, then robots from 1 on";
+        assert_eq!(told(&[0, 0, 1, 1], &[1, 2, 1, 3]), Err(stray.to_owned()));
+        assert_eq!(told(&[0, 0, 1], &[1, 2, 1]), Err(stray.to_owned()));
+    }
+}

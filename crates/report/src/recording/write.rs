@@ -1,0 +1,159 @@
+//! A record as a Parquet file: one row a tick and robot, units in the names of the columns.
+//!
+//! ```text
+//! tick u32 | time_s f64 | robot u16 from 1 | malicious bool | x_m, y_m[, z_m] f64
+//! ux_m_s, uy_m_s[, uz_m_s] f64, the input held from this tick on, null at the last tick
+//! degree u16 | level f64, true c_i | told f64, c_i as told | h f64, level − F′ | phi_i f64 | value f64, y_i
+//! outcome string: free, active or infeasible
+//! ```
+//!
+//! Ticks run from 0 to the last, both included. The file's key-value metadata are `scenario` (TOML), `seed`, `version` and
+//! `commit`. The same record and metadata give the same bytes.
+
+use std::io::Write;
+use std::sync::Arc;
+
+use ::parquet::basic::Compression;
+use ::parquet::errors::ParquetError;
+use ::parquet::file::metadata::KeyValue;
+use ::parquet::file::properties::{WriterProperties, WriterPropertiesPtr};
+use ::parquet::file::writer::SerializedFileWriter;
+use ::parquet::schema::types::{Type, TypePtr};
+use closeranks_sim::output::record::Record;
+
+use crate::recording::columns::{AXES, Column, columns};
+
+/// What a file says about itself.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Metadata<'a> {
+    /// The scenario in TOML.
+    pub scenario: &'a str,
+    /// Its seed.
+    pub seed: u64,
+    /// Version of the program.
+    pub version: &'a str,
+    /// Commit of the program.
+    pub commit: &'a str,
+}
+
+/// Why there is no file.
+#[derive(Debug, thiserror::Error)]
+pub enum WriteError {
+    /// The columns of the record differ in length, or do not end with a whole tick.
+    #[error("the columns of the record differ in length")]
+    Ragged,
+    /// Writing failed.
+    #[error("the record cannot be written as Parquet")]
+    Parquet(#[from] ParquetError),
+}
+
+/// Rows held in memory at once.
+const GROUP_ROWS: usize = 1 << 20;
+
+/// Writes `record`; `sink` is flushed but not closed. Fails if the sink does, or if the record is ragged.
+pub fn write<W: Write + Send>(record: &Record, metadata: &Metadata<'_>, sink: W) -> Result<(), WriteError> {
+    write_groups(record, metadata, sink, GROUP_ROWS)
+}
+
+fn write_groups<W: Write + Send>(
+    record: &Record,
+    metadata: &Metadata<'_>,
+    sink: W,
+    group_rows: usize,
+) -> Result<(), WriteError> {
+    check(record)?;
+    let columns = columns(record);
+    let mut writer = SerializedFileWriter::new(sink, schema(&columns)?, properties(metadata))?;
+    for start in (0..record.rows()).step_by(group_rows) {
+        let rows = start..record.rows().min(start + group_rows);
+        let mut group = writer.next_row_group()?;
+        for column in &columns {
+            let Some(target) = group.next_column()? else { return Err(WriteError::Ragged) };
+            column.data.write(record, rows.clone(), target)?;
+        }
+        group.close()?;
+    }
+    writer.close()?;
+    Ok(())
+}
+
+fn check(record: &Record) -> Result<(), WriteError> {
+    let (rows, dimension) = (record.rows(), record.dimension);
+    let numbers = [&record.level, &record.told, &record.h, &record.phi, &record.value];
+    let vectors = record.positions_m.iter().chain(&record.inputs_m_s);
+    let full = vectors.chain(numbers).all(|column| column.len() == rows) && record.outcome.len() == rows;
+    let whole =
+        record.malicious.len() == usize::from(record.robots) && rows % record.malicious.len().max(1) == 0;
+    let wide = [&record.positions_m, &record.inputs_m_s].iter().all(|columns| columns.len() == dimension);
+    if full && whole && wide && dimension <= AXES.len() { Ok(()) } else { Err(WriteError::Ragged) }
+}
+
+fn schema(columns: &[Column<'_>]) -> Result<TypePtr, ParquetError> {
+    let fields = columns.iter().map(|column| column.data.field(&column.name)).collect::<Result<_, _>>()?;
+    Ok(Arc::new(Type::group_type_builder("closeranks").with_fields(fields).build()?))
+}
+
+/// Snappy everywhere; dictionaries only where values repeat.
+pub(crate) fn properties(metadata: &Metadata<'_>) -> WriterPropertiesPtr {
+    let seed = metadata.seed.to_string();
+    let pairs = [
+        ("scenario", metadata.scenario),
+        ("seed", &seed),
+        ("version", metadata.version),
+        ("commit", metadata.commit),
+    ];
+    let pairs = pairs.map(|(key, value)| KeyValue::new(key.to_owned(), value.to_owned()));
+    let mut properties = WriterProperties::builder()
+        .set_compression(Compression::SNAPPY)
+        .set_max_row_group_row_count(Some(GROUP_ROWS))
+        .set_dictionary_enabled(false)
+        .set_key_value_metadata(Some(pairs.into()));
+    for name in ["tick", "time_s", "robot", "degree", "value", "outcome"] {
+        properties = properties.set_column_dictionary_enabled(name.into(), true);
+    }
+    Arc::new(properties.build())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use ::parquet::file::metadata::RowGroupMetaData;
+    use ::parquet::file::reader::{FileReader, SerializedFileReader};
+    use closeranks_sim::scenario::Scenario;
+    use closeranks_sim::world::{Options, run};
+
+    fn short_run() -> Record {
+        let scenario = Scenario { duration_s: 0.01, ..Scenario::default() };
+        run(&scenario, Options { record: true, ..Options::default() }, &mut |_| ()).unwrap().record.unwrap()
+    }
+
+    #[test]
+    fn row_groups_are_bounded_and_lose_nothing() {
+        let (record, mut file) = (short_run(), Vec::new());
+        write_groups(&record, &Metadata::default(), &mut file, 10).unwrap();
+        let reader = SerializedFileReader::new(bytes::Bytes::from(file)).unwrap();
+        let groups = reader.metadata().row_groups().iter().map(RowGroupMetaData::num_rows);
+        assert_eq!(groups.collect::<Vec<_>>(), [10, 10, 10, 3]);
+        let inputs =
+            |row: ::parquet::record::Row| row.get_column_iter().nth(6).map(|(_, field)| field.to_string());
+        let inputs: Vec<_> =
+            reader.get_row_iter(None).unwrap().map(|row| inputs(row.unwrap()).unwrap()).collect();
+        assert_eq!(inputs.iter().filter(|input| *input == "null").count(), 11);
+        assert!(inputs[22..].iter().all(|input| input == "null"), "{inputs:?}");
+    }
+
+    #[test]
+    fn ragged_records_are_refused() {
+        let mut record = short_run();
+        record.phi.pop();
+        let error = write(&record, &Metadata::default(), Vec::new()).unwrap_err();
+        assert!(matches!(error, WriteError::Ragged));
+    }
+
+    #[test]
+    fn a_full_disk_is_an_error() {
+        let mut room = [0_u8; 100];
+        let result = write(&short_run(), &Metadata::default(), room.as_mut_slice());
+        assert!(matches!(result, Err(WriteError::Parquet(_))));
+    }
+}

@@ -1,0 +1,53 @@
+#!/usr/bin/env bash
+# Makes the pictures of README and docs again. `make.sh --check` changes nothing and fails, with their names, if any is stale.
+# The program is built, or taken from $CLOSERANKS. Not made here: campaign-laws.png (a sweep of 200,000 runs, the command is in
+# docs/reliability.md) and robustness-performance.svg (measured times, docs/robustness-performance.md).
+set -euo pipefail
+cd "$(dirname "$0")/../.."
+root=$PWD
+
+case "${1:-}" in
+  "" | --check) ;;
+  *) echo "usage: $0 [--check]" >&2; exit 2 ;;
+esac
+if [ -n "${CLOSERANKS:-}" ]; then
+  program=$(realpath "$CLOSERANKS")
+else
+  cargo build --release --locked --quiet -p closeranks
+  program=$root/target/release/closeranks
+fi
+
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+cd "$work"
+ln -s "$root/scenarios" scenarios
+mkdir made
+
+# Exit code 1 is an answer here: a law is broken, or the network does not survive.
+answer() { "$@" || test $? -eq 1; }
+
+answer "$program" paper -q -o paper
+cp paper/inside-figure1.png made/figure1.png
+"$program" graph tight 10 2 | answer "$program" check - -q -o tight
+cp tight/graph.svg made/tight.svg
+"$program" graph elemental 1 | answer "$program" check - -q -o elemental
+cp elemental/graph.svg made/elemental.svg
+answer "$program" run scenarios/unfiltered.toml -q -o run
+answer "$program" check run/run.parquet -q -o unfiltered
+cp unfiltered/robustness.svg made/unfiltered-robustness.svg
+
+stale=0
+for picture in made/*; do
+  name=$(basename "$picture")
+  kept=$root/docs/pictures/$name
+  if cmp -s "$picture" "$kept"; then
+    continue
+  elif [ "${1:-}" = --check ]; then
+    echo "docs/pictures/$name is stale: docs/pictures/make.sh makes it again"
+    stale=1
+  else
+    cp "$picture" "$kept"
+    echo "docs/pictures/$name: made again"
+  fi
+done
+exit "$stale"
