@@ -60,7 +60,7 @@ impl Need {
         others.count()
     }
 
-    /// n.
+    /// n, the number of robots in the team.
     #[must_use]
     pub fn robots(&self) -> u16 {
         self.robots
