@@ -23,6 +23,7 @@ pub struct Need {
 impl Need {
     /// The rule for a team of `robots` (n) of which up to `faults` (F) are malicious.
     //= paper thm:rs_robust
+    //= theory eq:need
     #[must_use]
     pub fn new(robots: u16, faults: u16, keep: Keep) -> Self {
         let half = match keep {
@@ -59,7 +60,7 @@ impl Need {
         others.count()
     }
 
-    /// n.
+    /// n, the number of robots in the team.
     #[must_use]
     pub fn robots(&self) -> u16 {
         self.robots
@@ -71,6 +72,7 @@ mod tests {
     use super::*;
 
     //= paper thm:rs_robust type=test
+    //= theory eq:need type=test
     #[test]
     fn the_paper_needs_seven_of_ten_and_six_normal_ones() {
         let need = Need::new(11, 2, Keep::Neighbors);

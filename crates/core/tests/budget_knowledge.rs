@@ -89,6 +89,7 @@ fn the_true_level_and_degree_are_in_the_interval() {
 
 /// Honest claims of today are taken as they are, those of a liar never beyond the interval, whatever their age.
 //= theory thm:any-claim type=test
+//= theory eq:known type=test
 #[test]
 fn a_claim_moves_the_budget_inside_the_interval_only() {
     let claims = [f64::NAN, f64::INFINITY, f64::NEG_INFINITY, 1e308, -1e308, 0.0, 9.0, 20.0];
@@ -114,6 +115,7 @@ fn a_claim_moves_the_budget_inside_the_interval_only() {
     }
 }
 
+//= theory eq:known type=test
 #[test]
 fn trust_decides_what_counts() {
     let team = teams(Assume::Obedient)

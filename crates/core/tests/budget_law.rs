@@ -208,6 +208,7 @@ fn the_rows_of_assumption_1_break_when_malicious_robots_move_as_they_like() {
 }
 
 /// (far) bounds a link's loss by its distance, (far′) by the joint move: a pair with one of each is covered by neither.
+//= theory sec:mixing type=test
 #[test]
 fn robots_with_different_forms_break_the_law() {
     let mixed = |budget: &Budget, own: RobotId, sightings: &[Sighting<2>], reach: Reach<2>| {

@@ -48,7 +48,7 @@ fn an_error_beyond_the_margin_breaks_it() {
 }
 
 /// The gradient at a wrong place is off by no more than the bound says.
-//= theory sec:margins type=test
+//= theory eq:gradient-error type=test
 #[test]
 fn the_gradient_is_known_to_its_error() {
     for q2 in [0.05, 0.3, 0.9] {

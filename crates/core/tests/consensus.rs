@@ -25,6 +25,7 @@ const LIES: [f64; 9] = [-1e9, -1.0, 0.0, 0.5, 1.0, 2.0, 2.5, 3.0, 1e9];
 /// Reduced without loss by renumbering (malicious robots last); assignments without a 0 or without a 3 are left out,
 /// since the round moves and scales with its values (wmsr.rs).
 //= paper thm:rs_robust type=test
+//= theory thm:contraction type=test
 #[test]
 fn every_small_network_with_enough_links_contracts_in_one_round() {
     let (mut rounds, mut worst): (u64, f64) = (0, 0.0);
@@ -43,6 +44,7 @@ fn every_small_network_with_enough_links_contracts_in_one_round() {
 }
 
 //= paper thm:rs_robust type=test
+//= theory thm:contraction type=test
 #[test]
 fn a_changing_network_with_a_greedy_liar_contracts_in_every_round() {
     let mut worst: f64 = 0.0;
@@ -66,6 +68,7 @@ fn a_changing_network_with_a_greedy_liar_contracts_in_every_round() {
 
 /// S and T complete, every robot of S linked to F of T, spread cyclically: 1 on S and 0 on T stay, though nobody lies.
 //= paper thm:rs_robust type=test
+//= theory sec:tight type=test
 #[test]
 fn one_neighbour_fewer_is_stuck_for_every_size_and_one_more_link_each_frees_it() {
     let mut pairs = 0;
@@ -89,6 +92,7 @@ fn one_neighbour_fewer_is_stuck_for_every_size_and_one_more_link_each_frees_it()
 /// Seven neighbours of eleven are enough against two liars that tell everybody the same, and not if they have two faces.
 //= paper thm:rs_robust type=test
 //= paper misbeh type=test
+//= theory thm:two-faced type=test
 #[test]
 fn liars_with_two_faces_split_a_network_that_one_voice_cannot() {
     let team = two_cliques_and_two_liars();

@@ -1,6 +1,6 @@
 //! The definition, branch and bound, and the table of subsets on the same graphs.
 //!
-//! `cargo bench -p closeranks-graph`. The families are those of `ROBUSTNESS.md` section 4.
+//! `cargo bench -p closeranks-graph`. The families of graphs are those of docs/robustness-performance.md.
 #![allow(clippy::unwrap_used, reason = "a bench may panic")]
 
 use core::fmt;

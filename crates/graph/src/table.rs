@@ -8,7 +8,7 @@
 //! ```
 //!
 //! A pair that violates the definition lies in some bipartition, and the least sets of a bipartition are such a pair.
-//! O(n 2ⁿ) bytewise operations in blocks that stay in the cache. Source: `ROBUSTNESS.md` section 2.
+//! O(n 2ⁿ) bytewise operations in blocks that stay in the cache. See docs/theory, `sec:table`.
 
 use alloc::vec;
 use alloc::vec::Vec;

@@ -11,15 +11,15 @@ use crate::robot::report::Mode;
 use crate::robot::scratch::Scratch;
 use crate::settings::{Controller, Settings};
 
-/// A controller of some kind with its parameters.
+/// A controller of any kind, with its parameters.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[expect(clippy::large_enum_variant, reason = "there is one a robot, and it is copied once")]
 pub enum AnyController<const D: usize> {
-    /// The paper's.
+    /// The paper's controller.
     Composed(ComposedController<D>),
-    /// Ours.
+    /// Our controller.
     Budget(BudgetController<D>),
-    /// None.
+    /// No controller.
     None(Unfiltered<D>),
 }
 

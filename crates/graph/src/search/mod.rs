@@ -4,8 +4,8 @@
 //! A graph is not (r,s)-robust iff two disjoint sets with at least one content member each have at most s − 1 exempt
 //! members together. The search grows S₁, the set with no more exempt members than the other, and keeps for it what is certainly
 //! in, what may still be in, and what may still be content (`side.rs`). Every conclusion drawn is monotone: it only
-//! removes choices that no pair of sets makes, so an exhausted tree is a proof. Sources: `ROBUSTNESS.md` sections 1
-//! and 3. New here:
+//! removes choices that no pair of sets makes, so an exhausted tree is a proof (docs/theory, `sec:cohesive`, `sec:bounds`,
+//! `sec:search`). Beyond the usual branch and bound there are:
 //!
 //! * **Half the budget**: S₁ has at most (s − 1)/2 exempt members, S₂ then what is left. With s = 1 it has at most n/2
 //!   members instead.
