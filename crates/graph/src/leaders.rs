@@ -3,7 +3,7 @@
 //! A network whose leaders agree can pull everyone along, past malicious nodes, if no set of followers closes itself off.
 
 use crate::graph::Graph;
-use crate::set::NodeSet;
+use crate::graph::set::NodeSet;
 
 /// The nodes that follow `leaders`: whoever hears r or more of them follows too, and so on.
 ///

@@ -23,7 +23,7 @@ use crate::num::{Vector, subtract};
 use crate::program::Outcome;
 use crate::robot::neighbor::{RobotId, Slot};
 use crate::robot::report::{Mode, Reason};
-use crate::robot::scratch::Scratch;
+use crate::robot::scratch::{Needs, Scratch};
 use crate::time::Instant;
 
 /// A robot itself, as its neighbours do not know it.
@@ -189,6 +189,11 @@ pub trait Control<const D: usize> {
     /// True if the controller promises something that rests on what the robot can watch: its moves, its clock.
     fn promises(&self) -> bool {
         false
+    }
+
+    /// How much scratch a robot needs for up to so many neighbours: at least a number for the value of each.
+    fn needs(&self, neighbors: usize) -> Needs {
+        Needs { values: neighbors, sightings: 0, rows: 0 }
     }
 
     /// True if a whole team can be computed at once where nothing goes wrong: decisions rest on levels and links alone.
