@@ -26,8 +26,8 @@ const STYLES: [Style; 4] = [
 
 /// Look of the controller `name`.
 pub(super) fn style(name: &str) -> Style {
-    let place = Controller::ALL.iter().position(|controller| controller.name() == name);
-    STYLES[place.unwrap_or(STYLES.len()).min(STYLES.len() - 1)]
+    let place = Controller::named(name).map_or(usize::MAX, |controller| controller as usize);
+    STYLES[place.min(STYLES.len() - 1)]
 }
 
 impl Style {
