@@ -28,7 +28,7 @@ pub fn followers(graph: &Graph, leaders: NodeSet, r: usize) -> NodeSet {
 
 /// Whether `graph` is strongly r-robust with respect to `leaders`: every nonempty set of other nodes is r-reachable.
 ///
-/// Same as: all nodes follow. With no node but leaders it holds for every r.
+/// It holds exactly if all nodes follow. With no node but leaders it holds for every r.
 //= paper reachability
 #[must_use]
 pub fn is_strongly_robust(graph: &Graph, leaders: NodeSet, r: usize) -> bool {
