@@ -13,7 +13,6 @@ use crate::settings::{Controller, Settings};
 
 /// A controller of any kind, with its parameters.
 #[derive(Clone, Copy, Debug, PartialEq)]
-#[expect(clippy::large_enum_variant, reason = "there is one a robot, and it is copied once")]
 pub enum AnyController<const D: usize> {
     /// The paper's controller.
     Composed(ComposedController<D>),
