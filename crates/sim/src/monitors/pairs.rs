@@ -95,18 +95,14 @@ impl Pairs {
     /// Calls `look` with the place and the two ends of every pair, in order.
     #[inline]
     pub(crate) fn each(&self, mut look: impl FnMut(usize, [usize; 2])) {
-        if self.sparse {
-            for (place, ends) in self.ends.iter().enumerate() {
-                look(place, ends.map(usize::from));
+        let (mut first, mut second) = (0, 1);
+        for place in 0..self.references_m2.len() {
+            let ends = if self.sparse { self.ends[place].map(usize::from) } else { [first, second] };
+            look(place, ends);
+            first += 1;
+            if first == second {
+                (first, second) = (0, second + 1);
             }
-            return;
-        }
-        let mut place = 0;
-        for second in 0..self.robots {
-            for first in 0..second {
-                look(place + first, [first, second]);
-            }
-            place += second;
         }
     }
 

@@ -178,11 +178,11 @@ impl<const D: usize> Control<D> for BudgetController<D> {
     }
 
     #[inline]
-    fn decide(
+    fn decide<'a>(
         &self,
         own: &Own,
         (): &(),
-        neighbors: impl Iterator<Item = Neighbor<D, Pair, KnownMargin>> + Clone,
+        neighbors: impl Iterator<Item = Neighbor<'a, D, Pair, KnownMargin>> + Clone,
         motion: &Motion<D>,
         scratch: &mut Scratch<'_, D>,
     ) -> Decision<D> {
