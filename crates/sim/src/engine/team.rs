@@ -148,42 +148,52 @@ impl<const D: usize, C: Control<D> + Copy> Robots<D, C> {
     }
 
     fn control(&mut self, frame: &mut Frame<D>, scratch: &mut Scratch<'_, D>) {
-        let robots = frame.positions_m.len();
-        if C::LOOKS {
-            match &mut self.dense {
-                Some(dense) => dense.fill(self.links.pairs(), self.links.weights()),
-                None => self.around.fill(robots, self.links.pairs()),
-            }
+        let mut dense = self.dense.take();
+        match &mut dense {
+            _ if !C::LOOKS => self.control_from_sums(frame, scratch),
+            Some(dense) => self.control_in_tables(dense, frame, scratch),
+            None => self.control_in_lists(frame, scratch),
         }
-        for robot in 0..robots {
-            let decision = if !C::LOOKS {
-                let others = (0..robots).filter(|other| *other != robot);
-                let neighbors = others.filter_map(|other| self.distant(robot, other, frame));
-                self.decide(robot, neighbors, frame, scratch)
-            } else if let Some(dense) = &mut self.dense {
-                if usize::from(frame.degrees[robot]) + 1 < robots {
-                    dense.look_around(robot);
-                }
-                self.decide_in_tables(robot, frame, scratch)
-            } else {
-                let neighbors = self.around.of(robot).iter().map(|half| {
-                    let other = usize::from(half.other);
-                    let low = || self.seen_level(robot, other);
-                    self.neighbor(robot, other, half.pair as usize, Low::Asked(&low), frame)
-                });
-                self.decide(robot, neighbors, frame, scratch)
-            };
+        self.dense = dense;
+    }
+
+    /// Where sums say everything, neighbours are looked at only if sums fail.
+    fn control_from_sums(&self, frame: &mut Frame<D>, scratch: &mut Scratch<'_, D>) {
+        for robot in 0..frame.positions_m.len() {
+            let others = (0..frame.positions_m.len()).filter(|other| *other != robot);
+            let neighbors = others.filter_map(|other| self.distant(robot, other, frame));
+            let decision = self.decide(robot, neighbors, frame, scratch);
             self.take(robot, &decision, frame);
         }
     }
 
-    /// The same in a small team, where sums over what a robot sees were taken for all others at once.
-    fn decide_in_tables(&self, robot: usize, frame: &Frame<D>, scratch: &mut Scratch<'_, D>) -> Decision<D> {
-        let tables = self.dense.iter().flat_map(|dense| dense.neighbors(robot).map(move |at| (dense, at)));
-        let neighbors = tables.map(|(dense, (other, pair))| {
-            self.neighbor(robot, other, pair, Low::Known(dense.low(other)), frame)
-        });
-        self.decide(robot, neighbors, frame, scratch)
+    /// In a small team sums over what a robot sees are taken for all others at once.
+    fn control_in_tables(&self, dense: &mut Dense, frame: &mut Frame<D>, scratch: &mut Scratch<'_, D>) {
+        dense.fill(self.links.pairs(), self.links.weights());
+        for robot in 0..frame.positions_m.len() {
+            if usize::from(frame.degrees[robot]) + 1 < frame.positions_m.len() {
+                dense.look_around(robot);
+            }
+            let neighbors = dense
+                .neighbors(robot)
+                .map(|(other, pair)| self.neighbor(robot, other, pair, Low::Known(dense.low(other)), frame));
+            let decision = self.decide(robot, neighbors, frame, scratch);
+            self.take(robot, &decision, frame);
+        }
+    }
+
+    /// In a large team they are taken where they are asked for.
+    fn control_in_lists(&mut self, frame: &mut Frame<D>, scratch: &mut Scratch<'_, D>) {
+        self.around.fill(frame.positions_m.len(), self.links.pairs());
+        for robot in 0..frame.positions_m.len() {
+            let neighbors = self.around.of(robot).iter().map(|half| {
+                let other = usize::from(half.other);
+                let low = || self.seen_level(robot, other);
+                self.neighbor(robot, other, half.pair as usize, Low::Asked(&low), frame)
+            });
+            let decision = self.decide(robot, neighbors, frame, scratch);
+            self.take(robot, &decision, frame);
+        }
     }
 
     #[inline]
@@ -214,7 +224,8 @@ impl<const D: usize, C: Control<D> + Copy> Robots<D, C> {
     }
 
     /// A neighbour as `robot` knows it.
-    #[inline]
+    #[inline(always)]
+    #[expect(clippy::inline_always, reason = "asked of every neighbour in every tick")]
     fn neighbor(
         &self,
         robot: usize,

@@ -173,6 +173,7 @@ impl<const D: usize> Control<D> for BudgetController<D> {
 
     fn add(&self, (): &mut (), _offset_m: &Vector<D>, _pair: &Pair, _told: [&f64; 2]) {}
 
+    #[inline]
     fn know(&self, glimpse: &Glimpse<'_, f64>) -> KnownMargin {
         self.budget.known_of(glimpse)
     }

@@ -163,6 +163,7 @@ impl Budget {
     /// The first holds to the last bit, because `low` leaves terms of the same sum out that are not negative. The second is used
     /// with more room than rounding takes: each of the unseen near j is at least R − Δ_ij away from it.
     //= theory eq:known
+    #[inline]
     #[must_use]
     pub fn known_of(&self, glimpse: &Glimpse<'_, f64>) -> KnownMargin {
         let (discounted_claim, unseen) = (*glimpse.told, glimpse.unseen);
