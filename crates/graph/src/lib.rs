@@ -14,13 +14,13 @@
 //!
 //! | question | module |
 //! | --- | --- |
-//! | everything about one graph, within a effort | [`analysis`] |
+//! | everything about one graph, within an effort | [`analysis`] |
 //! | one (r, s), with a witness or a certificate | [`decide`], [`verdict`] |
 //! | the definitions word for word | [`definition`] |
 //! | what degrees and pairs of nodes say | [`bounds`] |
 //! | branch and bound (algorithm B) | [`search`] |
 //! | the table of all subsets (algorithm A) | [`table`] |
-//! | which nodes look alike | [`symmetry`] |
+//! | which nodes look alike | [`search::symmetry`] |
 //! | leaders, and adversaries few in every neighbourhood | [`leaders`], [`local`] |
 //! | which edges to add | [`additions`] |
 //! | graphs by name, graphs as text | [`makers`], [`formats`] |
