@@ -13,7 +13,7 @@ mod robot;
 mod scenario;
 mod source;
 
-pub use graph::graph;
+pub use graph::{graph, graph_as};
 pub use message::message;
 #[cfg(feature = "recording")]
 pub use recording::recording;

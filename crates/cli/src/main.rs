@@ -2,19 +2,16 @@
 //!
 //! Exit codes: 0 fine, 1 a law that was expected to hold was broken, 2 bad input.
 
-mod as_run;
 mod check;
 mod compare;
 mod folder;
 mod invocation;
-mod json;
 mod maker;
 mod output;
-mod pages;
 mod paper;
 mod progress;
+mod results;
 mod run;
-mod sentences;
 mod source;
 mod sweep;
 
@@ -24,6 +21,7 @@ use std::process::ExitCode;
 use anyhow::Result;
 use clap::{Args, CommandFactory as _, FromArgMatches as _, Parser, Subcommand};
 use closeranks_sim::scenario::Controller;
+use results::{as_run, json, pages, sentences};
 
 /// Keeps a team of robots agreeing while some of them lie.
 #[derive(Debug, Parser)]

@@ -1,7 +1,7 @@
 //! `closeranks run FILE`.
 
 use anyhow::{Result, bail};
-use closeranks_graph::set::NODE_LIMIT;
+use closeranks_graph::graph::set::NODE_LIMIT;
 use closeranks_report::content::{Link, Page, Section};
 use closeranks_report::figure::{Case, overview};
 use closeranks_report::html::html;

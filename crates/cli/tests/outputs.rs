@@ -123,6 +123,17 @@ fn folders_above_are_made() {
     refused(folder.path(), "run a.toml -o a.toml", "`a.toml` is a file, not a folder");
 }
 
+/// Where nothing can be written, a long run used to end with that message instead of beginning with it.
+#[cfg(target_os = "linux")]
+#[test]
+fn a_folder_that_cannot_be_written_is_refused_before_the_run() {
+    let folder = folder();
+    let output = closeranks(folder.path(), "run a.toml -o /proc/none/a");
+    assert_eq!(output.status.code(), Some(2));
+    assert!(output.stdout.is_empty());
+    assert!(text(&output.stderr).starts_with("error: cannot write to the folder `/proc`: "));
+}
+
 /// A link to a folder used to be called "not a folder".
 #[cfg(unix)]
 #[test]

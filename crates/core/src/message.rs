@@ -17,7 +17,7 @@ const HAS_VALUE: u8 = 1;
 /// Greatest magnitude of a told value: a mean of the largest team's values cannot overflow.
 pub const VALUE_MAX: f64 = 1e300;
 
-/// A message; one that exists holds only finite numbers, so nothing later needs to ask again.
+/// A message. One that exists holds only finite numbers, so later code need not ask again.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Message {
     sequence: u32,
@@ -29,13 +29,13 @@ pub struct Message {
 /// Why bytes or numbers are not a message.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum MessageError {
-    /// Not exactly [`MESSAGE_BYTES`] bytes; holds how many.
+    /// There are not exactly [`MESSAGE_BYTES`] bytes, but as many as this says.
     Length(usize),
-    /// Does not begin with `CR`.
+    /// The bytes do not begin with `CR`.
     Magic,
-    /// A version this program does not know; holds it.
+    /// The message is of this version, which the program does not know.
     Version(u8),
-    /// Unknown flags, or a value without its flag; holds the flags.
+    /// These flags are unknown, or there is a value without its flag.
     Flags(u8),
     /// The level is NaN or infinite.
     Level,
@@ -62,8 +62,8 @@ impl Message {
         self.sequence
     }
 
-    /// When, on its sender's clock, the level was sensed. Not trusted more than the level: whoever says that it was later
-    /// than it was says that its level is worth more.
+    /// When, on its sender's clock, the level was sensed. It is trusted no more than the level: a liar that states a later
+    /// time claims that its level is younger, and so counts for more.
     #[must_use]
     pub fn stamp(&self) -> Instant {
         self.stamp

@@ -13,7 +13,8 @@ pub enum Keep {
 
 /// The rule of the paper: everybody counts for everybody, and all need the same number.
 ///
-/// Every controller and monitor asks this type, so that another rule (ranks) changes one file.
+/// Every controller asks this type, so that another rule, such as ranks, changes one file. The monitors of the simulator write
+/// the rule down a second time, so that they do not rest on what they watch.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Need {
     robots: u16,
@@ -23,6 +24,7 @@ pub struct Need {
 impl Need {
     /// The rule for a team of `robots` (n) of which up to `faults` (F) are malicious.
     //= paper thm:rs_robust
+    //= theory eq:need
     #[must_use]
     pub fn new(robots: u16, faults: u16, keep: Keep) -> Self {
         let half = match keep {
@@ -59,7 +61,7 @@ impl Need {
         others.count()
     }
 
-    /// n.
+    /// n, the number of robots in the team.
     #[must_use]
     pub fn robots(&self) -> u16 {
         self.robots
@@ -71,6 +73,7 @@ mod tests {
     use super::*;
 
     //= paper thm:rs_robust type=test
+    //= theory eq:need type=test
     #[test]
     fn the_paper_needs_seven_of_ten_and_six_normal_ones() {
         let need = Need::new(11, 2, Keep::Neighbors);

@@ -10,19 +10,19 @@ impl Instant {
     /// The start of the clock, t₀.
     pub const START: Self = Self(0);
 
-    /// From nanoseconds since the start.
+    /// The moment so many nanoseconds after the start.
     #[must_use]
     pub fn from_nanos(nanos: u64) -> Self {
         Self(nanos)
     }
 
-    /// Nanoseconds since the start.
+    /// How many nanoseconds after the start it is.
     #[must_use]
     pub fn as_nanos(self) -> u64 {
         self.0
     }
 
-    /// This moment plus `period`; stops at the end of time (584 years) instead of wrapping.
+    /// This moment plus `period`. At the end of time (584 years) it stops instead of wrapping.
     #[must_use]
     pub fn after(self, period: Duration) -> Self {
         Self(self.0.saturating_add(u64::try_from(period.as_nanos()).unwrap_or(u64::MAX)))
@@ -49,17 +49,17 @@ pub(crate) struct Timer {
 }
 
 impl Timer {
-    /// Due at `first`, then every `period` (positive).
+    /// A timer that is due at `first`, and then every `period` (positive).
     pub(crate) fn new(first: Instant, period: Duration) -> Self {
         Self { period, due: first }
     }
 
-    /// When it is due next.
+    /// When the timer is due next.
     pub(crate) fn due(&self) -> Instant {
         self.due
     }
 
-    /// True once for each time it was due; after a long pause it fires once, at once, and stays on its grid.
+    /// True once for each time it was due. After a long pause it fires once, at once, and stays on its grid.
     pub(crate) fn fires(&mut self, now: Instant) -> bool {
         let due = now >= self.due;
         if due {
@@ -68,7 +68,7 @@ impl Timer {
         due
     }
 
-    /// The same, but who is later than `slack` for its turn waits for the next one.
+    /// As [`fires`](Self::fires), but whoever is later than `slack` for a turn waits for the next one.
     pub(crate) fn fires_in_turn(&mut self, now: Instant, slack: Duration) -> bool {
         let period = u64::try_from(self.period.as_nanos()).unwrap_or(u64::MAX).max(1);
         let late = now.0.saturating_sub(self.due.0) % period;

@@ -3,7 +3,7 @@
 /// One round of W-MSR at one robot.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Round {
-    /// `y_i(t_{p+1})`.
+    /// The new value, `y_i(t_{p+1})`.
     pub value: f64,
     /// How many of the smallest values were discarded, at most F.
     pub below: usize,
@@ -17,7 +17,7 @@ pub struct Round {
     pub kept: usize,
 }
 
-/// `y_i(t_{p+1})` from the robot's own value and those its neighbours told, with equal weights.
+/// The new value `y_i(t_{p+1})`, from the robot's own value and those its neighbours told, with equal weights.
 ///
 /// ```text
 /// sort; discard the F largest of the values strictly larger than y_i (all of them if fewer than F), likewise below;
@@ -25,11 +25,12 @@ pub struct Round {
 /// ```
 ///
 /// Values equal to `own` are never discarded, so with `faults = 0` this is the plain mean (eq:linear) and β = 1/n.
-/// Sorts `told` in place and adds in sorted order: the answer does not depend on the order in which messages came.
-/// Values that are not finite count as not told. The answer lies between the least and the greatest value kept,
-/// rounding included. `own` must be finite; beyond 1e300 the sum may
-/// overflow, and then only the hull is kept. O(k log k) for k values, no allocation.
+/// `told` is sorted in place and added up in sorted order, so the answer does not depend on the order in which messages
+/// came. Values that are not finite count as not told. The answer lies between the least and the greatest value kept,
+/// rounding included. `own` must be finite. Beyond 1e300 the sum may overflow; then the answer is one of these two values.
+/// It takes O(k log k) for k values and allocates nothing.
 //= paper eq:linear
+//= theory thm:contraction
 #[must_use]
 pub fn update(own: f64, told: &mut [f64], faults: u16) -> Round {
     told.sort_unstable_by(f64::total_cmp);
@@ -59,7 +60,7 @@ fn mean_of_kept(own: f64, sorted: &[f64], below: usize, above: usize) -> Round {
 
 /// `(own + Σ kept)/(1 + count)`, added in the order given and cut to `[low, high]` against rounding and overflow.
 ///
-/// For callers that have sorted the values of a whole team once; [`update`] is the usual entry.
+/// This is for callers that have sorted the values of a whole team once; [`update`] is the usual entry.
 #[must_use]
 pub fn mean(own: f64, kept: impl Iterator<Item = f64>, count: usize, low: f64, high: f64) -> f64 {
     let sum = kept.fold(own, |sum, value| sum + value);

@@ -12,7 +12,7 @@ mod seeded;
 
 /// Enough numbers for all pairs of a dozen robots.
 const SCRATCH: usize = 144;
-/// Of sums of at most a dozen weights near 1.
+/// More than the rounding of a sum of at most a dozen weights near 1.
 const ROUNDING: f64 = 1e-13;
 
 fn teams(assume: Assume) -> impl Iterator<Item = Team<2>> {
@@ -27,7 +27,7 @@ struct Interval {
     degree: f64,
 }
 
-/// With so many numbers as scratch; `None` if these are too few, or a sighting is not finite.
+/// The interval from the formulas, with so many numbers as scratch; `None` if these are too few, or a sighting is not finite.
 fn interval(
     budget: &Budget,
     (own, index): (RobotId, usize),
@@ -89,6 +89,7 @@ fn the_true_level_and_degree_are_in_the_interval() {
 
 /// Honest claims of today are taken as they are, those of a liar never beyond the interval, whatever their age.
 //= theory thm:any-claim type=test
+//= theory eq:known type=test
 #[test]
 fn a_claim_moves_the_budget_inside_the_interval_only() {
     let claims = [f64::NAN, f64::INFINITY, f64::NEG_INFINITY, 1e308, -1e308, 0.0, 9.0, 20.0];
@@ -114,6 +115,7 @@ fn a_claim_moves_the_budget_inside_the_interval_only() {
     }
 }
 
+//= theory eq:known type=test
 #[test]
 fn trust_decides_what_counts() {
     let team = teams(Assume::Obedient)

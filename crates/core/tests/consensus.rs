@@ -22,9 +22,10 @@ const LIES: [f64; 9] = [-1e9, -1.0, 0.0, 0.5, 1.0, 2.0, 2.5, 3.0, 1e9];
 
 /// Every graph of 3 to 6 robots, every malicious set, every assignment of `TRUTHS` and `LIES`.
 ///
-/// Reduced without loss by renumbering (malicious robots last); assignments without a 0 or without a 3 are left out,
-/// since the round moves and scales with its values (wmsr.rs).
+/// Nothing is lost by numbering malicious robots last, nor by leaving out assignments without a 0 or without a 3, since the
+/// round moves and scales with its values (wmsr.rs).
 //= paper thm:rs_robust type=test
+//= theory thm:contraction type=test
 #[test]
 fn every_small_network_with_enough_links_contracts_in_one_round() {
     let (mut rounds, mut worst): (u64, f64) = (0, 0.0);
@@ -43,6 +44,7 @@ fn every_small_network_with_enough_links_contracts_in_one_round() {
 }
 
 //= paper thm:rs_robust type=test
+//= theory thm:contraction type=test
 #[test]
 fn a_changing_network_with_a_greedy_liar_contracts_in_every_round() {
     let mut worst: f64 = 0.0;
@@ -64,8 +66,10 @@ fn a_changing_network_with_a_greedy_liar_contracts_in_every_round() {
     assert!(worst > 0.82, "the liar is not harmless: {worst}");
 }
 
-/// S and T complete, every robot of S linked to F of T, spread cyclically: 1 on S and 0 on T stay, though nobody lies.
+/// S and T are complete, and every robot of S is linked to F of T, spread cyclically. Values of 1 on S and 0 on T stay, though
+/// nobody lies.
 //= paper thm:rs_robust type=test
+//= theory sec:tight type=test
 #[test]
 fn one_neighbour_fewer_is_stuck_for_every_size_and_one_more_link_each_frees_it() {
     let mut pairs = 0;
@@ -89,6 +93,7 @@ fn one_neighbour_fewer_is_stuck_for_every_size_and_one_more_link_each_frees_it()
 /// Seven neighbours of eleven are enough against two liars that tell everybody the same, and not if they have two faces.
 //= paper thm:rs_robust type=test
 //= paper misbeh type=test
+//= theory thm:two-faced type=test
 #[test]
 fn liars_with_two_faces_split_a_network_that_one_voice_cannot() {
     let team = two_cliques_and_two_liars();

@@ -24,6 +24,7 @@ struct Case<const D: usize> {
 }
 
 //= paper seq:qp type=test
+//= theory sec:box-row type=test
 #[test]
 fn the_answer_satisfies_the_optimality_conditions() {
     let mut seen = [0; 3];
@@ -36,6 +37,7 @@ fn the_answer_satisfies_the_optimality_conditions() {
 }
 
 //= paper seq:qp type=test
+//= theory sec:box-row type=test
 #[test]
 fn no_feasible_grid_point_is_closer() {
     for seed in 0..400 {
@@ -45,6 +47,7 @@ fn no_feasible_grid_point_is_closer() {
     }
 }
 
+//= theory sec:holds type=test
 #[test]
 fn the_row_holds_however_far_away_the_desired_velocity_is() {
     for far in [1e3, 1e6, 1e10, 1e16, 1e40, 1e155, 1e200, f64::MAX] {

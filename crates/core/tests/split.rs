@@ -23,10 +23,11 @@ const PAPER: Composed = Composed {
     required: 7,
     distance_min_m: 0.3,
 };
-/// A mean of eleven terms below 1 and one difference.
+/// More than the rounding of a mean of eleven terms below 1 and of one difference.
 const ROUNDING: f64 = 32.0 * f64::EPSILON;
 
 //= paper eq:phi_i type=test
+//= theory sec:jump type=test
 #[test]
 fn phi_i_jumps_by_the_share_of_a_robot_that_comes_into_range() {
     for seed in 0..200 {
@@ -46,6 +47,7 @@ fn phi_i_jumps_by_the_share_of_a_robot_that_comes_into_range() {
 
 /// As in docs/theory: a load of 0.08 leaves φ_i = 0.011; a newcomer with ĥ = 0.107 makes it −0.014.
 //= paper eq:phi_i type=test
+//= theory sec:jump type=test
 #[test]
 fn the_jump_can_take_a_robot_out_of_its_safe_set() {
     let own = 7.0 - libm::log(0.08 * 8.0) / 15.0;
@@ -71,6 +73,7 @@ fn the_own_share_drops_by_the_collision_term_alone() {
 /// φ − Σ φ_i = Σ_k Ê_k (δ_k − F′)/(F′+1) for the printed share, 0 for the own one, whatever anybody claims.
 //= paper eq:phi_i type=test
 //= paper eq:composition type=test
+//= theory sec:split type=test
 #[test]
 fn the_split_is_exact_only_at_degree_f_prime_and_the_own_share_always() {
     for seed in 0..200 {
@@ -81,6 +84,7 @@ fn the_split_is_exact_only_at_degree_f_prime_and_the_own_share_always() {
 
 /// δ_k = 4 and ĥ_k = 0.1: the gap is 0.084, almost the budget 1/n = 0.091 (docs/theory).
 //= paper lem:equivalence type=test
+//= theory sec:split type=test
 #[test]
 fn a_robot_that_overstates_makes_the_sum_of_the_phi_i_exceed_phi() {
     let mut cluster =

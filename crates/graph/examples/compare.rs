@@ -10,10 +10,10 @@ use core::ops::ControlFlow;
 use core::time::Duration;
 use std::time::Instant;
 
-use closeranks_graph::budget::{Budget, Meter, Progress};
 use closeranks_graph::decide::Robustness;
 use closeranks_graph::definition;
-use closeranks_graph::formats::{self, Format, Named};
+use closeranks_graph::effort::{Effort, Meter, Progress};
+use closeranks_graph::formats::{self, Format, Named, Options};
 use closeranks_graph::graph::Graph;
 use closeranks_graph::makers::{MakerError, random};
 use closeranks_graph::verdict::Interval;
@@ -33,7 +33,10 @@ fn main() -> Result<(), Failure> {
     match words.iter().map(String::as_str).collect::<Vec<_>>()[..] {
         ["graphs"] => print_graphs(),
         [method, question, graph6] => {
-            let graph = formats::read(graph6, Format::Graph6, None)?.graph;
+            let graph =
+                formats::read(graph6, &Options { format: Some(Format::Graph6), ..Options::default() })?
+                    .named
+                    .graph;
             let (answer, seconds) = median_of_runs(answer_by(method, question)?, &graph);
             println!("{answer} {seconds:e}");
             Ok(())
@@ -93,7 +96,7 @@ fn answer_by(method: &str, question: &str) -> Result<fn(&Graph) -> i32, Failure>
 fn ask<'g>(graph: &'g Graph, question: fn(&mut Robustness<'g>, &mut Meter<'_>) -> Interval) -> i32 {
     let mut go_on = |_: &Progress| ControlFlow::Continue(());
     let mut meter = Meter::new(u64::MAX, &mut go_on);
-    question(&mut Robustness::new(graph, &Budget::UNLIMITED), &mut meter)
+    question(&mut Robustness::new(graph, &Effort::UNLIMITED), &mut meter)
         .exactly()
         .expect("without a limit the answer is exact")
 }

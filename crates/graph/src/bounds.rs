@@ -2,7 +2,7 @@
 
 use crate::definition::Witness;
 use crate::graph::Graph;
-use crate::set::NodeSet;
+use crate::graph::set::NodeSet;
 
 /// Largest r that the least degree δ alone guarantees, for every s; 0 if it guarantees nothing.
 ///
@@ -34,8 +34,9 @@ pub fn r_most(graph: &Graph) -> usize {
 ///
 /// Holds for F-total and for F-local malicious nodes that tell all their hearers the same, and for
 /// networks that change in time if it holds at every step. The graph need not be (F+1,F+1)-robust.
-/// Proof in `THEORY.md` section 2.1, Theorem A. With all nodes normal only the degrees count.
+/// The proof is that of docs/theory, `thm:contraction`. With all nodes normal only the degrees count.
 //= paper thm:rs_robust
+//= theory thm:contraction
 #[must_use]
 pub fn f_by_degree(graph: &Graph, normal: NodeSet) -> Option<usize> {
     let normal = normal.intersection(graph.nodes());
@@ -45,14 +46,15 @@ pub fn f_by_degree(graph: &Graph, normal: NodeSet) -> Option<usize> {
     normal.iter().all(|node| malicious(node) <= f).then_some(f)
 }
 
-/// The same for malicious nodes that tell each hearer something else (Byzantine).
+/// Largest F as above, but for malicious nodes that tell each hearer something else (Byzantine).
 ///
 /// ```text
 /// F = max { F ≥ |V \ normal| : |N(v) ∩ normal| ≥ F + floor((n − |V \ normal|)/2) for all normal v }
 /// ```
 ///
-/// Proof in `THEORY.md` section 2.1, Theorem A'. `None` if no F is guaranteed.
+/// The proof is that of docs/theory, `thm:two-faced`. `None` if no F is guaranteed.
 //= paper thm:rs_robust
+//= theory thm:two-faced
 #[must_use]
 pub fn f_by_degree_byzantine(graph: &Graph, normal: NodeSet) -> Option<usize> {
     let normal = normal.intersection(graph.nodes());
@@ -112,6 +114,8 @@ fn take(before: NodeSet, after: NodeSet, count: usize) -> NodeSet {
 mod tests {
     use super::*;
 
+    //= theory thm:contraction type=test
+    //= theory thm:two-faced type=test
     #[test]
     fn the_paper_asks_seven_neighbors_of_eleven_robots() {
         let mut graph = Graph::empty(11, false).unwrap();

@@ -28,9 +28,9 @@ pub struct Frame<const D: usize> {
     pub h: Vec<f64>,
     /// φ_i; NaN where nobody wants to know it, and of a robot that is down.
     pub phis: Vec<f64>,
-    /// Whether φ and φ_i are wanted though the controller does not use them.
+    /// Whether somebody wants to know φ and φ_i, which not every controller uses.
     pub wants_phi: bool,
-    /// y_i; of malicious robots what they tell.
+    /// y_i; for malicious robots what they tell.
     pub values: Vec<f64>,
     /// What the program found.
     pub outcomes: Vec<Outcome>,
@@ -63,7 +63,7 @@ pub struct Assumptions {
 }
 
 impl Assumptions {
-    /// Those of a perfect world.
+    /// The assumptions as they are in a perfect world.
     #[must_use]
     pub fn all_hold(robots: usize) -> Self {
         Self { broken: false, sensed_wrong: vec![false; robots], renewed: false, unsteady: false }

@@ -44,7 +44,7 @@ impl Law {
         matches!(self, Self::Decay | Self::Mode)
     }
 
-    /// All, in the order of reports.
+    /// All laws, in the order of reports.
     pub const ALL: [Self; Self::COUNT] = [
         Self::Degree,
         Self::Distance,
@@ -60,7 +60,7 @@ impl Law {
         Self::Feasible,
     ];
 
-    /// How many there are.
+    /// How many laws there are.
     pub const COUNT: usize = 12;
 
     /// What thm:cbf-qp and thm:rs_robust promise for `composed` from a start in their safe set. That programs have solutions
@@ -128,7 +128,7 @@ impl Law {
 /// Where a law was broken.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Violation {
-    /// Tick.
+    /// The tick in which it was broken.
     pub tick: u32,
     /// The robots, from 1; the second where the law is about a pair, 0 where it is about all.
     pub robots: [u16; 2],
@@ -141,15 +141,16 @@ pub struct Violation {
 /// What became of a law.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Verdict {
-    /// Which.
+    /// Which law.
     pub law: Law,
     /// How often it was broken, counted per tick and robot, pair or team.
     pub count: u64,
-    /// Where first.
+    /// Where it was broken first.
     pub first: Option<Violation>,
-    /// How often although everything held that it rests on: the set was safe a tick before, and no assumption was broken.
+    /// How often it was broken although everything held that it rests on: the set was safe a tick before, and no assumption
+    /// was broken.
     pub covered: u64,
-    /// Where first so.
+    /// Where that was so first.
     pub first_covered: Option<Violation>,
 }
 
@@ -175,12 +176,12 @@ impl Verdicts {
         }
     }
 
-    /// All, in order.
+    /// The verdicts on all laws, in order.
     pub fn iter(&self) -> core::slice::Iter<'_, Verdict> {
         self.0.iter()
     }
 
-    /// What became of one.
+    /// What became of one law.
     #[must_use]
     pub fn of(&self, law: Law) -> &Verdict {
         &self.0[law as usize]

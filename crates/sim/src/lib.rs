@@ -25,7 +25,6 @@ pub mod engine;
 pub mod faults;
 pub mod frame;
 pub mod geometry;
-pub mod given;
 pub mod law;
 pub mod monitors;
 pub mod output;

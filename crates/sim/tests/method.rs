@@ -21,6 +21,7 @@ fn summary(scenario: &Scenario) -> Summary {
 
 /// docs/theory, sec:phi: φ_i falls below 0 with no attack, no new link and nearly continuous time, while every h_i stays positive.
 //= paper thm:cbf-qp type=test
+//= theory sec:phi type=test
 #[test]
 fn phi_i_is_not_protected() {
     let scenario = Scenario {
@@ -43,6 +44,7 @@ fn phi_i_is_not_protected() {
 
 /// docs/theory, sec:phi, end: then programs become infeasible, which lem:equivalence rules out.
 //= paper lem:equivalence type=test
+//= theory sec:phi type=test
 #[test]
 fn programs_become_infeasible_without_any_attack() {
     let scenario = Scenario {
@@ -60,6 +62,7 @@ fn programs_become_infeasible_without_any_attack() {
 }
 
 /// docs/theory, sec:start: the published start is outside the safe set in every scenario; it comes inside by itself.
+//= theory sec:start type=test
 #[test]
 fn the_published_start_is_outside_the_safe_set() {
     for attack in ATTACKS {
@@ -74,6 +77,7 @@ fn the_published_start_is_outside_the_safe_set() {
 
 /// docs/theory, sec:start: `inside` is inside in all three scenarios, for every steepness that is likely to be tried.
 //= paper eq:phi_i type=test
+//= theory sec:start type=test
 #[test]
 fn our_start_is_inside_the_safe_set() {
     for q2 in [0.1, 0.3, 0.9] {
@@ -111,6 +115,7 @@ fn the_papers_three_effects_show_from_our_start() {
 }
 
 /// docs/theory, sec:wide-attacks: a lie that begins later, or swings, breaks what a constant one does not.
+//= theory sec:wide-attacks type=test
 #[test]
 fn wider_lies_break_the_papers_controller() {
     let step = LevelAttack::Step { bias: -4.0, from_s: 2.0 };

@@ -3,8 +3,8 @@
 use core::ops::ControlFlow;
 
 use closeranks_graph::analysis::{Analysis, analyze};
-use closeranks_graph::budget::{Budget, Progress};
 use closeranks_graph::connectivity::node_connectivity;
+use closeranks_graph::effort::{Effort, Progress};
 use closeranks_graph::formats::Named;
 use closeranks_graph::graph::Graph;
 use closeranks_graph::verdict::{Certificate, Interval};
@@ -14,20 +14,11 @@ use serde_json::{Map, Value, json};
 use super::answer::Answer;
 use super::words;
 
-/// What a graph is, in one line.
+/// Degrees and connectivity, in one line.
 pub(super) fn graph(graph: &Graph) -> String {
     let (least, most) = (graph.degree_min(), graph.degree_max());
-    let [kind, links, heard] = if graph.is_directed() {
-        ["directed", "edge", "in-degrees"]
-    } else {
-        ["undirected", "link", "degrees"]
-    };
-    format!(
-        "{}, {}, {kind}; {heard} {least} to {most}, connectivity {}",
-        words::count(graph.node_count() as u64, "robot"),
-        words::count(graph.edge_count() as u64, links),
-        node_connectivity(graph)
-    )
+    let heard = if graph.is_directed() { "in-degrees" } else { "degrees" };
+    format!("{heard} {least} to {most}, connectivity {}", node_connectivity(graph))
 }
 
 /// The whole answer; intervals where `look` stopped the search.
@@ -36,7 +27,7 @@ pub(super) fn everything(
     limit: &str,
     look: &mut dyn FnMut(&Progress) -> ControlFlow<()>,
 ) -> Answer {
-    let analysis = analyze(&named.graph, &Budget::UNLIMITED, look);
+    let analysis = analyze(&named.graph, &Effort::UNLIMITED, look);
     let sentence = verdict(&analysis, limit);
     let answer = Answer {
         holds: analysis.is_exact(),

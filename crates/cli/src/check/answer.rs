@@ -1,10 +1,10 @@
 //! What can be asked, and what every answer has.
 
 use anyhow::{Result, bail};
-use closeranks_graph::budget::{Meter, Progress};
 use closeranks_graph::definition::Witness;
-use closeranks_graph::formats::Named;
-use closeranks_graph::set::NodeSet;
+use closeranks_graph::effort::{Meter, Progress};
+use closeranks_graph::formats::{Named, Reading};
+use closeranks_graph::graph::set::NodeSet;
 use closeranks_report::content::Table;
 use closeranks_report::table;
 use serde_json::{Map, Value, json};
@@ -19,6 +19,8 @@ pub(super) struct Answer {
     pub(super) holds: bool,
     /// The answer in one sentence.
     pub(super) sentence: String,
+    /// What the file was read as, in one line, and a line for each remark on it.
+    pub(super) read: Vec<String>,
     /// What the graph is, in one line.
     pub(super) graph: String,
     /// A table.
@@ -40,8 +42,18 @@ impl Answer {
     pub(super) fn text(&self) -> String {
         let table = self.table.as_ref().map(table::text);
         let why = (!self.why.is_empty()).then(|| wrap(&self.why.join("\n")));
-        let head = format!("{}{}", wrap(&self.sentence), wrap(&self.graph));
+        let read: String = self.read.iter().map(|line| wrap(line)).collect();
+        let head = format!("{}{read}{}", wrap(&self.sentence), wrap(&self.graph));
         [Some(head), table, why].into_iter().flatten().collect::<Vec<String>>().join("\n")
+    }
+
+    /// With what the file was read as, for persons and for machines.
+    pub(super) fn with_reading(mut self, reading: &Reading) -> Self {
+        self.read = words::reading(reading);
+        if let Value::Object(numbers) = &mut self.numbers {
+            numbers.insert("read".to_owned(), words::reading_value(reading));
+        }
+        self
     }
 
     /// With the sets of a witness.

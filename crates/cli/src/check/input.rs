@@ -4,7 +4,8 @@ use std::path::Path;
 
 use annotate_snippets::{AnnotationKind, Level, Snippet};
 use anyhow::{Result, bail};
-use closeranks_graph::formats::{self, Format, FormatError, Named, Problem, TEXT_LIMIT};
+use clap::builder::{PossibleValuesParser, TypedValueParser};
+use closeranks_graph::formats::{self, Format, FormatError, Options, Problem, Reading, TEXT_LIMIT, ToldBy};
 
 use super::Check;
 use crate::source::{self, Refused};
@@ -13,8 +14,8 @@ use crate::source::{self, Refused};
 pub(crate) struct Input {
     /// Name of the file.
     pub(crate) name: String,
-    /// The graph.
-    pub(crate) named: Named,
+    /// The graph, and what it was read as.
+    pub(crate) reading: Reading,
 }
 
 /// Longest part of a line that is shown, bytes.
@@ -41,51 +42,113 @@ pub(super) fn read(arguments: &Check) -> Result<Source> {
     if bytes.len() > TEXT_LIMIT {
         bail!("the graph `{name}` is too long: allowed is at most {TEXT_LIMIT} bytes");
     }
-    let text = source::decode(bytes, "graph", &name)?;
+    let text = decode(bytes, &name)?;
     graph(arguments, name, &text).map(Source::Graph)
 }
 
+/// The formats that `--format` may name.
+pub(super) fn formats() -> impl TypedValueParser<Value = Format> {
+    PossibleValuesParser::new(Format::ALL.map(Format::name))
+        .try_map(|name| Format::from_name(&name).ok_or("no such format"))
+}
+
+/// Bytes as text: UTF-8, or UTF-16 with a mark of its byte order, as Windows writes it.
+fn decode(bytes: Vec<u8>, name: &str) -> Result<String> {
+    let wide = match bytes.as_slice() {
+        [0xff, 0xfe, rest @ ..] => Some((rest, u16::from_le_bytes as fn([u8; 2]) -> u16)),
+        [0xfe, 0xff, rest @ ..] => Some((rest, u16::from_be_bytes as fn([u8; 2]) -> u16)),
+        [0x1f, 0x8b, ..] => bail!("the graph `{name}` is compressed: allowed is text, as gunzip writes it"),
+        _ => None,
+    };
+    let Some((rest, join)) = wide else {
+        return source::decode(bytes, "graph", name);
+    };
+    let units = rest.chunks(2).map(|pair| join([pair[0], pair.get(1).copied().unwrap_or(0)]));
+    let text: Result<String, _> = char::decode_utf16(units).collect();
+    match text {
+        Ok(text) if rest.len() % 2 == 0 => Ok(text),
+        _ => bail!("the graph `{name}` is not text: it begins as UTF-16 but is none"),
+    }
+}
+
 fn graph(arguments: &Check, name: String, text: &str) -> Result<Input> {
-    let asked = arguments.format.map(super::Format::of_library);
-    let ending = arguments.file.extension().and_then(|ending| Format::from_extension(ending.to_str()?));
-    let format = asked.or(ending).unwrap_or_else(|| Format::guess(text));
-    if arguments.directed && !matches!(format, Format::EdgeList | Format::Matrix) {
+    let ending = arguments.file.extension().and_then(|ending| ending.to_str());
+    let options = Options {
+        format: arguments.format,
+        ending,
+        directed: arguments.directed.then_some(true).or(arguments.undirected.then_some(false)),
+        transpose: arguments.transpose,
+        strict: arguments.strict,
+        weights: arguments.weights,
+        which: arguments.which.map(|which| which as usize),
+    };
+    let refused =
+        |error: &FormatError, format: Option<Format>| picture(&name, text, error, hint(error, format));
+    let (format, told_by) = formats::recognise(text, &options).map_err(|error| refused(&error, None))?;
+    refuse_useless(arguments, &name, format)?;
+    match formats::read(text, &options) {
+        Ok(reading) => Ok(Input { name, reading }),
+        Err(error) => bail!(refused(&error, (told_by != ToldBy::Request).then_some(format))),
+    }
+}
+
+/// Options that the format has no use for are refused: who gives them expects something else.
+fn refuse_useless(arguments: &Check, name: &str, format: Format) -> Result<()> {
+    let title = format.title();
+    if (arguments.directed || arguments.undirected) && !format.leaves_direction_open() {
+        let option = if arguments.directed { "--directed" } else { "--undirected" };
         bail!(
-            "--directed is not for `{name}`: {} says itself what its edges are; allowed for edge lists and matrices",
-            title(format)
+            "{option} is not for `{name}`: {title} says itself what its edges are; allowed for formats that leave it open"
         );
     }
-    match formats::read(text, format, arguments.directed.then_some(true)) {
-        Ok(named) => Ok(Input { name, named }),
-        Err(error) => {
-            let strange = asked.is_none() && matches!(error.problem, Problem::Unexpected { .. });
-            let hint = strange.then(|| {
-                format!("read as {}, told by its {}; --format says otherwise", title(format), told_by(ending))
-            });
-            bail!(picture(&name, text, &error, hint))
+    if arguments.which.is_some() && format != Format::Graph6 {
+        bail!("--which is not for `{name}`: {title} has one graph; allowed for graph6 and its relatives");
+    }
+    if arguments.weights && !matches!(format, Format::Matrix | Format::MatrixMarket) {
+        bail!("--weights is not for `{name}`, read as {title}; allowed for matrices");
+    }
+    Ok(())
+}
+
+/// What else the reader of a message may want to try; `format` as it was told by the content or the ending.
+fn hint(error: &FormatError, format: Option<Format>) -> Option<String> {
+    let shape = matches!(
+        error.problem,
+        Problem::Unexpected { .. }
+            | Problem::Missing { .. }
+            | Problem::Columns { .. }
+            | Problem::Count { .. }
+            | Problem::UnknownNode { .. }
+            | Problem::NodeTwice { .. }
+    );
+    match (&error.problem, format) {
+        (Problem::Ambiguous { .. } | Problem::Doubtful { .. }, _) => {
+            Some("--format NAME says which format it is".to_owned())
         }
+        (Problem::OneSided { .. }, _) => Some("if it is a directed graph, --directed says so".to_owned()),
+        (Problem::DirectionUnclear, _) => Some("--directed or --undirected says which".to_owned()),
+        (Problem::Which { .. }, _) => Some("--which K chooses".to_owned()),
+        (_, Some(format)) if shape => {
+            Some(format!("read as {}; --format NAME says otherwise", format.title()))
+        }
+        _ => None,
     }
 }
 
-fn told_by(ending: Option<Format>) -> &'static str {
-    if ending.is_some() { "ending" } else { "content" }
-}
-
-fn title(format: Format) -> &'static str {
-    match format {
-        Format::EdgeList => "an edge list",
-        Format::Matrix => "a matrix",
-        Format::Graph6 => "graph6",
-        Format::GraphMl => "GraphML",
-        Format::Dot => "DOT",
-        Format::Json => "JSON",
+/// How the format was found, in words.
+pub(super) fn told(told_by: ToldBy) -> &'static str {
+    match told_by {
+        ToldBy::Content => "by its content",
+        ToldBy::Ending => "by its ending",
+        ToldBy::Request => "as --format says",
     }
 }
 
 /// The mistake with its line underlined; lines that are too long to show are cut after the mistake or left out.
 fn picture(name: &str, text: &str, error: &FormatError, hint: Option<String>) -> Refused {
-    let line = text.lines().nth(error.line.saturating_sub(1)).unwrap_or("");
-    let place = place(line, &error.problem);
+    let text = formats::unix_lines(text);
+    let line = text.split('\n').nth(error.line.saturating_sub(1)).unwrap_or("");
+    let place = place(line, error);
     let help = hint.map(|hint| Level::NOTE.message(hint));
     if place.end > SHOWN || line.trim().is_empty() {
         let path = format!("{}:{}", Path::new(name).display(), error.line);
@@ -99,16 +162,20 @@ fn picture(name: &str, text: &str, error: &FormatError, hint: Option<String>) ->
     Refused::new(&[Level::ERROR.primary_title(error.problem.to_string()).element(snippet).elements(help)])
 }
 
-/// What was found, if the line has it; else the whole line; its end if nothing was found.
-fn place(line: &str, problem: &Problem) -> core::ops::Range<usize> {
+/// What was found, where it was found or first stands in the line; else the whole line; its end if nothing was found.
+fn place(line: &str, error: &FormatError) -> core::ops::Range<usize> {
     let start = line.len() - line.trim_start().len();
     let end = line.trim_end().len().max(start);
-    match problem {
-        Problem::Unexpected { found, .. } if found.is_empty() => end.saturating_sub(1)..end,
-        Problem::Unexpected { found, .. } => match line.find(found.as_str()) {
-            Some(at) => at..at + found.len(),
-            None => start..end,
-        },
-        _ => start..end,
+    let Problem::Unexpected { found, .. } = &error.problem else {
+        return start..end;
+    };
+    if found.is_empty() {
+        return end.saturating_sub(1)..end;
+    }
+    let known =
+        error.column.filter(|&at| line.get(at..).is_some_and(|rest| rest.starts_with(found.as_str())));
+    match known.or_else(|| line.find(found.as_str())) {
+        Some(at) => at..at + found.len(),
+        None => start..end,
     }
 }

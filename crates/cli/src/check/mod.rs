@@ -23,8 +23,16 @@ use input::{Input, Source};
 
 /// Shown by `closeranks check --help`.
 pub(crate) const HELP: &str = "\
-A graph is a file in one of six formats, told by its ending or by its content; `-` reads standard input.
-A directed edge u -> v means that v hears u.
+A graph is a file in one of many formats, told by its content; `-` reads standard input. A file that fits two formats
+as two different graphs is refused, and --format chooses. Every answer says what the file was read as.
+
+Read: edge lists (`a b`, `a,b,0.5`, `a -> b`, `a -- b`, tuples of Python, with or without a header), matrices (0 and 1,
+True and False, with or without names), adjacency lists (networkx), graph6, digraph6, sparse6, GraphML, GEXF, GML, DOT,
+JSON (networkx), Pajek, DIMACS and PACE, MatrixMarket, METIS, LGL, TGF, LEDA.
+
+A directed edge u -> v means that v hears u. In a matrix, row u, column v is the edge u -> v, as networkx and igraph write
+it; papers on consensus often mean by a_uv that u hears v: --transpose reads that. Where a file leaves it open, edges have
+no direction; --directed gives them one. Parallel links count once and loops not at all, with a note; --strict refuses them.
 
     closeranks check team.edges                  # how many liars it survives, the table of (r, s), a witness
     closeranks check team.edges --F 2            # one question: any 2 liars? Exit code 0 yes, 1 no or undecided
@@ -33,19 +41,22 @@ A directed edge u -> v means that v hears u.
     closeranks check team.edges --F 2 --additions   # which edges to add
     closeranks check team.edges --local          # liars few in every neighbourhood instead of few in all
     closeranks check team.edges --leaders 1,2 --r 3 # do all follow robots 1 and 2?
+    closeranks check matrix.csv --directed --transpose   # row u, column v: u hears v
+    closeranks check many.g6 --which 3           # the third graph of a file with several
     closeranks check out/run.parquet             # a recorded run: robustness at every consensus round
     closeranks graph petersen | closeranks check -
 
 What the words mean, with pictures: docs/robustness.md.
 
---json prints {n, directed, r_max, f_max, s_max: {\"1\": ..}, proved, witness: {r, s, S1, S2, exempt}}. Robots have the
+--json prints {n, directed, r_max, f_max, s_max: {\"1\": ..}, proved, witness: {r, s, S1, S2, exempt}, read: {format,
+told_by: \"content\" | \"ending\" | \"request\", robots, links, directed, notes: [..]}}. Robots have the
 names of the file, as numbers if all are numbers. A number that was not settled within --time-limit is [least, most],
 and `proved` is then \"bounds\" instead of \"exactly\". An answer to a question is
-{n, directed, question, answer: \"yes\" | \"no\" | \"undecided\", ..}.
+{n, directed, question, answer: \"yes\" | \"no\" | \"undecided\", .., read}.
 
 Exit codes: 0 fine, 1 the answer is no or was not found within the time limit, 2 bad input.";
 
-/// How graphs are written down.
+/// How graphs are written down by `closeranks graph`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub(crate) enum Format {
     /// One edge `u v` a line.
@@ -83,12 +94,27 @@ pub(crate) struct Check {
     /// Graph or recorded run (Parquet); `-` reads standard input.
     #[arg(value_name = "GRAPH")]
     file: PathBuf,
-    /// How it is written down; told by the ending of its name or by its content if left out.
-    #[arg(long, value_enum)]
-    format: Option<Format>,
-    /// Edges of an edge list or matrix have a direction: in `u v`, v hears u.
+    /// How it is written down; told by its content if left out.
+    #[arg(long, value_name = "NAME", value_parser = input::formats())]
+    format: Option<formats::Format>,
+    /// Edges have a direction, where the file leaves that open: in `u v`, and in row u, column v, v hears u.
     #[arg(long)]
     directed: bool,
+    /// Edges have no direction, where the file leaves that open, whatever a comment in it says.
+    #[arg(long, conflicts_with = "directed")]
+    undirected: bool,
+    /// Turn every edge round: in `u v`, and in row u, column v, u hears v.
+    #[arg(long)]
+    transpose: bool,
+    /// Refuse parallel links and loops instead of counting them once or not at all.
+    #[arg(long)]
+    strict: bool,
+    /// In a matrix every number but 0 is a link; otherwise only 0 and 1 are allowed.
+    #[arg(long)]
+    weights: bool,
+    /// Which graph of a file with several (graph6 and its relatives), from 1.
+    #[arg(long, value_name = "K", value_parser = clap::value_parser!(u32).range(1..))]
+    which: Option<u32>,
     /// Ask whether the graph is (r,s)-robust.
     #[arg(long, value_name = "R", value_parser = clap::value_parser!(u8).range(1..=128))]
     r: Option<u8>,
@@ -143,8 +169,8 @@ fn graph(arguments: &Check, input: &Input, folder: Option<Folder>) -> Result<boo
         bail!("--every is for recorded runs (Parquet files of `closeranks run`)");
     }
     let mut watch = Watch::new(arguments.time_limit, arguments.quiet);
-    let task = Task::new(&input.named, arguments)?;
-    let answer = task.answer(&mut watch);
+    let task = Task::new(&input.reading.named, arguments)?;
+    let answer = task.answer(&mut watch).with_reading(&input.reading);
     watch.finish();
     if let Some(folder) = folder {
         save::save(folder, input, &answer)?;

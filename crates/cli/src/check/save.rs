@@ -14,8 +14,8 @@ use crate::folder::Folder;
 pub(super) fn save(mut folder: Folder, input: &Input, answer: &Answer) -> Result<()> {
     let [first, second, exempt] = answer.sets;
     let svg = network(&Network {
-        graph: &input.named.graph,
-        names: &input.named.names,
+        graph: &input.reading.named.graph,
+        names: &input.reading.named.names,
         title: &answer.caption,
         first,
         second,
@@ -31,7 +31,7 @@ pub(super) fn save(mut folder: Folder, input: &Input, answer: &Answer) -> Result
 fn page(input: &Input, answer: &Answer, svg: String) -> Page {
     let section = Section {
         title: "How many liars it survives".to_owned(),
-        paragraphs: [&answer.graph].into_iter().chain(&answer.why).cloned().collect(),
+        paragraphs: answer.read.iter().chain([&answer.graph]).chain(&answer.why).cloned().collect(),
         tables: answer.table.iter().map(|table| (TABLE.to_owned(), table.clone())).collect(),
         figures: vec![Figure { caption: caption(answer), svg }],
         ..Section::default()

@@ -1,10 +1,13 @@
 //! Sets, witnesses and proofs in words, with the names of the file.
 
 use closeranks_graph::definition::Witness;
-use closeranks_graph::formats::Named;
-use closeranks_graph::set::NodeSet;
+use closeranks_graph::formats::{Named, Note, Reading, ToldBy};
+use closeranks_graph::graph::Graph;
+use closeranks_graph::graph::set::NodeSet;
 use closeranks_graph::verdict::Certificate;
 use serde_json::{Value, json};
+
+use super::input;
 
 /// Characters of a name that are shown.
 const NAME_SHOWN: usize = 32;
@@ -18,6 +21,45 @@ pub(super) fn name(named: &Named, node: usize) -> String {
         shown.push('…');
     }
     shown
+}
+
+/// `10 robots, 15 links, undirected`.
+fn size(graph: &Graph) -> String {
+    let [kind, links] = if graph.is_directed() { ["directed", "edge"] } else { ["undirected", "link"] };
+    let (robots, links) =
+        (count(graph.node_count() as u64, "robot"), count(graph.edge_count() as u64, links));
+    format!("{robots}, {links}, {kind}")
+}
+
+/// What a file was read as, in one line, and a line for each remark on it.
+pub(super) fn reading(reading: &Reading) -> Vec<String> {
+    let told = input::told(reading.told_by);
+    let head = format!("read as {} ({told}): {}", reading.format.title(), size(&reading.named.graph));
+    let notes = reading.notes.iter().map(|note| format!("note: {}", safe(&note.to_string())));
+    core::iter::once(head).chain(notes).collect()
+}
+
+/// The same for machines.
+pub(super) fn reading_value(reading: &Reading) -> Value {
+    let graph = &reading.named.graph;
+    let told_by = match reading.told_by {
+        ToldBy::Content => "content",
+        ToldBy::Ending => "ending",
+        ToldBy::Request => "request",
+    };
+    json!({
+        "format": reading.format.name(),
+        "told_by": told_by,
+        "robots": graph.node_count(),
+        "links": graph.edge_count(),
+        "directed": graph.is_directed(),
+        "notes": reading.notes.iter().map(Note::to_string).collect::<Vec<String>>(),
+    })
+}
+
+/// Without signs that steer a terminal.
+fn safe(text: &str) -> String {
+    text.chars().map(|c| if c.is_control() { '\u{fffd}' } else { c }).collect()
 }
 
 fn shown(named: &Named, set: NodeSet) -> Vec<String> {

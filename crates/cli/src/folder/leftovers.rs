@@ -14,11 +14,14 @@ use anyhow::{Context, Result};
 use tempfile::TempDir;
 
 use super::parent;
+use crate::output;
 
 /// Begins the name of a folder that is being written.
 pub(super) const NEW: &str = ".closeranks-new-";
 /// Begins the name of the folder that holds what is being replaced.
 pub(super) const OLD: &str = ".closeranks-old-";
+/// Begins the name of a folder that is only made to see whether it can be.
+pub(super) const TRIED: &str = ".closeranks-try-";
 /// Name in it of what is being replaced.
 pub(super) const ASIDE: &str = "folder";
 /// Letters and digits that tell two programs apart.
@@ -57,14 +60,17 @@ pub(super) fn clean(target: &Path) -> Result<()> {
                 format!("cannot put `{}` back to `{}`", aside.display(), target.display())
             })?;
         }
-        remove(&old)?;
+        remove(&old);
     }
-    of(target, NEW)?.iter().try_for_each(|new| remove(new))
+    of(target, NEW)?.iter().for_each(|new| remove(new));
+    Ok(())
 }
 
-fn remove(folder: &Path) -> Result<()> {
-    fs::remove_dir_all(folder)
-        .with_context(|| format!("cannot remove what a killed run left: `{}`", folder.display()))
+/// What cannot be removed is in nobody's way.
+fn remove(folder: &Path) {
+    if let Err(error) = fs::remove_dir_all(folder) {
+        output::note(&format!("cannot remove what a killed run left: `{}`: {error}", folder.display()));
+    }
 }
 
 /// Folders that programs made for `target` under `prefix`.

@@ -93,11 +93,11 @@ pub(crate) fn sweep(arguments: &Sweep) -> Result<bool> {
         Outcome { file: &file.display().to_string(), manifest: &work.manifest, tally: &tally, laws: &laws };
     save::save(&store, &outcome, &spread)?;
     store.remove_parts()?;
-    tell(arguments, &outcome, &store, finished);
+    say(arguments, &outcome, &store, finished);
     Ok(outcome.is_good())
 }
 
-fn tell(arguments: &Sweep, outcome: &Outcome<'_>, store: &Store, finished: bool) {
+fn say(arguments: &Sweep, outcome: &Outcome<'_>, store: &Store, finished: bool) {
     if arguments.speech.json {
         output::say(&json::text(&outcome.json()));
     } else if !arguments.speech.quiet {

@@ -1,7 +1,7 @@
 //! The paper's controller: one row a robot (eq:split), and the closest velocity that satisfies it (seq:qp).
 //!
-//! Exactly as printed: no recovery, no slack. The one choice is the split (docs/theory, `sec:split`). The equations are in
-//! [`crate::equations::composition`].
+//! It is exactly as printed: there is no recovery and no slack. The one choice is the split (docs/theory, `sec:split`).
+//! The equations are in [`crate::equations::composition`].
 
 use crate::controller::{Batch, Control, Decision, Glimpse, Motion, Neighbor, Own, Standing, View};
 use crate::equations::composition::{Composed, Composition, PhiSplit, Sum, TERM_LARGE, Term};
@@ -39,7 +39,7 @@ pub struct Pair {
 #[derive(Clone, Copy, Debug)]
 pub struct Sums<const D: usize> {
     row: Sum<D, f64>,
-    /// The sum of Ê of the robot and its neighbours: none of them is larger.
+    /// The sum of the Ê of the robot and its neighbours. No single one is larger.
     terms: f64,
 }
 
@@ -58,7 +58,7 @@ impl<const D: usize> ComposedController<D> {
         Self { composed, link, need, input: settings.limits.input }
     }
 
-    /// Row and φ_i with free exponents where plain numbers overflow or vanish, from all neighbours.
+    /// Row and φ_i from all neighbours, with free exponents. This is for robots whose plain sums overflow or vanish.
     #[cold]
     fn careful<Known>(
         &self,
@@ -90,7 +90,8 @@ impl<const D: usize> Control<D> for ComposedController<D> {
         &self.need
     }
 
-    /// None where slope and collision term are both less than `f64` holds: then only a huge Ê makes the pair matter.
+    /// There is no pair where slope and collision term are both too small for `f64`. Such a pair matters only beside a huge
+    /// Ê, and then all neighbours are looked at one by one.
     #[inline]
     fn pair(&self, offset_m: &Vector<D>, link: &Link<f64>) -> Option<Pair> {
         let collision = self.composed.collision_term(dot(offset_m, offset_m));
@@ -105,7 +106,7 @@ impl<const D: usize> Control<D> for ComposedController<D> {
         }
     }
 
-    /// Ê of a told level, 0 of none.
+    /// Ê of a told level; 0 if none was told.
     #[inline]
     fn told(&self, _robot: RobotId, level: Option<f64>) -> f64 {
         level.map_or(0.0, |level| self.composed.degree_term(level))
@@ -191,7 +192,8 @@ impl<const D: usize> Control<D> for ComposedController<D> {
         self.decide(&own, &sums, neighbors, &motion, scratch)
     }
 
-    /// Never guaranteed: thm:cbf-qp needs continuous time. The gravest of what speaks against the answer is named.
+    /// The answer is never guaranteed, because thm:cbf-qp needs continuous time. Of all that speaks against it, the gravest is
+    /// named.
     fn mode(&self, standing: &Standing) -> Mode {
         Mode::Degraded(match standing.outcome {
             _ if standing.degree < standing.need => Reason::Degree,

@@ -23,7 +23,7 @@ use crate::num::{Vector, subtract};
 use crate::program::Outcome;
 use crate::robot::neighbor::{RobotId, Slot};
 use crate::robot::report::{Mode, Reason};
-use crate::robot::scratch::Scratch;
+use crate::robot::scratch::{Needs, Scratch};
 use crate::time::Instant;
 
 /// A robot itself, as its neighbours do not know it.
@@ -33,7 +33,7 @@ pub struct Own {
     pub id: RobotId,
     /// c_i, or what the controller has in its place.
     pub level: f64,
-    /// The same as it tells it. By Assumption 1 a liar's own row uses its lie.
+    /// The level that it tells. By Assumption 1 a liar's own row uses its lie.
     pub told_level: f64,
     /// How many neighbours may count: those in sight.
     pub degree: u16,
@@ -46,7 +46,7 @@ pub struct Neighbor<const D: usize, Pair, Known> {
     pub id: RobotId,
     /// x_i − x_j, m.
     pub offset_m: Vector<D>,
-    /// What holds for both ends; `None` where the pair bounds neither.
+    /// What both ends share; `None` where the pair bounds the move of neither.
     pub pair: Option<Pair>,
     /// What the robot knows of it.
     pub known: Known,
@@ -57,7 +57,7 @@ pub struct Neighbor<const D: usize, Pair, Known> {
 pub struct View<'a, const D: usize> {
     /// Its number.
     pub id: RobotId,
-    /// Now, on its clock.
+    /// The present time on its clock.
     pub now: Instant,
     /// Its level as it tells it.
     pub told_level: f64,
@@ -73,13 +73,13 @@ impl<'a, const D: usize> View<'a, D> {
         self.slots.iter().filter(|slot| slot.sensed)
     }
 
-    /// Those of them within R as sensed: all of them unless errors are stated.
+    /// The sensed neighbours within R. Without stated errors these are all sensed neighbours.
     pub fn linked(&self) -> impl Iterator<Item = &'a Slot<D>> + Clone + use<'a, D> {
         self.sensed().filter(|slot| slot.linked)
     }
 }
 
-/// Links of which pairs are made at a time.
+/// Links whose pairs are made together.
 #[derive(Debug)]
 pub struct Batch<'a, const D: usize> {
     /// Where all robots are, m.
@@ -115,15 +115,16 @@ pub struct Glimpse<'a, Told> {
     pub told: &'a Told,
     /// The true level of j.
     pub level: f64,
-    /// Neighbours of j.
+    /// How many neighbours j has.
     pub degree: u16,
-    /// Robots of the team that i does not see.
+    /// How many robots of the team i does not see.
     pub unseen: usize,
-    /// Those of them that are neighbours of j.
+    /// How many of these are neighbours of j.
     pub unseen_near: usize,
     /// Distance of i and j, m.
     pub distance_m: f64,
-    /// The sum of the weights of j with i and with whomever i sees, in order of numbers. It costs a walk over neighbours.
+    /// The sum of the weights of j with i and with whomever i sees, in order of numbers. To compute it costs a walk over the
+    /// neighbours.
     pub low: &'a dyn Fn() -> f64,
 }
 
@@ -132,20 +133,20 @@ pub struct Glimpse<'a, Told> {
 pub struct Decision<const D: usize> {
     /// u_i, m/s, finite and inside U_i.
     pub velocity_m_s: Vector<D>,
-    /// How it came about.
+    /// How the program found it.
     pub outcome: Outcome,
     /// φ_i (eq:phi_i), if the controller uses it.
     pub phi: Option<f64>,
-    /// What in this tick speaks against the state of the robot.
+    /// Why the state of the robot may not be safe in this tick, if there is a reason.
     pub doubt: Option<Reason>,
 }
 
-/// What the worth of an answer depends on.
+/// What decides how much an answer is worth.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Standing {
     /// How many neighbours may count: those in sight.
     pub degree: u16,
-    /// How many of them must be there.
+    /// How many of them the robot must keep.
     pub need: u16,
     /// h_i.
     pub h: f64,
@@ -155,7 +156,7 @@ pub struct Standing {
     pub outcome: Outcome,
     /// Neighbours that have told no level yet.
     pub untold: u16,
-    /// What else speaks against the answer.
+    /// What else speaks against the answer, if anything does.
     pub reason: Option<Reason>,
 }
 
@@ -188,6 +189,11 @@ pub trait Control<const D: usize> {
     /// True if the controller promises something that rests on what the robot can watch: its moves, its clock.
     fn promises(&self) -> bool {
         false
+    }
+
+    /// How much scratch a robot needs for up to so many neighbours: at least a number for the value of each.
+    fn needs(&self, neighbors: usize) -> Needs {
+        Needs { values: neighbors, sightings: 0, rows: 0 }
     }
 
     /// True if a whole team can be computed at once where nothing goes wrong: decisions rest on levels and links alone.
@@ -253,14 +259,14 @@ pub trait Control<const D: usize> {
         scratch: &mut Scratch<'_, D>,
     ) -> Decision<D>;
 
-    /// The same for a robot on its own.
+    /// The decision of a robot on its own, from what it senses and hears.
     fn alone(&self, view: &View<'_, D>, desired: &Vector<D>, scratch: &mut Scratch<'_, D>) -> Decision<D>;
 
-    /// What an answer is worth.
+    /// What an answer is worth, given what it rests on.
     fn mode(&self, standing: &Standing) -> Mode;
 }
 
-/// Where a robot wants to go, and went.
+/// Where a robot wants to go, and where it went before.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Motion<const D: usize> {
     /// u_{i,des}, m/s.

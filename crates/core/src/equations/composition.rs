@@ -1,6 +1,7 @@
 //! The paper's controller: all constraints composed into one function, split into one row a robot.
 //!
-//! Exactly as printed: no recovery, no slack. The one choice is the share (METHOD.md 2.3).
+//! The equations are exactly as printed: there is no recovery and no slack. The one choice is how φ is split
+//! (docs/theory, `sec:split`).
 
 use crate::equations::barrier::{collision_barrier, degree_barrier};
 use crate::equations::link::{LANES, Link};
@@ -21,7 +22,7 @@ pub enum PhiSplit {
 /// Weights of the composition and its rate.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Composed {
-    /// Which φ_i.
+    /// How φ is split into φ_i.
     pub split: PhiSplit,
     /// `w_r` of the degree terms, dimensionless, positive.
     pub w_r: f64,
@@ -29,9 +30,9 @@ pub struct Composed {
     pub w_c: f64,
     /// `α(s) = alpha·s`, 1/s, positive.
     pub alpha: f64,
-    /// n.
+    /// n, the number of robots.
     pub robots: u16,
-    /// F′.
+    /// F′, how many neighbours a robot must keep.
     pub required: u16,
     /// Δ_d, m.
     pub distance_min_m: f64,
@@ -53,7 +54,7 @@ pub struct Term<const D: usize> {
 /// The row of one robot and the value it is measured against.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Composition<const D: usize> {
-    /// eq:split, scaled.
+    /// The row of eq:split, scaled.
     pub row: Row<D>,
     /// φ_i (eq:phi_i), dimensionless, at most 1/n; saturates at the least `f64`.
     pub phi: f64,
@@ -94,9 +95,9 @@ impl Composed {
     /// H_i = Σ_j [ w_r (Ê_i + Ê_j) ∂a_ij/∂x_i + 2 w_c E^c_ij (x_i − x_j) ]
     /// ```
     ///
-    /// The second line is eq:split with ∂h^col_ij/∂x_i = 2 (x_i − x_j), ∂h_i/∂x_i = Σ_j ∂a_ij/∂x_i and ∂h_j/∂x_i = ∂a_ij/∂x_i. It is summed in plain
-    /// `f64`, and again with free exponents if that overflowed or vanished: a level of −10⁶ or a cluster far inside
-    /// the radius still gives a row with a direction.
+    /// The second line is eq:split with ∂h^col_ij/∂x_i = 2 (x_i − x_j), ∂h_i/∂x_i = Σ_j ∂a_ij/∂x_i and ∂h_j/∂x_i = ∂a_ij/∂x_i.
+    /// It is summed in plain `f64`, and again with free exponents if that overflowed or vanished. So a level of −10⁶, or
+    /// robots close together far inside the radius, still give a row with a direction.
     //= paper eq:phi_i
     //= paper eq:split
     #[must_use]
@@ -154,7 +155,7 @@ impl Composed {
     }
 
     /// The factor of `x_i − x_j` in H_i, the same for both ends of the link:
-    /// `w_r (Ê_i + Ê_j) slope_ij + 2 w_c E^c_ij`; in `f64` not finite if a slope that counts as 0 might matter.
+    /// `w_r (Ê_i + Ê_j) slope_ij + 2 w_c E^c_ij`. In `f64` it is not finite if a slope that counts as 0 might matter.
     #[must_use]
     pub fn coefficient<N: Number>(&self, own: N, told: N, slope: N, collision: N) -> N {
         let degrees = own.plus(told).times_f64(HEADROOM).times(slope).times_f64(self.w_r / HEADROOM);
@@ -190,13 +191,13 @@ pub struct Sum<const D: usize, N> {
 }
 
 impl<const D: usize, N: Number> Sum<D, N> {
-    /// With nothing but the robot's own `Ê_i`.
+    /// The sums of a robot without neighbours: they have nothing but its own `Ê_i`.
     #[must_use]
     pub fn new(own: N) -> Self {
         Self { normal: [N::ZERO; D], degrees: own, collisions: N::ZERO }
     }
 
-    /// With another first sum of φ_i: that of `Ê_i` and of what all neighbours told.
+    /// Replaces the first sum of φ_i by `degrees`, that of `Ê_i` and of what all neighbours told.
     #[must_use]
     pub fn with_terms(self, degrees: N) -> Self {
         Self { degrees, ..self }
@@ -216,7 +217,7 @@ impl<const D: usize, N: Number> Sum<D, N> {
         self.collisions = self.collisions.plus(collision);
     }
 
-    /// φ_i alone; in `f64` not finite if something overflowed, then use [`Composed::phi`].
+    /// φ_i alone. In `f64` it is not finite if something overflowed; use [`Composed::phi`] then.
     #[must_use]
     pub fn phi(&self, composed: &Composed) -> N {
         let whole = N::from_scaled(Scaled::new(1.0 / f64::from(composed.robots)));
@@ -237,7 +238,7 @@ pub const TERM_LARGE: f64 = f64::from_bits((1023 + 200) << 52);
 const BOUND_LIMIT: f64 = 1e200;
 
 impl<const D: usize> Sum<D, f64> {
-    /// φ_i and the row; `None` if something overflowed or vanished, then use [`Composed::compose`].
+    /// φ_i and the row. `None` if something overflowed or vanished; use [`Composed::compose`] then.
     #[must_use]
     pub fn finish(&self, composed: &Composed) -> Option<Composition<D>> {
         let phi = self.phi(composed);

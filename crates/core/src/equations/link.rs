@@ -4,7 +4,7 @@ use crate::num::exponential::exps;
 use crate::num::scaled::{Number, Scaled};
 use crate::num::{Vector, dot};
 
-/// Pairs of robots that are computed at a time where there are many.
+/// How many pairs of robots are computed at a time where there are many.
 pub(crate) const LANES: usize = 2;
 
 /// Shape of the link weight.
@@ -52,8 +52,8 @@ impl LinkShape {
         (slack_m2 >= 0.0).then(|| self.link_of(slack_m2, N::exp(self.exponent(slack_m2))))
     }
 
-    /// [`link_at`](Self::link_at) of many pairs, the same bits: the weight in place of each squared distance, m², and the slope,
-    /// 1/m². Without a link both are those of [`Link::NONE`]. Where one slice is
+    /// [`link_at`](Self::link_at) of many pairs, with the bits of each. The weight is written in place of each squared
+    /// distance, m², and the slope, 1/m², beside it. Without a link both are those of [`Link::NONE`]. Where one slice is
     /// longer, its rest stays as it is.
     pub fn links_at(&self, distances_m2: &mut [f64], slopes: &mut [f64]) {
         let count = distances_m2.len().min(slopes.len());
@@ -84,13 +84,13 @@ impl LinkShape {
         self.radius_m * self.radius_m - distance_m2
     }
 
-    /// `−q₂ s²`.
+    /// The exponent `−q₂ s²` of e.
     #[inline]
     pub(crate) fn exponent(&self, slack_m2: f64) -> f64 {
         -self.q2 * slack_m2 * slack_m2
     }
 
-    /// From s and e.
+    /// Weight and slope from s and e.
     #[inline]
     fn link_of<N: Number>(&self, slack_m2: f64, e: N) -> Link<N> {
         let tail = e.to_f64();
@@ -101,7 +101,7 @@ impl LinkShape {
 }
 
 impl Link<f64> {
-    /// In place of a link where there is none: −0, which no sum notices and whose sign no weight has.
+    /// Stands where there is no link. Both numbers are −0, which changes no sum and whose sign no weight has.
     pub const NONE: Self = Self { weight: -0.0, slope: -0.0 };
 
     /// False for the weight of [`Link::NONE`].

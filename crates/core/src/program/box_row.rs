@@ -19,7 +19,7 @@ pub struct Row<const D: usize> {
 pub struct Solution<const D: usize> {
     /// The velocity, m/s, always inside the box.
     pub velocity_m_s: Vector<D>,
-    /// How it came about.
+    /// How the program found it.
     pub outcome: Outcome,
 }
 
@@ -37,6 +37,7 @@ pub struct Solution<const D: usize> {
 /// holds up to the rounding of one inner product over the box, however far outside it `desired` lies. Without
 /// allocation; about 4·D² comparisons at worst.
 //= paper seq:qp
+//= theory sec:box-row
 #[must_use]
 pub fn closest<const D: usize>(desired: &Vector<D>, row: &Row<D>, input: &InputBox<D>) -> Solution<D> {
     let clipped = input.clip(desired);
@@ -75,8 +76,8 @@ fn foot<const D: usize>(desired: &Vector<D>, row: &Row<D>) -> Option<Vector<D>> 
     ordinary.then(|| add_scaled(desired, (row.bound - dot(&row.normal, desired)) / square, &row.normal))
 }
 
-/// u(λ): each component rests on the edge of the box nearest to the desired one until λ = `enter`, is free until
-/// λ = `leave` and rests on the opposite edge from then on.
+/// The points u(λ). Each component rests on the edge of the box nearest to the desired one until λ = `enter`, is free until
+/// λ = `leave`, and rests on the opposite edge from then on.
 struct Ray<const D: usize> {
     desired: Vector<D>,
     normal: Vector<D>,

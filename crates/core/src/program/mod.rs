@@ -14,7 +14,7 @@ pub struct InputBox<const D: usize> {
     pub max_m_s: Vector<D>,
 }
 
-/// What the program found; each is an answer, none is an error.
+/// What the program found. Each of these is an answer, and none is an error.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Outcome {
     /// The desired velocity, cut to the box, already satisfies the row.
@@ -23,7 +23,7 @@ pub enum Outcome {
     Active,
     /// No velocity in the box satisfies the row; the answer is the one that comes closest to it.
     Infeasible,
-    /// `budget`, outside the safe set: nothing gets worse, and what is broken is being mended.
+    /// Only under `budget`, outside the safe set: nothing gets worse, and what is broken is being mended.
     Recovering,
 }
 

@@ -10,20 +10,21 @@ use crate::robot::report::Reason;
 use crate::settings::params::Params;
 use crate::time::Instant;
 
-/// Rounding of a position and of a clock in one tick, as shares; what they miss is no reason to complain.
+/// How much a position and a clock may be rounded in one tick, as fractions. Deviations up to these are no reason to
+/// complain.
 const ROUNDING: f64 = 1e-9;
 const CLOCK: f64 = 0.01;
 
 /// Where the robot should be, and since when it cannot promise anything.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Assurance<const D: usize> {
-    /// The reference of the last tick and the velocity since.
+    /// The time of the last tick, the reference in it, and the velocity since.
     last: Option<(Instant, Vector<D>, Vector<D>)>,
-    /// The reference of this tick is not the last one plus its move.
+    /// True if the reference of this tick is not the last one plus its move.
     pub(crate) anew: bool,
     /// The last time an assumption was seen broken, and which.
     broken: Option<(Instant, Reason)>,
-    /// What speaks against the state of this tick; `Uncertain` only if the theorem does not carry over from an earlier one.
+    /// What speaks against the state of this tick. It is `Uncertain` only if the theorem carries no earlier certain state on.
     doubt: Option<Reason>,
 }
 
@@ -46,7 +47,7 @@ impl<const D: usize> Assurance<D> {
         }
         let blur_m = ROUNDING * (1.0 + length(&sensed)) + CLOCK * length(&subtract(&expected, &position));
         let away_m = length(&subtract(&sensed, &expected));
-        // The error of one sensed position against a reference that is known; else those of two.
+        // Against a known reference one sensed position is wrong; without references two are.
         let most_m = if errors.away_m > 0.0 { errors.sensed_m() } else { errors.offset_m };
         if away_m.is_nan() || away_m > most_m + blur_m {
             self.broken = Some((now, Reason::Moved));
@@ -82,14 +83,14 @@ impl<const D: usize> Assurance<D> {
         self.last = Some((now, position, velocity));
     }
 
-    /// Forgets where it was: there is no position.
+    /// Forgets where the robot was, because there is no position.
     pub(crate) fn lose(&mut self, now: Instant) {
         if self.last.take().is_some() {
             self.broken = Some((now, Reason::Late));
         }
     }
 
-    /// Why nothing is guaranteed now, if so.
+    /// Why nothing is guaranteed now; `None` if nothing speaks against it.
     pub(crate) fn reason(&self, now: Instant, told_max: Duration) -> Option<Reason> {
         let recent = self.broken.filter(|(then, _)| now.since(*then) <= told_max);
         self.doubt.or(recent.map(|(_, reason)| reason))

@@ -7,22 +7,22 @@ use crate::robot::scratch::Needs;
 /// What [`Robot::observe`](crate::robot::Robot::observe) made of a position.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Observed {
-    /// Within R: a neighbour.
+    /// The other robot is within R: it is a neighbour.
     Neighbor,
-    /// Farther away than R as sensed, but perhaps not in truth: the margin of `budget` reckons with it.
+    /// It is farther away than R as sensed, but perhaps not in truth. `budget` with stated errors reckons with it.
     InView,
-    /// Farther away than R.
+    /// It is farther away than R.
     OutOfRange,
 }
 
 /// Why a robot cannot be made.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum RobotError {
-    /// Scratch is too short; holds how much is needed.
+    /// Scratch is too short; this much is needed.
     Scratch(Needs),
     /// The number of the robot is not one of its team.
     Id {
-        /// What was given.
+        /// The number that was given.
         id: u16,
         /// n.
         robots: u16,
@@ -47,7 +47,7 @@ pub enum ObserveError {
     NotFinite,
     /// There is no own position to measure from.
     NoPosition,
-    /// That is the robot itself.
+    /// The number is that of the robot itself.
     OwnId,
     /// No robot of the team has that number: it is not one of 1 to n.
     UnknownId,
@@ -60,7 +60,7 @@ pub enum ObserveError {
 pub enum ReceiveError {
     /// The sender is not among the neighbours observed in this tick.
     NotNeighbor,
-    /// Not newer than the last message of that sender.
+    /// The message is not newer than the last one of that sender.
     Stale,
 }
 

@@ -69,7 +69,7 @@ pub struct Robot<const D: usize, S> {
     pub(crate) id: RobotId,
     pub(crate) slots: S,
     pub(crate) count: usize,
-    /// Where to look first for the next slot.
+    /// The slot to look at first when one is looked for.
     pub(crate) next: usize,
     pub(crate) now: Instant,
     position: Option<Vector<D>>,
@@ -81,7 +81,7 @@ pub struct Robot<const D: usize, S> {
     level_timer: Timer,
     value_timer: Timer,
     sequence: u32,
-    /// c_i as sensed, and as told: the same for whoever follows eq:connectivity.
+    /// c_i as sensed. `told_level` is c_i as told, which is the same for a robot that follows eq:connectivity.
     pub(crate) level: f64,
     level_at: Instant,
     told_level: f64,
@@ -95,7 +95,7 @@ pub struct Robot<const D: usize, S> {
 impl<const D: usize, S: Slots<D>> Robot<D, S> {
     /// A robot with initial value `y_i(t₀)`, due to share at once. `slots` bound how many neighbours it can have.
     ///
-    /// Refused are a value that is NaN or beyond ±[`VALUE_MAX`], and a number that is not one of 1 to n.
+    /// A value that is NaN or beyond ±[`VALUE_MAX`] is refused, and so is a number that is not one of 1 to n.
     pub fn new(params: Params<D>, id: RobotId, value: f64, slots: S) -> Result<Self, RobotError> {
         if !(-VALUE_MAX..=VALUE_MAX).contains(&value) {
             return Err(RobotError::Value);
@@ -128,8 +128,8 @@ impl<const D: usize, S: Slots<D>> Robot<D, S> {
         })
     }
 
-    /// Begins anew with `value`, as after a restart: neighbours, what they told and everything else is forgotten, but for
-    /// the clock, which must not fall.
+    /// Begins anew with `value`, as after a restart. Neighbours, what they told and everything else are forgotten, except the
+    /// time, which must not fall.
     pub fn restart(&mut self, value: f64) -> Result<(), RobotError> {
         if !(-VALUE_MAX..=VALUE_MAX).contains(&value) {
             return Err(RobotError::Value);
@@ -277,7 +277,7 @@ impl<const D: usize, S: Slots<D>> Robot<D, S> {
         Output { velocity_m_s: decision.velocity_m_s, report }
     }
 
-    /// What the controller is given.
+    /// What the controller is given in this tick.
     fn view(&self) -> View<'_, D> {
         View {
             id: self.id,
@@ -294,15 +294,15 @@ impl<const D: usize, S: Slots<D>> Robot<D, S> {
         self.level_timer.due().min(self.value_timer.due())
     }
 
-    /// Where it counts itself in this tick, m: where it sensed itself, or with a tracking error where its moves have taken it
-    /// since it last had to begin anew. `None` without a usable position.
+    /// Where the robot counts itself in this tick, m: where it sensed itself, or with a tracking error where its moves have
+    /// taken it since it last had to begin anew. `None` without a usable position.
     #[must_use]
     pub fn reference(&self) -> Option<Vector<D>> {
         self.position
     }
 
-    /// True if it had to begin anew in this tick: it is not where its last move should have taken it, or was not called in
-    /// time. Only under `budget`.
+    /// True if the robot had to begin anew in this tick: it is not where its last move should have taken it, or was not
+    /// called in time. Only `budget` keeps this account.
     #[must_use]
     pub fn began_anew(&self) -> bool {
         self.assurance.anew
@@ -320,7 +320,7 @@ impl<const D: usize, S: Slots<D>> Robot<D, S> {
         self.value
     }
 
-    /// c_i as told: differs from the sensed level only after [`restate`](Self::restate).
+    /// c_i as told. It differs from the sensed level only after [`restate`](Self::restate).
     #[must_use]
     pub fn told_level(&self) -> f64 {
         self.told_level
@@ -336,7 +336,7 @@ impl<const D: usize, S: Slots<D>> Robot<D, S> {
         self.neighbors().iter().filter(|slot| slot.sensed)
     }
 
-    /// Those of them within R as sensed: all of them unless there is a margin.
+    /// The sensed neighbours within R. Without stated errors these are all sensed neighbours.
     pub(crate) fn linked(&self) -> impl Iterator<Item = &Slot<D>> + Clone {
         self.sensed().filter(|slot| slot.linked)
     }

@@ -6,7 +6,7 @@ use crate::equations::link::Link;
 use crate::num::Vector;
 use crate::time::Instant;
 
-/// Of a robot that is out of range.
+/// Stands for the link to a robot that is out of range.
 pub(crate) const NO_LINK: Link<f64> = Link { weight: 0.0, slope: 0.0 };
 
 /// Number of a robot in its team; the paper counts from 1.
@@ -17,12 +17,12 @@ pub struct RobotId(pub u16);
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Told {
     pub(crate) sequence: u32,
-    /// When it was sensed, by its sender's clock.
+    /// When the level was sensed, by its sender's clock.
     pub(crate) stamp: Instant,
     pub(crate) level: f64,
-    /// When it was received, by the own clock.
+    /// When the message was received, by the own clock.
     pub(crate) at: Instant,
-    /// y_j of the consensus round that is on, if told.
+    /// y_j of the consensus round that is on, if it was told.
     pub(crate) value: Option<f64>,
 }
 
@@ -32,15 +32,15 @@ pub(crate) struct Told {
 #[expect(clippy::struct_excessive_bools, reason = "four facts, each with its own life")]
 pub struct Slot<const D: usize> {
     pub(crate) id: RobotId,
-    /// Sensed in this tick.
+    /// True if it was sensed in this tick.
     pub(crate) sensed: bool,
-    /// Sensed in the tick before and not yet in this one.
+    /// True if it was sensed in the tick before and not yet in this one.
     pub(crate) seen_before: bool,
     pub(crate) offset_m: Vector<D>,
-    /// As sensed.
+    /// Where it was sensed, m.
     pub(crate) position_m: Vector<D>,
     pub(crate) link: Link<f64>,
-    /// Within R as sensed; false for a robot that only the margin of `budget` brings into view.
+    /// True if it is within R as sensed. It is false for a robot that only the margin of `budget` brings into view.
     pub(crate) linked: bool,
     pub(crate) told: Option<Told>,
     pub(crate) discarded: bool,
@@ -81,13 +81,13 @@ impl<const D: usize> Slot<D> {
         self.link
     }
 
-    /// The level it last told, if any.
+    /// The level that it told last, if any.
     #[must_use]
     pub fn told_level(&self) -> Option<f64> {
         self.told.map(|told| told.level)
     }
 
-    /// How long ago, at `now`, that was received.
+    /// How long before `now` that level was received.
     #[must_use]
     pub fn told_age(&self, now: Instant) -> Option<Duration> {
         self.told.map(|told| now.since(told.at))

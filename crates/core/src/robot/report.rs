@@ -13,28 +13,29 @@ use crate::robot::{Robot, Slots};
 pub struct Output<const D: usize> {
     /// u_i, m/s, always finite and inside U_i.
     pub velocity_m_s: Vector<D>,
-    /// How it came about.
+    /// How the velocity came about.
     pub report: Report,
 }
 
 /// State of one robot after a tick, from what it knows itself.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Report {
-    /// δ_i, neighbours sensed within R, whatever the margin.
+    /// δ_i, the number of neighbours sensed within R, whatever errors are stated.
     pub degree: u16,
     /// δ_i less what must be there; negative when the condition of thm:rs_robust does not hold here.
     pub degree_margin: i32,
     /// c_i as sensed at the last update, before any restatement.
     pub level: f64,
-    /// h_i = c_i − F′ (eq:h_i); under `budget` with free liars T_i − θ, with a margin the least that it can be.
+    /// h_i = c_i − F′ (eq:h_i). Under `budget` with free liars it is T_i − θ; with stated errors it is the least that it can be.
     pub h: f64,
-    /// φ_i (eq:phi_i) if the answer depends on it: under `composed`. May be negative while all is well (METHOD.md 2.2).
+    /// φ_i (eq:phi_i) if the answer depends on it: under `composed`. It may be negative while all is well
+    /// (docs/theory, sec:phi).
     pub phi: Option<f64>,
     /// What the program found.
     pub outcome: Outcome,
     /// What the answer is worth.
     pub mode: Mode,
-    /// Neighbours that have told no level yet; `composed` leaves their terms out.
+    /// How many neighbours have told no level yet; `composed` leaves their terms out.
     pub untold: u16,
     /// Time since the oldest told level in use was received.
     pub told_age_max: Duration,
@@ -45,47 +46,47 @@ pub struct Report {
 /// A consensus round as a robot saw it; [`Slot::discarded`](crate::robot::neighbor::Slot::discarded) says whose values went.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct RoundReport {
-    /// Values of neighbours kept.
+    /// How many values of neighbours were kept.
     pub kept: u16,
-    /// Values discarded because they were among the F largest or smallest.
+    /// How many were discarded because they were among the F largest or smallest.
     pub discarded: u16,
-    /// Neighbours that told no value in this round.
+    /// How many neighbours told no value in this round.
     pub silent: u16,
 }
 
 /// What a robot can promise for its answer.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Mode {
-    /// All assumptions of THEORY.md B that a robot can check hold. It cannot check that positions are exact, that all
-    /// robots have the same settings, and that messages were not delayed on their way (docs/budget.md). `composed`
-    /// never says so: its theorem needs continuous time.
+    /// Every assumption of `budget` that a robot can check holds (docs/theory, thm:any-claim). It cannot check that all robots
+    /// have the same settings, that every robot within R is sensed, and more (docs/budget.md). `composed` never says so: its
+    /// theorem needs continuous time.
     Guaranteed,
     /// The answer is used, but an assumption does not hold.
     Degraded(Reason),
-    /// No usable desired velocity: the answer is the one closest to standing still.
+    /// There is no usable desired velocity: the answer is the one closest to standing still.
     Hold,
-    /// No usable own position: the answer is 0.
+    /// There is no usable own position: the answer is 0.
     Stopped,
 }
 
-/// Why an answer is not guaranteed; the gravest that applies.
+/// Why an answer is not guaranteed. Of several reasons the gravest is given.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Reason {
-    /// Fewer than F′ neighbours (θ under [`Assume::Free`](crate::controller::budget::knowledge::Assume::Free)).
+    /// There are fewer than F′ neighbours (θ under [`Assume::Free`](crate::controller::budget::knowledge::Assume::Free)).
     Degree,
     /// The program had no solution.
     Infeasible,
     /// `composed`: φ_i < 0, outside Z_i (thm:cbf-qp). `budget`: h_i < 0, a neighbour's h certainly negative, or a pair too
     /// close.
     OutsideSafeSet,
-    /// More time than a velocity may be held has passed since the last tick. Said for
-    /// [`told_max`](crate::settings::Settings::told_max) more: until then a level told before may be worth less than it says.
+    /// More time than a velocity may be held has passed since the last tick. It is said for
+    /// [`told_max`](crate::settings::Clock::told_max) more, because until then a level told before may be worth less than it says.
     Late,
     /// The robot, or under [`Assume::Obedient`](crate::controller::budget::knowledge::Assume::Obedient) a neighbour, is not where the
-    /// stated errors and the input box allow it to be: sensing or tracking is worse than stated. Said for as long.
+    /// stated errors and the input box allow it to be: sensing or tracking is worse than stated. It is said for as long.
     Moved,
-    /// `budget` with a margin: h_i or a distance is not certain to be safe, and was not since the start or since the last
-    /// broken assumption.
+    /// `budget` with stated errors: h_i or a distance is not certain to be safe, and was not since the start or since the
+    /// last broken assumption.
     Uncertain,
     /// A neighbour has told no level.
     Untold,
@@ -126,7 +127,7 @@ impl<const D: usize, S: Slots<D>> Robot<D, S> {
         }
     }
 
-    /// With stated errors, whoever is in sight may be a neighbour.
+    /// What the answer is worth. With stated errors, whoever is in sight may be a neighbour.
     fn mode(&self, standing: Standing) -> Mode {
         let reason = self.assurance.reason(self.now, self.params.settings().clock.told_max);
         let degree = small(self.sensed().count());

@@ -25,8 +25,8 @@ impl<const D: usize, S: Slots<D>> Robot<D, S> {
         self.round.is_some_and(|began| latest > began)
     }
 
-    /// Runs W-MSR on what was told since the round began; again when more of it came late. What comes after the next round
-    /// began is not used.
+    /// Runs W-MSR on what was told since the round began, and again when more came late. A value that comes after the next
+    /// round began is not used.
     pub(crate) fn end_round(&mut self, values: &mut [f64]) -> Option<RoundReport> {
         if !core::mem::take(&mut self.round_news) {
             return None;
@@ -48,7 +48,7 @@ impl<const D: usize, S: Slots<D>> Robot<D, S> {
         })
     }
 
-    /// Marks whose values went; of equal values at the edge, those of the lowest numbers.
+    /// Marks the neighbours whose values were discarded. Of equal values at an edge, those of the lowest numbers are marked.
     fn mark_discarded(&mut self, round: &wmsr::Round) {
         let values = |slots: &[Slot<D>], beyond: fn(f64, f64) -> bool, edge: f64| {
             slots.iter().filter(|slot| slot.told_value().is_some_and(|value| beyond(value, edge))).count()

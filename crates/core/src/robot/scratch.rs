@@ -1,18 +1,17 @@
 //! Memory that a robot needs during a call and not between calls: one piece for any number of robots that take turns.
 
 use crate::controller::budget::knowledge::Sighting;
-use crate::controller::budget::settings::Budget;
 use crate::program::balls::row::Row;
 use crate::robot::error::RobotError;
-use crate::settings::Controller;
 use crate::settings::params::Params;
 
-/// Scratch for the calls of a robot. One that exists is enough for robots with those parameters and that many slots.
+/// Scratch for the calls of a robot. It is enough for robots with the parameters and the number of slots that it was made
+/// for.
 #[derive(Debug)]
 pub struct Scratch<'memory, const D: usize> {
-    /// For how many neighbours.
+    /// For how many neighbours it is enough.
     neighbors: usize,
-    /// Values of a round, weights between neighbours.
+    /// Numbers: the values of a round, or weights between neighbours.
     pub(crate) values: &'memory mut [f64],
     /// Neighbours as `budget` sees them.
     pub(crate) sightings: &'memory mut [Sighting<D>],
@@ -23,11 +22,11 @@ pub struct Scratch<'memory, const D: usize> {
 /// How much of each a robot needs.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Needs {
-    /// Numbers.
+    /// How many numbers.
     pub values: usize,
-    /// Sightings.
+    /// How many sightings.
     pub sightings: usize,
-    /// Rows.
+    /// How many rows.
     pub rows: usize,
 }
 
@@ -35,21 +34,8 @@ impl Needs {
     /// What a robot with these `params` needs for up to `neighbors` neighbours.
     #[must_use]
     pub fn new<const D: usize>(params: &Params<D>, neighbors: usize) -> Self {
-        match &params.settings().controller {
-            Controller::Composed(_) | Controller::None => Self { values: neighbors, sightings: 0, rows: 0 },
-            Controller::Budget(budget) => Self {
-                values: Budget::survey_len(budget.assume, neighbors),
-                sightings: neighbors,
-                rows: rows(D, params.settings().error_bounds().offset_m > 0.0, neighbors),
-            },
-        }
+        params.controller().needs(neighbors)
     }
-}
-
-/// Two for each axis, two for each neighbour, one of its own; with stated errors each but the first for every corner of a cube.
-fn rows(dimension: usize, blurred: bool, neighbors: usize) -> usize {
-    let corners = if blurred { 1 << dimension.min(8) } else { 1 };
-    neighbors.saturating_mul(2).saturating_add(1).saturating_mul(corners).saturating_add(2 * dimension)
 }
 
 impl<'memory, const D: usize> Scratch<'memory, D> {
@@ -76,8 +62,8 @@ impl<'memory, const D: usize> Scratch<'memory, D> {
 
 /// Sized scratch for robots with up to `N` neighbours and `K` rows a neighbour.
 ///
-/// Without stated errors `K = 10` is enough for any N in two and three dimensions; [`new`](Self::new) says how many rows
-/// are needed if they are not.
+/// Without stated errors `K = 10` is enough for any N in two and three dimensions. Where the rows are too few,
+/// [`new`](Self::new) says how many are needed.
 #[derive(Clone, Debug)]
 pub struct RobotMemory<const D: usize, const N: usize, const K: usize = 10> {
     sums: [[f64; 3]; N],

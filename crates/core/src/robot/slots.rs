@@ -1,12 +1,12 @@
-//! Slots of neighbours in order of their number, in memory that is never more than was lent.
+//! Slots of neighbours in order of their numbers. There are never more of them than were lent.
 
 use crate::robot::error::ObserveError;
 use crate::robot::neighbor::{RobotId, Slot};
 use crate::robot::{Robot, Slots};
 
 impl<const D: usize, S: Slots<D>> Robot<D, S> {
-    /// Where the slot of `id` is, made anew in its place in the order if it had none. When all are taken, one of a robot that was
-    /// not yet sensed in this tick is given up.
+    /// Where the slot of `id` is. If it has none, one is made at its place in the order. When all slots are taken, that of a
+    /// robot that was not yet sensed in this tick is given up.
     pub(crate) fn slot(&mut self, id: RobotId) -> Result<usize, ObserveError> {
         if let Some(index) = self.find(id) {
             return Ok(index);
@@ -25,7 +25,7 @@ impl<const D: usize, S: Slots<D>> Robot<D, S> {
         Ok(index)
     }
 
-    /// The slot of `id`, if it has one: as a rule the one after that found last, because robots are gone through in order.
+    /// The slot of `id`, if it has one. As a rule it is the one after that found last, because robots come in order.
     pub(crate) fn find(&mut self, id: RobotId) -> Option<usize> {
         let next = if self.next < self.count { self.next } else { 0 };
         let slots = self.neighbors();

@@ -9,12 +9,12 @@ pub struct Clock {
     pub level_period: Duration,
     /// τ₂: how often the value is shared and updated.
     pub value_period: Duration,
-    /// The longest that a velocity is held before the next tick, at least τ₁; `None` for τ₁. The rows of `budget` are for
-    /// moves of this length, so it must cover the jitter of the ticks.
+    /// The longest that a velocity is held before the next tick, at least τ₁; `None` stands for τ₁. The rows of `budget` are
+    /// made for moves over this time, so it must cover the jitter of the ticks.
     pub hold_max: Option<Duration>,
     /// A level told longer ago than this counts as not told. It bounds how long a broken assumption is felt.
     pub told_max: Duration,
-    /// Bound of the difference between the clocks of any two robots; a told level is that much older than it says.
+    /// Bound of the difference between the clocks of any two robots. A told level counts as that much older than it says.
     pub error: Duration,
 }
 
@@ -31,7 +31,7 @@ impl Default for Clock {
 }
 
 impl Clock {
-    /// How long a velocity may be held: the time given, or τ₁.
+    /// How long a velocity may be held: the given time, or τ₁.
     #[must_use]
     pub fn hold_max(&self) -> Duration {
         self.hold_max.unwrap_or(self.level_period)

@@ -20,7 +20,7 @@ pub enum Controller {
 /// Parameters of `composed`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ComposedSettings {
-    /// Which φ_i.
+    /// How φ is split into φ_i.
     pub phi_split: PhiSplit,
     /// w_r, the weight of degrees.
     pub w_r: f64,
@@ -33,10 +33,10 @@ pub struct ComposedSettings {
 /// Parameters of `budget`. All robots of a team must have the same; only trust may differ.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct BudgetSettings {
-    /// γ: the fraction of h_k that may be lost in a tick, in (0, 1]; `None` for a rate of 2/s, with which robots get far
-    /// ([`fraction_of_rate`]).
+    /// γ: the fraction of h_k that may be lost in a tick, in (0, 1]. `None` stands for a rate of 2/s, with which robots get
+    /// far ([`fraction_of_rate`]).
     pub gamma: Option<f64>,
-    /// κ, at least 0: by how much that fraction rises with h_k.
+    /// q, at least 0: by how much that fraction rises with h_k (docs/theory, eq:loss).
     pub gain_slope: f64,
     /// γ_c: the fraction of D − Δ_d² that may be lost in a tick, in (0, 1].
     pub gamma_c: f64,
@@ -71,7 +71,7 @@ impl Default for BudgetSettings {
 }
 
 impl BudgetSettings {
-    /// γ: the one given, or that of a rate of 2/s in a tick of `period`.
+    /// γ: the given one, or that of a rate of 2/s in a tick of `period`.
     #[must_use]
     pub fn gamma(&self, period: Duration) -> f64 {
         self.gamma.unwrap_or_else(|| fraction_of_rate(2.0, period.as_secs_f64()))

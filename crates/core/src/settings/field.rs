@@ -59,7 +59,7 @@ pub struct Parts<'a> {
 /// A number of the settings.
 #[derive(Clone, Copy, Debug)]
 pub struct Row {
-    /// Which.
+    /// Which number it is.
     pub field: Field,
     /// Its name in files, with the table it stands in.
     pub name: &'static str,
@@ -67,11 +67,11 @@ pub struct Row {
     pub about: &'static str,
     /// What it is now, s for times; `None` if the controller has no such number.
     pub get: fn(&Parts<'_>) -> Option<f64>,
-    /// Sets it. A number that is not of the kind of the field is cut to it.
+    /// Sets it. A number that is not of the kind of the field is rounded to that kind.
     pub set: fn(&mut Parts<'_>, f64),
     /// What it may be, whatever the others are.
     pub range: Allowed,
-    /// What it may be given the others, if that is less.
+    /// What it may be given the others, if they leave less.
     pub limit: Option<Limit>,
     /// Why it may be only that, if it has a limit.
     pub why: &'static str,
@@ -87,7 +87,7 @@ const TEAM_MAX: f64 = ROBOTS_MAX as f64;
 /// A time between two events, s.
 const SECONDS: Allowed = Allowed::Closed(1e-6, 3_600.0);
 
-/// All of them, in the order in which they are checked.
+/// All numbers, in the order in which they are checked.
 pub const TABLE: [Row; 19] = [
     Row {
         field: Field::Robots,
@@ -323,7 +323,7 @@ impl Field {
 }
 
 impl<const D: usize> Settings<D> {
-    /// All but the input box. Δ_d may be up to `distance_limit_m`, m.
+    /// All numbers but those of the input box. Δ_d may be up to `distance_limit_m`, m.
     #[must_use]
     pub fn parts(&mut self, distance_limit_m: f64) -> Parts<'_> {
         let (composed, budget) = match &mut self.controller {
@@ -362,7 +362,7 @@ fn whole(number: f64) -> u16 {
     whole
 }
 
-/// To the nanosecond.
+/// The time, rounded to nanoseconds.
 fn time(seconds: f64) -> Duration {
     #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "saturates")]
     let nanos = libm::round(seconds * 1e9) as u64;

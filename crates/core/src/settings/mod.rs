@@ -1,4 +1,5 @@
-//! What a robot is told once, unchecked. `Default` holds the paper's values and, where it prints none, ours.
+//! What a robot is told once, unchecked. `Default` holds the paper's values and, where the paper prints none, ours
+//! (docs/theory, `sec:choices`).
 //!
 //! Every single number has one row in [`field`]: its name in files, what it is, and what it may be.
 
@@ -17,33 +18,33 @@ use crate::program::InputBox;
 /// Who is in the team.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Team {
-    /// n, 2 to [`ROBOTS_MAX`](params::ROBOTS_MAX).
+    /// n, the number of robots, 2 to [`ROBOTS_MAX`](params::ROBOTS_MAX).
     pub robots: u16,
-    /// F, with 2F + 1 ≤ n.
+    /// F, how many of them may be malicious, with 2F + 1 ≤ n.
     pub faults: u16,
 }
 
 /// What a link is.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LinkSettings {
-    /// R, m.
+    /// R, how far a link reaches, m.
     pub radius_m: f64,
-    /// ε of q₁ = 2 + ε, with 0 < ε < 1/(n−1); `None` for [`epsilon_of`].
+    /// ε of q₁ = 2 + ε, with 0 < ε < 1/(n−1); `None` stands for [`epsilon_of`].
     pub epsilon: Option<f64>,
-    /// q₂, 1/m⁴.
+    /// q₂, the steepness of the weight, 1/m⁴.
     pub q2: f64,
 }
 
 /// What no controller may exceed.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Limits<const D: usize> {
-    /// Δ_d, m, less than R.
+    /// Δ_d, how near two robots may come, m, less than R.
     pub distance_min_m: f64,
-    /// U_i.
+    /// U_i, the velocities that a robot may be given.
     pub input: InputBox<D>,
 }
 
-/// Stated bounds of errors. `composed`, whose theorem has no room for them, leaves them aside.
+/// Stated bounds of errors. `composed` does not use them, because its theorem has no room for errors.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Errors {
     /// Bound e of the error of every sensed position, own or another's, m.
@@ -88,7 +89,7 @@ impl<const D: usize> Default for Limits<D> {
     }
 }
 
-/// ε for a team of `robots`: 1/(n−1) − 0.001, and half of 1/(n−1) where that is not positive.
+/// ε for a team of `robots`: 1/(n−1) − 0.001, or half of 1/(n−1) where that is not positive.
 #[must_use]
 pub fn epsilon_of(robots: u16) -> f64 {
     let limit = 1.0 / (f64::from(robots) - 1.0);
@@ -96,7 +97,7 @@ pub fn epsilon_of(robots: u16) -> f64 {
 }
 
 impl<const D: usize> Settings<D> {
-    /// ε: the one given, or the default for this n.
+    /// ε: the given one, or the default for this n.
     #[must_use]
     pub fn epsilon(&self) -> f64 {
         self.link.epsilon.unwrap_or(epsilon_of(self.team.robots))

@@ -17,7 +17,7 @@ pub const ROBOTS_MAX: u16 = 10_000;
 /// Greatest magnitude of any length, weight or speed: far outside use, far inside `f64`.
 pub const MAGNITUDE_MAX: f64 = 1e6;
 
-/// Checked settings.
+/// Settings that were checked, and what follows from them.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Params<const D: usize> {
     settings: Settings<D>,
@@ -32,7 +32,7 @@ pub struct Params<const D: usize> {
 /// What a controller keeps among references: where velocities have taken each robot ([`ErrorBounds`]).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Kept {
-    /// Shape of their links.
+    /// The shape of their links.
     pub link: LinkShape,
     /// How near two of them may come, m.
     pub distance_min_m: f64,
@@ -102,7 +102,7 @@ impl<const D: usize> Params<D> {
         }
     }
 
-    /// What the controller keeps: with stated errors, among references and not among positions.
+    /// What the controller keeps. With stated errors this is about references and not about positions.
     #[must_use]
     pub fn kept(&self) -> Kept {
         match self.budget() {
@@ -158,7 +158,8 @@ impl<const D: usize> Settings<D> {
         Ok(())
     }
 
-    /// Δ_d must be below R, and with `budget` below R − 2ρ − 4A: robots that are not linked have no row for their distance.
+    /// What Δ_d must be below: R, and with `budget` R − 2ρ − 4A, because robots that are not linked have no row for their
+    /// distance.
     fn distance_limit(&self) -> f64 {
         match self.controller {
             Controller::Composed(_) | Controller::None => self.link.radius_m,
@@ -168,12 +169,12 @@ impl<const D: usize> Settings<D> {
         }
     }
 
-    /// `T U_i`, T the longest that a velocity is held.
+    /// The displacements `T U_i`, with T the longest that a velocity is held.
     pub(crate) fn reach(&self) -> Reach<D> {
         Reach::new(&self.limits.input, self.clock.hold_max().as_secs_f64())
     }
 
-    /// F′, for controllers that count all neighbours.
+    /// The need F′ of controllers that count all neighbours.
     pub(crate) fn need_of_neighbors(&self) -> Need {
         Need::new(self.team.robots, self.team.faults, Keep::Neighbors)
     }

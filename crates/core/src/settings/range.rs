@@ -5,22 +5,22 @@ use crate::settings::field::Field;
 /// A setting outside what is allowed.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ParamsError {
-    /// Which number.
+    /// Which number it is about.
     pub field: Field,
-    /// What it is (s for periods).
+    /// What the number is (in s for periods).
     pub value: f64,
-    /// What is allowed.
+    /// What it may be.
     pub allowed: Allowed,
 }
 
 /// A range of allowed numbers.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Allowed {
-    /// Both ends included.
+    /// From the first number to the second, both included.
     Closed(f64, f64),
-    /// More than the first, less than the second.
+    /// More than the first number and less than the second.
     Open(f64, f64),
-    /// More than the first, at most the second.
+    /// More than the first number and at most the second.
     LeftOpen(f64, f64),
 }
 

@@ -1,4 +1,4 @@
-//! Networks of robots that agree by W-MSR, some of which lie, and Theorem A for one round of one.
+//! Networks of robots that agree by W-MSR, some of which lie, and thm:contraction for one round of one.
 
 use closeranks_core::equations::barrier::required_degree;
 use closeranks_core::wmsr::update;
@@ -103,7 +103,7 @@ pub(crate) fn two_cliques(robots: usize, across: usize, faults: u16) -> Team {
     Team { links, normal: robots, faults }
 }
 
-/// Theorem A for one round; returns by how much the spread shrank.
+/// Holds one round against thm:contraction; returns by how much the spread shrank.
 pub(crate) fn check_round(team: &Team, values: &Values) -> f64 {
     let next = team.step(values, |sender, _| values[sender]);
     let (low, high) = team.hull(values);

@@ -1,28 +1,77 @@
 //! A graph in the making, node by node and edge by edge, as the lines of a text have them.
 
-use alloc::collections::BTreeMap;
+use alloc::collections::{BTreeMap, BTreeSet};
 use alloc::string::{String, ToString};
 use alloc::vec::Vec;
 
 use super::error::{FormatError, Problem};
+use super::note::Note;
 use super::{NAME_LIMIT, Named};
 use crate::graph::Graph;
-use crate::set::NODE_LIMIT;
+use crate::graph::set::NODE_LIMIT;
 
+/// What a reader has made of a text.
+pub(super) struct Draft {
+    pub(super) named: Named,
+    pub(super) notes: Vec<Note>,
+    /// The first parallel link or loop, as an error.
+    pub(super) repeat: Option<FormatError>,
+}
+
+/// Nodes with their names and labels, and pairs (u, v) of nodes of which v hears u.
 pub(super) struct Builder {
     directed: bool,
     names: Vec<String>,
+    labels: Vec<String>,
     numbers: BTreeMap<String, usize>,
-    edges: Vec<(usize, usize, usize)>,
+    heard: BTreeSet<(usize, usize)>,
+    one_way: bool,
+    both_ways: usize,
+    listed: Option<BTreeMap<(usize, usize), usize>>,
+    parallel_expected: bool,
+    parallel: usize,
+    loops: usize,
+    repeat: Option<FormatError>,
+    notes: Vec<Note>,
 }
 
 impl Builder {
+    /// No nodes yet. `directed` is what [`Builder::edge`] makes.
     pub(super) fn new(directed: bool) -> Self {
-        Self { directed, names: Vec::new(), numbers: BTreeMap::new(), edges: Vec::new() }
+        Self {
+            directed,
+            names: Vec::new(),
+            labels: Vec::new(),
+            numbers: BTreeMap::new(),
+            heard: BTreeSet::new(),
+            one_way: false,
+            both_ways: 0,
+            listed: None,
+            parallel_expected: false,
+            parallel: 0,
+            loops: 0,
+            repeat: None,
+            notes: Vec::new(),
+        }
+    }
+
+    /// For lists in which each end may name the other: a link u — v is not parallel to v — u.
+    pub(super) fn told_from_both_ends(mut self) -> Self {
+        self.listed = Some(BTreeMap::new());
+        self
+    }
+
+    /// What the graph is, beside its one-way edges.
+    pub(super) fn set_directed(&mut self, directed: bool) {
+        self.directed = directed;
     }
 
     pub(super) fn is_directed(&self) -> bool {
         self.directed
+    }
+
+    pub(super) fn note(&mut self, note: Note) {
+        self.notes.push(note);
     }
 
     /// The node of this name, new if it must be.
@@ -44,41 +93,126 @@ impl Builder {
         } else {
             let number = self.names.len();
             self.names.push(name.to_string());
+            self.labels.push(String::new());
             self.numbers.insert(name.to_string(), number);
             return Ok(number);
         };
-        Err(FormatError { line, problem })
+        Err(FormatError::new(line, problem))
+    }
+
+    /// So many nodes with the names `first`, `first + 1`, …
+    pub(super) fn declare_numbers(
+        &mut self,
+        first: usize,
+        count: usize,
+        line: usize,
+    ) -> Result<(), FormatError> {
+        (first..first.saturating_add(count))
+            .try_for_each(|number| self.declare(&number.to_string(), line).map(|_| ()))
     }
 
     /// The node of this name, which must be there.
     pub(super) fn known(&self, name: &str, line: usize) -> Result<usize, FormatError> {
         let unknown = || {
             let name = name.chars().take(NAME_LIMIT).collect();
-            FormatError { line, problem: Problem::UnknownNode { name } }
+            FormatError::new(line, Problem::UnknownNode { name })
         };
         self.numbers.get(name).copied().ok_or_else(unknown)
     }
 
-    pub(super) fn edge(&mut self, from: usize, to: usize, line: usize) -> Result<(), FormatError> {
-        let name = |node: usize| self.names.get(node).cloned().unwrap_or_default();
-        if from == to {
-            return Err(FormatError { line, problem: Problem::Loop { node: name(from) } });
+    /// What a person calls the node, if the text has such a thing beside its name.
+    pub(super) fn label(&mut self, node: usize, label: &str) {
+        if let Some(place) = self.labels.get_mut(node) {
+            *place = label.to_string();
         }
-        // More edges than a graph can have: one of them is there twice, and `finish` says which.
-        if self.edges.len() <= NODE_LIMIT * NODE_LIMIT {
-            self.edges.push((from, to, line));
+    }
+
+    /// An edge of the kind that the graph has.
+    pub(super) fn edge(&mut self, from: usize, to: usize, line: usize) {
+        self.link(from, to, !self.directed, line);
+    }
+
+    /// An edge, heard by both of its ends or by `to` alone.
+    pub(super) fn link(&mut self, from: usize, to: usize, both: bool, line: usize) {
+        if from == to {
+            let node = self.names.get(from).cloned().unwrap_or_default();
+            self.loops += 1;
+            self.repeat.get_or_insert_with(|| FormatError::new(line, Problem::Loop { node }));
+            return;
+        }
+        self.one_way |= !both;
+        let mut is_new = self.heard.insert((from, to));
+        if both {
+            is_new |= self.heard.insert((to, from));
+        }
+        if let Some(listed) = &mut self.listed {
+            let back = listed.get(&(to, from)).copied().unwrap_or(0);
+            let times = listed.entry((from, to)).or_insert(0);
+            *times += 1;
+            is_new = *times == 1 || *times <= back;
+        }
+        if is_new {
+            self.both_ways += usize::from(both);
+        } else {
+            self.is_parallel(from, to, line);
+        }
+    }
+
+    fn is_parallel(&mut self, from: usize, to: usize, line: usize) {
+        if self.parallel_expected {
+            return;
+        }
+        let name = |node: usize| self.names.get(node).cloned().unwrap_or_default();
+        let (from, to) = (name(from), name(to));
+        self.parallel += 1;
+        self.repeat.get_or_insert_with(|| FormatError::new(line, Problem::DoubleEdge { from, to }));
+    }
+
+    /// Parallel links are no news from now on, as in a DOT graph that says `strict`.
+    pub(super) fn expect_parallel(&mut self) {
+        self.parallel_expected = true;
+    }
+
+    /// Refuses two names that are one number, such as `1` and `01`.
+    pub(super) fn refuse_same_numbers(&self, line: usize) -> Result<(), FormatError> {
+        let value = |name: &String| name.parse::<f64>().ok().filter(|value| value.is_finite());
+        let mut numbers: Vec<(f64, &String)> =
+            self.names.iter().filter_map(|name| Some((value(name)?, name))).collect();
+        numbers.sort_by(|(a, _), (b, _)| a.total_cmp(b));
+        for pair in numbers.windows(2) {
+            if let [(a, first), (b, second)] = pair
+                && a == b
+            {
+                let (first, second) = ((*first).clone(), (*second).clone());
+                return Err(FormatError::new(line, Problem::SameNumber { first, second }));
+            }
         }
         Ok(())
     }
 
-    /// The graph, its nodes in the order of the text.
-    pub(super) fn finish(self, line: usize) -> Result<Named, FormatError> {
+    /// So many columns were passed over.
+    pub(super) fn notes_columns(&mut self, count: usize) {
+        self.notes.extend((count > 0).then_some(Note::Columns(count)));
+    }
+
+    /// The graph, its nodes in the order of the text. `line` is the last one.
+    pub(super) fn finish(self, line: usize) -> Result<Draft, FormatError> {
         let order: Vec<usize> = (0..self.names.len()).collect();
         self.in_order(&order, line)
     }
 
+    /// The same under the labels of the nodes, if every node has one of its own.
+    pub(super) fn finish_labelled(mut self, line: usize) -> Result<Draft, FormatError> {
+        let different: BTreeSet<&String> = self.labels.iter().collect();
+        let fit = |label: &String| !label.is_empty() && label.len() <= NAME_LIMIT;
+        if different.len() == self.labels.len() && self.labels.iter().all(fit) {
+            self.names = core::mem::take(&mut self.labels);
+        }
+        self.finish(line)
+    }
+
     /// The graph, its nodes by number if all names are numbers, otherwise in the order of the text.
-    pub(super) fn finish_by_number(self, line: usize) -> Result<Named, FormatError> {
+    pub(super) fn finish_by_number(self, line: usize) -> Result<Draft, FormatError> {
         let number = |index: usize| self.names[index].parse::<u64>().ok();
         let mut order: Vec<usize> = (0..self.names.len()).collect();
         if order.iter().all(|&index| number(index).is_some()) {
@@ -87,28 +221,23 @@ impl Builder {
         self.in_order(&order, line)
     }
 
-    fn in_order(mut self, order: &[usize], line: usize) -> Result<Named, FormatError> {
+    fn in_order(mut self, order: &[usize], line: usize) -> Result<Draft, FormatError> {
         let mut rank: Vec<usize> = order.to_vec();
         for (place, &index) in order.iter().enumerate() {
             rank[index] = place;
         }
-        let mut graph = Graph::empty(order.len(), self.directed)
-            .map_err(|_| FormatError { line, problem: Problem::NoNodes })?;
-        for &(from, to, line) in &self.edges {
-            if graph.add_edge(rank[from], rank[to]).is_err() {
-                let (from, to) = (self.names[from].clone(), self.names[to].clone());
-                return Err(FormatError { line, problem: Problem::DoubleEdge { from, to } });
-            }
+        let directed = self.directed || self.one_way;
+        let none = |_| FormatError::new(line, Problem::NoNodes);
+        let mut graph = Graph::empty(order.len(), directed).map_err(none)?;
+        for &(from, to) in &self.heard {
+            // In an undirected graph the other direction has put the link there already.
+            let _ = graph.add_edge(rank[from], rank[to]);
         }
         let names = order.iter().map(|&index| core::mem::take(&mut self.names[index])).collect();
-        Ok(Named { graph, names })
-    }
-
-    /// Forgets edges that are there already, as DOT's `strict` demands.
-    pub(super) fn merge_double_edges(&mut self) {
-        let directed = self.directed;
-        let ends = |from: usize, to: usize| if directed || from < to { (from, to) } else { (to, from) };
-        let mut seen = alloc::collections::BTreeSet::new();
-        self.edges.retain(|&(from, to, _)| seen.insert(ends(from, to)));
+        let mut notes = self.notes;
+        notes.extend((self.parallel > 0).then_some(Note::Parallel(self.parallel)));
+        notes.extend((self.loops > 0).then_some(Note::Loops(self.loops)));
+        notes.extend((directed && self.both_ways > 0).then_some(Note::BothWays(self.both_ways)));
+        Ok(Draft { named: Named { graph, names }, notes, repeat: self.repeat })
     }
 }

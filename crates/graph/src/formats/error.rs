@@ -1,16 +1,20 @@
 //! What can be wrong with a text.
 
 use alloc::string::String;
+use alloc::vec::Vec;
 use core::fmt;
 
+use super::table::Format;
 use super::{NAME_LIMIT, TEXT_LIMIT};
-use crate::set::NODE_LIMIT;
+use crate::graph::set::NODE_LIMIT;
 
 /// What is wrong with a text and where.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct FormatError {
     /// Line, counted from 1.
     pub line: usize,
+    /// Where in the line, bytes from its start, if that is known.
+    pub column: Option<usize>,
     /// What is wrong there.
     pub problem: Problem,
 }
@@ -25,6 +29,63 @@ pub enum Problem {
         found: String,
         /// What is allowed.
         allowed: &'static str,
+    },
+    /// Something is not there.
+    Missing {
+        /// What should be.
+        allowed: &'static str,
+    },
+    /// The text fits several formats, which read it as different graphs.
+    Ambiguous {
+        /// Those that fit, in the order of the table.
+        formats: Vec<Format>,
+    },
+    /// The text does not look like any format, though the reader of one would make a graph of it.
+    Doubtful {
+        /// Which.
+        format: Format,
+    },
+    /// The text is a single word, and not one of graph6.
+    OneWord {
+        /// The word, shortened.
+        word: String,
+    },
+    /// A line has another number of columns than the first one.
+    Columns {
+        /// Its number of columns.
+        found: usize,
+        /// Number of the first line.
+        first_line: usize,
+        /// Its number of columns.
+        first: usize,
+    },
+    /// Names that are one number, written differently.
+    SameNumber {
+        /// The first of them.
+        first: String,
+        /// The other.
+        second: String,
+    },
+    /// A comment speaks of direction, but not plainly.
+    DirectionUnclear,
+    /// A head promises another number than there is.
+    Count {
+        /// Of what.
+        what: &'static str,
+        /// As promised.
+        promised: usize,
+        /// As found.
+        found: usize,
+    },
+    /// The text is no well-formed XML.
+    Xml {
+        /// What is wrong with it.
+        what: String,
+    },
+    /// The text has several graphs, and none was chosen, or one that is not there.
+    Which {
+        /// How many it has.
+        graphs: usize,
     },
     /// An edge from a node to itself.
     Loop {
@@ -80,14 +141,39 @@ pub enum WriteError {
         /// The name.
         name: String,
     },
+    /// The format is only read.
+    ReadOnly {
+        /// Which.
+        format: Format,
+    },
 }
 
 impl FormatError {
+    /// A problem with a line as a whole.
+    pub(super) fn new(line: usize, problem: Problem) -> Self {
+        Self { line, column: None, problem }
+    }
+
     /// Something else should stand at `line`; `found` is shortened.
     pub(super) fn unexpected(line: usize, found: &str, allowed: &'static str) -> Self {
-        let found = found.chars().take(40).collect();
-        Self { line, problem: Problem::Unexpected { found, allowed } }
+        Self::new(line, Problem::Unexpected { found: shortened(found), allowed })
     }
+
+    /// Something is not there that should be at `line`.
+    pub(super) fn missing(line: usize, allowed: &'static str) -> Self {
+        Self::new(line, Problem::Missing { allowed })
+    }
+
+    /// The same at this place of the line, bytes from its start.
+    pub(super) fn at(mut self, column: usize) -> Self {
+        self.column = Some(column);
+        self
+    }
+}
+
+/// The first 40 characters.
+pub(super) fn shortened(text: &str) -> String {
+    text.chars().take(40).collect()
 }
 
 impl fmt::Display for FormatError {
@@ -103,11 +189,42 @@ impl fmt::Display for Problem {
                 write!(f, "ends here, expected {allowed}")
             }
             Self::Unexpected { found, allowed } => write!(f, "found {found:?}, expected {allowed}"),
+            Self::Missing { allowed } => write!(f, "expected {allowed}"),
+            Self::Ambiguous { formats } => ambiguous(f, formats),
+            Self::Doubtful { format } => write!(
+                f,
+                "this does not look like {}, nor like anything else: expected to be told the format, perhaps {}",
+                format.title(),
+                format.name()
+            ),
+            Self::OneWord { word } => {
+                write!(f, "the text is one word, {word:?}: expected two names a line, or a line of graph6")
+            }
+            Self::Columns { found, first_line, first } => write!(
+                f,
+                "{found} column{}, but {first} in line {first_line}: expected as many in every line of an edge list",
+                if *found == 1 { "" } else { "s" }
+            ),
+            Self::SameNumber { first, second } => {
+                write!(
+                    f,
+                    "the names {first:?} and {second:?} are the same number: expected one way to write it"
+                )
+            }
+            Self::DirectionUnclear => write!(
+                f,
+                "a comment speaks of direction, but not plainly: expected \"directed graph\" or \"undirected graph\" as its first words"
+            ),
+            Self::Count { what, promised, found } => {
+                write!(f, "{promised} {what} promised, {found} found: is the text cut off?")
+            }
+            Self::Xml { what } => write!(f, "not well-formed XML: {what}"),
+            Self::Which { graphs } => write!(f, "{graphs} graphs in the text, choose one: 1 to {graphs}"),
             Self::Loop { node } => write!(f, "loop: {node:?} would hear itself"),
             Self::DoubleEdge { from, to } => write!(f, "edge from {from:?} to {to:?} appears twice"),
             Self::OneSided { row, column } => write!(
                 f,
-                "row {row} column {column} is 1 but row {column} column {row} is not, as in a directed graph"
+                "row {row} column {column} is a link but row {column} column {row} is not: expected both in an undirected graph"
             ),
             Self::UnknownNode { name } => write!(f, "no node is named {name:?}"),
             Self::NodeTwice { name } => write!(f, "node {name:?} appears twice"),
@@ -119,10 +236,25 @@ impl fmt::Display for Problem {
     }
 }
 
+/// "may be a matrix or an edge list, which are different graphs: expected --format matrix or edges".
+fn ambiguous(f: &mut fmt::Formatter<'_>, formats: &[Format]) -> fmt::Result {
+    let list = |f: &mut fmt::Formatter<'_>, name: fn(Format) -> &'static str| {
+        for (index, &format) in formats.iter().enumerate() {
+            write!(f, "{}{}", if index == 0 { "" } else { " or " }, name(format))?;
+        }
+        Ok(())
+    };
+    write!(f, "the text may be ")?;
+    list(f, Format::title)?;
+    write!(f, ", which are different graphs: expected the format ")?;
+    list(f, Format::name)
+}
+
 impl fmt::Display for WriteError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Name { name } => write!(f, "the name {name:?} cannot be written in this format"),
+            Self::ReadOnly { format } => write!(f, "{} is only read", format.title()),
         }
     }
 }

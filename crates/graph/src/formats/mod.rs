@@ -1,18 +1,34 @@
-//! Graphs as text: six formats, read and written. No files here: text in, text out.
+//! Graphs as text: many formats are read, six of them are written. No files here: text in, text out.
 //!
 //! In every format a directed edge u → v means that v hears u. Nodes keep their names; a node's number is its place in
 //! the file, or its rank if all names are whole numbers and the format has no list of nodes.
+//!
+//! Nothing is guessed in silence: what a text is, is told by its content, and a text that two formats read as two different
+//! graphs is refused with both names ([`Problem::Ambiguous`]). A format is one file and one row of `table.rs`.
+//!
+//! | folder | formats |
+//! | --- | --- |
+//! | `text` | edge lists, with counts first, as tuples of Python |
+//! | `adjacency` | a node and its neighbours a line: networkx, METIS, LGL |
+//! | `matrix` | matrices as text, MatrixMarket |
+//! | `sections` | a head or a list of nodes before the edges: DIMACS and PACE, TGF, Pajek, LEDA |
+//! | `bits` | graph6, digraph6, sparse6 |
+//! | `xml`, `json`, `dot`, `gml` | languages with brackets |
 
+mod adjacency;
+mod bits;
 mod builder;
+mod choose;
 mod dot;
-mod dot_token;
-mod edge_list;
 mod error;
-mod graph6;
-mod graphml;
+mod gml;
 mod json;
-mod json_value;
 mod matrix;
+mod note;
+mod sections;
+mod table;
+mod text;
+mod words;
 mod xml;
 
 use alloc::string::{String, ToString};
@@ -20,6 +36,9 @@ use alloc::vec::Vec;
 
 use crate::graph::Graph;
 pub use error::{FormatError, Problem, WriteError};
+pub use note::Note;
+pub use table::Format;
+pub use words::unix_lines;
 
 /// Longest text that is read, bytes.
 pub const TEXT_LIMIT: usize = 1 << 22;
@@ -44,100 +63,96 @@ impl From<Graph> for Named {
     }
 }
 
-/// How a graph is written down.
+/// How a text is to be read. The default asks the text for everything.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Options<'a> {
+    /// The format, if it is not to be told by the content.
+    pub format: Option<Format>,
+    /// The ending of the file's name, without the dot. It decides only between formats that the content allows.
+    pub ending: Option<&'a str>,
+    /// Whether edges have a direction, in formats that may leave it open ([`Format::leaves_direction_open`]); elsewhere it
+    /// is passed over. `None` means what the text says, and undirected if it says nothing.
+    pub directed: Option<bool>,
+    /// Every directed edge is turned round after reading.
+    pub transpose: bool,
+    /// Parallel links and loops are errors; otherwise they count once or not at all, with a note.
+    pub strict: bool,
+    /// In a matrix any number but 0 is a link; otherwise only 1 is.
+    pub weights: bool,
+    /// Which graph of a text with several, from 1.
+    pub which: Option<usize>,
+}
+
+/// How the format was found.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Format {
-    /// One edge `u v` a line, or a single node; `#` begins a comment; a line `directed` or `undirected` may come first.
-    /// Names are separated by blanks, tabs or commas. A number or `{…}` after the two names (a weight) is passed over.
-    EdgeList,
-    /// Rows of 0 and 1: row u, column v is the edge u → v. A line `directed` may come first.
-    Matrix,
-    /// graph6 for undirected graphs and digraph6 for directed ones, as nauty and networkx have them.
-    Graph6,
-    /// GraphML: `graph`, `node` and `edge` elements; the rest is passed over.
-    GraphMl,
-    /// DOT of Graphviz, without subgraphs.
-    Dot,
-    /// JSON in networkx's node-link form; edges are listed under `edges` or `links`.
-    Json,
+pub enum ToldBy {
+    /// Nothing else fits the content, or all that fits is the same graph.
+    Content,
+    /// The content fits several formats, and the ending of the name is that of one.
+    Ending,
+    /// [`Options::format`].
+    Request,
 }
 
-impl Format {
-    /// All formats.
-    pub const ALL: [Self; 6] =
-        [Self::EdgeList, Self::Matrix, Self::Graph6, Self::GraphMl, Self::Dot, Self::Json];
-
-    /// The usual ending of a file's name, without the dot.
-    #[must_use]
-    pub fn extension(self) -> &'static str {
-        match self {
-            Self::EdgeList => "edges",
-            Self::Matrix => "csv",
-            Self::Graph6 => "g6",
-            Self::GraphMl => "graphml",
-            Self::Dot => "dot",
-            Self::Json => "json",
-        }
-    }
-
-    /// The format of a file with this ending, if it tells.
-    #[must_use]
-    pub fn from_extension(extension: &str) -> Option<Self> {
-        match extension.to_ascii_lowercase().as_str() {
-            "edges" | "edgelist" | "el" | "txt" => Some(Self::EdgeList),
-            "csv" | "mat" => Some(Self::Matrix),
-            "g6" | "graph6" | "d6" => Some(Self::Graph6),
-            "graphml" | "xml" => Some(Self::GraphMl),
-            "dot" | "gv" => Some(Self::Dot),
-            "json" => Some(Self::Json),
-            _ => None,
-        }
-    }
-
-    /// The format that `text` looks like; [`Format::EdgeList`] if nothing else fits.
-    #[must_use]
-    pub fn guess(text: &str) -> Self {
-        let start = text.trim_start();
-        let word = start.split(|c: char| !c.is_ascii_alphabetic()).next().unwrap_or("");
-        match start.as_bytes().first() {
-            // A line of graph6 may begin with a brace, but no other format has its bytes alone.
-            _ if graph6::looks_like(start) => Self::Graph6,
-            Some(b'<') => Self::GraphMl,
-            Some(b'{') => Self::Json,
-            Some(b'>' | b'&') => Self::Graph6,
-            _ if matches!(word, "graph" | "digraph" | "strict") || start.starts_with("//") => Self::Dot,
-            _ if matrix::looks_like(text) => Self::Matrix,
-            _ => Self::EdgeList,
-        }
-    }
+/// A graph that was read, and as what.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Reading {
+    /// The graph.
+    pub named: Named,
+    /// The format it was read as.
+    pub format: Format,
+    /// How the format was found.
+    pub told_by: ToldBy,
+    /// What a reader should know who expected something else.
+    pub notes: Vec<Note>,
 }
 
-/// Reads the graph that `text` holds.
+/// Reads the graph that `text` holds: at most [`TEXT_LIMIT`] bytes and 128 nodes.
 ///
-/// `directed` decides for the two formats that may not say it themselves, edge list and matrix; `None` means what the text says,
-/// and undirected if it says nothing. At most [`TEXT_LIMIT`] bytes and 128 nodes.
-pub fn read(text: &str, format: Format, directed: Option<bool>) -> Result<Named, FormatError> {
+/// A mark of the byte order at the start is passed over, and lines may end in any way. Fails where the text is not what
+/// its format demands, and where it may be two different graphs.
+pub fn read(text: &str, options: &Options<'_>) -> Result<Reading, FormatError> {
     if text.len() > TEXT_LIMIT {
-        return Err(FormatError { line: 1, problem: Problem::TextTooLong { bytes: text.len() } });
+        return Err(FormatError::new(1, Problem::TextTooLong { bytes: text.len() }));
     }
-    match format {
-        Format::EdgeList => edge_list::read(text, directed),
-        Format::Matrix => matrix::read(text, directed),
-        Format::Graph6 => graph6::read(text),
-        Format::GraphMl => graphml::read(text),
-        Format::Dot => dot::read(text),
-        Format::Json => json::read(text),
+    let text = unix_lines(text);
+    let (row, told_by) = choose::choose(&text, options)?;
+    let draft = (row.read)(&text, options)?;
+    match draft.repeat {
+        Some(repeat) if options.strict => return Err(repeat),
+        _ => {}
     }
+    let (mut named, mut notes) = (draft.named, draft.notes);
+    if options.transpose && named.graph.is_directed() {
+        named.graph = transposed(&named.graph);
+    } else if options.transpose {
+        notes.push(Note::NothingToTranspose);
+    }
+    Ok(Reading { named, format: row.format, told_by, notes })
+}
+
+/// The format that `text` would be read as, if that is clear.
+pub fn recognise(text: &str, options: &Options<'_>) -> Result<(Format, ToldBy), FormatError> {
+    let (row, told_by) = choose::choose(&unix_lines(text), options)?;
+    Ok((row.format, told_by))
+}
+
+/// Every edge u → v becomes v → u.
+fn transposed(graph: &Graph) -> Graph {
+    let mut turned = graph.clone();
+    graph.edges().for_each(|(from, to)| turned.remove_edge(from, to));
+    for (from, to) in graph.edges() {
+        // The edge cannot be refused: it is no loop, its ends are there, and nothing else is between them in this order.
+        let _ = turned.add_edge(to, from);
+    }
+    turned
 }
 
 /// Writes `named` down. What is written reads back as the same graph; matrix and graph6 have no place for names.
 pub fn write(named: &Named, format: Format) -> Result<String, WriteError> {
-    match format {
-        Format::EdgeList => edge_list::write(named),
-        Format::Matrix => Ok(matrix::write(&named.graph)),
-        Format::Graph6 => Ok(graph6::write(&named.graph)),
-        Format::GraphMl => graphml::write(named),
-        Format::Dot => Ok(dot::write(named)),
-        Format::Json => Ok(json::write(named)),
+    match table::row(format).write {
+        table::Write::Always(write) => Ok(write(named)),
+        table::Write::Names(write) => write(named),
+        table::Write::Never => Err(WriteError::ReadOnly { format }),
     }
 }

@@ -2,7 +2,7 @@
 
 use super::{MakerError, require};
 use crate::graph::Graph;
-use crate::set::NODE_LIMIT;
+use crate::graph::set::NODE_LIMIT;
 
 /// All nodes joined: r_max = ceil(n/2), F_max = ceil(n/2) − 1.
 pub fn complete(node_count: usize) -> Result<Graph, MakerError> {
@@ -99,8 +99,9 @@ pub fn elemental(f: usize) -> Result<Graph, MakerError> {
 /// Two complete graphs of floor(n/2) and ceil(n/2) nodes; node i of the first is joined to F nodes of the second from i on.
 ///
 /// All degrees are at least F' − 1 = F + floor(n/2) − 1, and W-MSR(F) is stuck with the halves at different values, so
-/// [`crate::bounds::f_by_degree`] cannot be improved. 0 ≤ F ≤ floor((n−1)/2). `THEORY.md` section 2.1.
+/// [`crate::bounds::f_by_degree`] cannot be improved. 0 ≤ F ≤ floor((n−1)/2). See docs/theory, `sec:tight`.
 //= paper thm:rs_robust
+//= theory sec:tight
 pub fn tight(node_count: usize, f: usize) -> Result<Graph, MakerError> {
     require(node_count >= 2, "node_count", "2 or more")?;
     require(f <= (node_count - 1) / 2, "f", "floor((n - 1)/2) or less")?;

@@ -4,7 +4,7 @@ use closeranks_core::num::{dot, subtract};
 use closeranks_sim::output::record::Record;
 
 use crate::figure::Case;
-use crate::figure::links::position;
+use crate::figure::formation::links::position;
 use crate::figure::panel::axes::{Axes, Place};
 use crate::figure::panel::ticks::{Range, drawable};
 use crate::figure::trace::thin;

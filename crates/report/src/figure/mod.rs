@@ -5,9 +5,6 @@ pub mod robustness;
 
 mod distance;
 mod formation;
-mod inset;
-mod line_numbers;
-mod links;
 mod overview;
 pub(crate) mod panel;
 mod paper;
@@ -21,7 +18,8 @@ use closeranks_sim::scenario::Scenario;
 pub use self::overview::overview;
 pub use self::paper::{figure1, figure2, figure3};
 
-use self::formation::{Look, Moment, View, views};
+use self::formation::view::{View, views};
+use self::formation::{Look, Moment};
 use self::panel::axes::{Axes, Decoration};
 use self::panel::layout::Grid;
 use self::panel::legend::{self, Entry};

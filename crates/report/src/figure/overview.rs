@@ -1,6 +1,7 @@
 //! All of one run in one figure.
 
-use super::formation::{Look, Moment, View, views};
+use super::formation::view::{View, views};
+use super::formation::{Look, Moment};
 use super::panel::axes::Axes;
 use super::panel::layout::{Grid, Row, legend_room, panel_width};
 use super::panel::legend;

@@ -1,6 +1,7 @@
 //! The figures of the paper's section V, and a third one of paths and distances: a column a case.
 
-use super::formation::{Look, Moment, views};
+use super::formation::view::views;
+use super::formation::{Look, Moment};
 use super::panel::axes::Axes;
 use super::panel::layout::{Grid, Row, legend_room, panel_width};
 use super::panel::legend;

@@ -1,7 +1,9 @@
 //! A panel with the way that each robot went.
 
 use crate::figure::Case;
-use crate::figure::formation::{Marker, Moment, View};
+use crate::figure::formation::Moment;
+use crate::figure::formation::marker::Marker;
+use crate::figure::formation::view::View;
 use crate::figure::panel::axes::Axes;
 use crate::svg::palette::{MALICIOUS, NORMAL_LINES};
 use crate::svg::path::PathData;

@@ -1,7 +1,7 @@
 //! Lies about the connectivity level c_i: what they are, how a scenario writes them, and how they are told.
 //!
-//! A new lie is a variant of [`LevelAttack`], its row in [`KINDS`], and its arm in [`LevelLiar::level`] or
-//! [`LevelLiar::to_one`].
+//! A new lie is a variant of [`LevelAttack`], its row in `KINDS`, and its arm in `LevelLiar::level` or
+//! `LevelLiar::to_one`.
 
 use closeranks_core::message::{MESSAGE_BYTES, Message, VALUE_MAX};
 use closeranks_core::time::Instant;
@@ -21,21 +21,21 @@ pub enum LevelAttack {
     Bias(f64),
     /// The truth at first, then a bias: outside thm:cbf-qp (docs/theory, sec:wide-attacks).
     Step {
-        /// Added from then on.
+        /// What is added from then on.
         bias: f64,
-        /// When it begins, s.
+        /// When the lie begins, s.
         from_s: f64,
     },
     /// A bias that grows, `rate · t`.
     Ramp {
-        /// 1/s.
+        /// How fast the bias grows, 1/s.
         rate_per_s: f64,
     },
     /// A bias that swings, `amplitude · sin(2π t/period)`: outside thm:cbf-qp.
     Sine {
         /// Greatest bias.
         amplitude: f64,
-        /// s.
+        /// How long one swing takes, s.
         period_s: f64,
     },
     /// In place of the level, a number drawn evenly from the interval in every tick.
@@ -54,7 +54,7 @@ pub enum LevelAttack {
     },
     /// The level of some time ago, told as if it were of now.
     Replay {
-        /// s.
+        /// How long ago, s.
         age_s: f64,
     },
     /// Bytes that hold NaN, infinities, huge numbers or stamps from the future, or are no message at all.
@@ -108,11 +108,11 @@ impl LevelAttack {
 
 /// What one neighbour gets from a liar.
 pub(crate) enum Face {
-    /// Nothing.
+    /// No message arrives.
     Silence,
-    /// These bytes.
+    /// These bytes arrive.
     Bytes([u8; MESSAGE_BYTES]),
-    /// A message with this level.
+    /// A message with this level arrives.
     Level(f64),
 }
 
@@ -124,14 +124,14 @@ pub(crate) struct LevelLiar {
     random: Random,
     /// What is added to the level in this tick.
     bias: f64,
-    /// What is told in place of the level in this tick, by robot, if anything.
+    /// What each robot tells in place of its level in this tick, if anything.
     instead: Vec<Option<f64>>,
-    /// True levels of all ticks, by robot: only liars that replay keep them.
+    /// The true levels of each robot in all ticks. Only liars that replay keep them.
     past: Vec<Vec<f64>>,
 }
 
 impl LevelLiar {
-    /// For a team of so many robots.
+    /// The liars of a team of so many robots.
     pub(crate) fn new(attack: LevelAttack, seed: u64, robots: usize, tick_s: f64) -> Self {
         Self {
             attack,

@@ -16,10 +16,10 @@ pub struct Liars {
     level: LevelLiar,
     value: ValueLiar,
     motion: MotionLiar,
-    /// Behind everything that is told to one neighbour alone, levels and values in one order.
+    /// Draws what is told to one neighbour alone, levels and values in one order.
     faces: Random,
     malicious: Vec<bool>,
-    /// What is told in this tick instead, if it was given from outside.
+    /// What is told in this tick in place of the scenario's lies, if it was given from outside.
     given_levels: Option<Vec<f64>>,
     given_values: Option<Vec<f64>>,
     tick_s: f64,

@@ -44,7 +44,7 @@ impl Attack {
             && self.motion == MotionAttack::Obedient
     }
 
-    /// True when no two neighbours of a liar are told different values, as def:malicious wants it.
+    /// True when no two neighbours of a liar are told different values, as the paper's definition wants it (misbeh).
     #[must_use]
     pub fn has_one_voice(&self) -> bool {
         self.value.has_one_voice() && self.level != LevelAttack::Garbage

@@ -42,7 +42,7 @@ pub(crate) struct MotionLiar {
 }
 
 impl MotionLiar {
-    /// For a team of so many robots.
+    /// The malicious robots of a team of so many robots.
     pub(crate) fn new(attack: MotionAttack, seed: u64, robots: usize) -> Self {
         Self { attack, random: Random::new(seed, Stream::Motion), ways: vec![Vec::new(); robots] }
     }

@@ -1,7 +1,7 @@
 //! Lies about the value y_i: what they are, how a scenario writes them, and how they are told.
 //!
-//! A new lie is a variant of [`ValueAttack`], its row in [`KINDS`], and its arm in [`ValueLiar::chosen`] or
-//! [`ValueLiar::to_one`].
+//! A new lie is a variant of [`ValueAttack`], its row in `KINDS`, and its arm in `ValueLiar::chosen` or
+//! `ValueLiar::to_one`.
 
 use closeranks_core::message::VALUE_MAX;
 
@@ -16,37 +16,38 @@ pub(crate) const PAPER: [f64; 2] = [-500.0, 500.0];
 /// A lie about the value y_i.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum ValueAttack {
-    /// Follows W-MSR.
+    /// The truth: the robot follows W-MSR.
     None,
-    /// Drawn evenly from the interval in every round and told to every neighbour: the paper's.
+    /// A number drawn evenly from the interval in every round and told to every neighbour: the paper's.
     Random {
         /// Least.
         min: f64,
         /// Greatest.
         max: f64,
     },
-    /// One number, always.
+    /// Always the same number.
     Constant {
-        /// Told.
+        /// The number that is told.
         value: f64,
     },
     /// `start + rate · t`.
     Ramp {
-        /// Told at first.
+        /// What is told at first.
         start: f64,
-        /// 1/s.
+        /// How fast it grows, 1/s.
         rate_per_s: f64,
     },
     /// `amplitude · sin(2π t/period)`.
     Sine {
-        /// Greatest.
+        /// The greatest value told.
         amplitude: f64,
-        /// s.
+        /// How long one swing takes, s.
         period_s: f64,
     },
-    /// ±10³⁰⁰, by turns.
+    /// The largest and the least value that a message can hold, ±10³⁰⁰, by turns.
     Extreme,
-    /// Drawn for every neighbour on its own. Outside thm:rs_robust, which needs one voice; covered by thm:two-faced.
+    /// A number drawn for every neighbour on its own. thm:rs_robust does not cover this, because it needs one voice;
+    /// thm:two-faced does.
     Faces {
         /// Least.
         min: f64,
@@ -104,7 +105,7 @@ impl ValueAttack {
         one_kind(reader, section, &KINDS)
     }
 
-    /// True when no two neighbours are told different values, as def:malicious wants it.
+    /// True when no two neighbours are told different values, as the paper's definition wants it (misbeh).
     #[must_use]
     pub fn has_one_voice(self) -> bool {
         !matches!(self, Self::Faces { .. } | Self::Split)
@@ -134,7 +135,7 @@ pub(crate) struct ValueLiar {
 }
 
 impl ValueLiar {
-    /// For a team of so many robots.
+    /// The liars of a team of so many robots.
     pub(crate) fn new(attack: ValueAttack, seed: u64, robots: usize) -> Self {
         Self { attack, random: Random::new(seed, Stream::Attack), told: vec![0.0; robots], normal: [0.0; 2] }
     }

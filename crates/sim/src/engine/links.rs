@@ -3,8 +3,8 @@
 use closeranks_core::controller::{Batch, Control};
 use closeranks_core::settings::params::Params;
 
-use crate::engine::near::{Near, small};
 use crate::frame::Frame;
+use crate::geometry::near::{Near, small};
 
 /// So many links are weighed at a time: what they need stays close to the processor.
 const BATCH: usize = 256;

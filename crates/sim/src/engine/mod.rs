@@ -5,7 +5,6 @@ pub mod fleet;
 pub(crate) mod judge;
 mod links;
 pub mod memory;
-mod near;
 pub(crate) mod robots;
 mod sees;
 pub mod team;

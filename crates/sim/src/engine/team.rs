@@ -16,9 +16,9 @@ use crate::attack::liars::Liars;
 use crate::engine::consensus::Consensus;
 use crate::engine::links::{Linked, Links};
 use crate::engine::memory::Memory;
-use crate::engine::near::small;
 use crate::engine::sees::{Around, Half, Sees};
 use crate::frame::Frame;
+use crate::geometry::near::small;
 use crate::geometry::squared_distance;
 use crate::scenario::Scenario;
 

@@ -1,4 +1,4 @@
-//! The robots' own clocks: none shows the world's time.
+//! The robots' own clocks, which need not show the time of the world.
 
 use core::time::Duration;
 
@@ -12,9 +12,9 @@ use crate::random::{Random, Stream};
 /// How far clocks are off. Each robot's offset and drift are drawn evenly.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Clocks {
-    /// Offsets lie between 0 and this, s.
+    /// Each clock is ahead by an offset between 0 and this, s.
     pub offset_max_s: f64,
-    /// Drifts lie between minus and plus this, s/s.
+    /// Each clock is fast or slow by up to this, s/s.
     pub drift_max: f64,
 }
 

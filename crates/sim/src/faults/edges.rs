@@ -14,12 +14,12 @@ pub struct Edges<const D: usize> {
     pub clocks: Shown,
     /// What robots sense of positions.
     pub senses: Senses<D>,
-    /// Who is down.
+    /// Which robots are down.
     pub downtime: Downtime,
 }
 
 impl<const D: usize> Edges<D> {
-    /// Those of `scenario`.
+    /// The clocks, sensors and outages of `scenario`.
     #[must_use]
     pub fn new(scenario: &Scenario) -> Self {
         let (faults, seed, robots) = (&scenario.faults, scenario.seed, scenario.team.robots);

@@ -1,4 +1,4 @@
-//! The network between robots: loses, delays, reorders, duplicates and divides.
+//! The network between robots. It may lose, delay, reorder and duplicate messages, and divide the team.
 
 use std::collections::BTreeMap;
 
@@ -9,7 +9,7 @@ use crate::parse::reader::{Reader, Section};
 use crate::random::{Random, Stream};
 use crate::transport::{Full, Parcel, Transport};
 
-/// Late messages at most; more are lost. Some 50 MB.
+/// How many messages may be late at once; more are lost. They take some 50 MB.
 pub(crate) const LATE_MAX: usize = 1 << 20;
 
 /// What the network does to every message on its way to one robot. Shares and probabilities lie in `[0, 1]`.
@@ -19,7 +19,7 @@ pub struct Network {
     pub loss: f64,
     /// Probability a tick that a link, one way, begins to lose everything.
     pub burst_begin: f64,
-    /// Probability a tick that it stops doing so.
+    /// Probability a tick that such a link stops doing so.
     pub burst_end: f64,
     /// Least delay, s.
     pub delay_min_s: f64,
@@ -85,7 +85,7 @@ pub struct FaultyNetwork<T> {
     deaf: Vec<bool>,
     /// Links that lose everything just now.
     burst: Vec<bool>,
-    /// Parcels that are late, by the tick in which the network around which this one is gets them.
+    /// Parcels that are late, by the tick in which the inner network gets them.
     late: BTreeMap<u32, Vec<Parcel>>,
     /// How many of them there are.
     count: usize,
@@ -130,13 +130,13 @@ impl<T: Transport> FaultyNetwork<T> {
         Ok(())
     }
 
-    /// Hands over what was late and is due, in the order of due ticks, then as sent.
+    /// Hands over what was late and is due, in the order of the ticks in which it is due, and then as it was sent.
     fn release(&mut self) {
         while let Some(entry) = self.late.first_entry().filter(|entry| *entry.key() <= self.tick) {
             let parcels = entry.remove();
             self.count -= parcels.len();
             for parcel in parcels {
-                // What the network around which this one is has no room for is lost.
+                // A parcel for which the inner network has no room is lost.
                 let _ = self.inner.send(parcel);
             }
         }
@@ -153,12 +153,12 @@ impl<T: Transport> FaultyNetwork<T> {
         divided || self.deaf[link] || self.burst[link]
     }
 
-    /// True with `probability`. Draws nothing where nothing can happen.
+    /// True with `probability`. Nothing is drawn where nothing can happen.
     fn happens(&mut self, probability: f64) -> bool {
         probability > 0.0 && self.random.chance(probability)
     }
 
-    /// Whole ticks, rounded up: what comes within a tick is there at the next.
+    /// The delay in whole ticks, rounded up: what comes within a tick is there at the next.
     fn delay_ticks(&mut self) -> u32 {
         let Network { delay_min_s, delay_max_s, .. } = self.network;
         let delay_s = self.random.uniform(delay_min_s, delay_max_s);
@@ -169,7 +169,7 @@ impl<T: Transport> FaultyNetwork<T> {
 }
 
 impl<T: Transport> Transport for FaultyNetwork<T> {
-    /// Links fall silent or find their voice.
+    /// Begins a tick, in which links may begin or stop to lose everything.
     fn begin_tick(&mut self, tick: u32) {
         self.inner.begin_tick(tick);
         self.tick = tick;

@@ -16,7 +16,7 @@ pub struct Outages {
     pub goes_on: bool,
     /// A robot that stands still, silent and deaf for a while.
     pub crash: Option<Spell>,
-    /// Whether it has forgotten everything when it returns.
+    /// Whether that robot has forgotten everything when it returns.
     pub forgets: bool,
 }
 
@@ -45,7 +45,7 @@ pub struct Downtime {
 }
 
 impl Downtime {
-    /// For a team of so many robots, all of them up.
+    /// The outages of a team of so many robots, all of which are up.
     #[must_use]
     pub fn new(outages: Outages, seed: u64, robots: u16) -> Self {
         Self {
@@ -74,13 +74,13 @@ impl Downtime {
         self.crash[1] && self.crashes(index)
     }
 
-    /// True for a robot that does nothing in this tick.
+    /// True if the robot does nothing in this tick.
     #[must_use]
     pub fn down(&self, index: usize) -> bool {
         self.down[index]
     }
 
-    /// True for a robot that returns in this tick from a crash after which it has forgotten everything.
+    /// True if the robot returns in this tick from a crash and has forgotten everything.
     #[must_use]
     pub fn reborn(&self, index: usize) -> bool {
         self.outages.forgets && self.crash == [true, false] && self.crashes(index)

@@ -1,4 +1,4 @@
-//! What robots sense of positions: not always where everybody is.
+//! What robots sense of positions, which is not always where everybody is.
 
 use closeranks_core::num::{Vector, add_scaled, dot, length, subtract};
 
@@ -13,9 +13,9 @@ pub struct Sensing {
     /// Every sensed position, own or another's, is wrong by an error drawn evenly from a ball of this radius, m: anew for
     /// every observer and tick.
     pub noise_m: f64,
-    /// What all sense of one robot, itself included, stays where it was.
+    /// For a while all robots, itself included, sense one robot where it was at the beginning of that time.
     pub frozen: Option<Spell>,
-    /// What all sense of one robot, itself included, is so far off, m.
+    /// For a while all robots, itself included, sense one robot so far off, m.
     pub jump: Option<(Spell, f64)>,
 }
 
@@ -39,7 +39,7 @@ pub struct Senses<const D: usize> {
     seeming: Vec<Vector<D>>,
     frozen_at: Option<Vector<D>>,
     aside: Vector<D>,
-    /// Greatest error of this tick that a robot met, by robot, m.
+    /// The greatest error that each robot met in this tick, m.
     errors_m: Vec<f64>,
 }
 

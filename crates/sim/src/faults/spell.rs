@@ -8,7 +8,7 @@ use crate::parse::reader::{Reader, Section};
 /// A stretch of time in which something is wrong with one robot.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Spell {
-    /// Which, from 1.
+    /// The number of the robot, from 1.
     pub robot: u16,
     /// From when, s.
     pub from_s: f64,

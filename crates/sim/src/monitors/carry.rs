@@ -63,6 +63,7 @@ impl<const D: usize> Carry<D> {
         verdicts: &mut Verdicts,
     ) {
         let before = self.before.take();
+        self.distances.find(before.as_ref(), truth);
         let carried = before.as_ref().filter(|_| covered && !frame.assumptions.renewed);
         self.watch_h(tick, frame, truth, carried, verdicts);
         self.distances.watch(tick, frame, truth, carried, verdicts);

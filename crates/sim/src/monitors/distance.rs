@@ -5,9 +5,10 @@ use closeranks_core::settings::params::Params;
 
 use crate::attack::MotionAttack;
 use crate::frame::Frame;
-use crate::geometry::squared_distance;
+use crate::geometry::{fill_pairs, squared_distance};
 use crate::law::{Law, Verdicts, Violation};
 use crate::monitors::before::Before;
+use crate::monitors::pairs::Places;
 use crate::monitors::truth::{ROUNDING, Truth};
 use crate::scenario::Scenario;
 
@@ -20,8 +21,14 @@ pub(crate) struct Distances<const D: usize> {
     free: bool,
     /// Squares of distances are rounded by far less than this, m².
     blur_m2: f64,
-    /// Distances that were safe once and must have been ever since: no assumption was broken.
+    /// Pairs of the last tick that were safe once and must have been ever since: no assumption was broken.
     apart: Vec<bool>,
+    /// The same of a pair that was too far away to be among them.
+    far_apart: bool,
+    /// Where the pairs of this tick were in the last one.
+    places: Places,
+    /// `apart` of the tick before.
+    scratch: Vec<bool>,
     /// Least squared distance of two robots yet, m².
     least_m2: f64,
 }
@@ -36,6 +43,9 @@ impl<const D: usize> Distances<D> {
             blur_m2: ROUNDING * radius_m * radius_m,
             params,
             apart: Vec::new(),
+            far_apart: false,
+            places: Places::default(),
+            scratch: Vec::new(),
             least_m2: f64::INFINITY,
         }
     }
@@ -45,7 +55,12 @@ impl<const D: usize> Distances<D> {
         self.least_m2
     }
 
-    /// Looks at one tick; `before` is the last one, if what held then says something about this one.
+    /// Finds where the pairs of this tick were in the last one, if there was one.
+    pub(crate) fn find(&mut self, before: Option<&Before<D>>, truth: &Truth) {
+        truth.pairs.find_in(before.map(|before| &before.truth.pairs), &mut self.places);
+    }
+
+    /// Looks at one tick, whose pairs were found; `before` is the last one, if what held then says something about this one.
     pub(crate) fn watch(
         &mut self,
         tick: u32,
@@ -55,6 +70,12 @@ impl<const D: usize> Distances<D> {
         verdicts: &mut Verdicts,
     ) {
         self.watch_nearer(self.near_m2(frame, before), tick, frame, truth, before, verdicts);
+        if truth.pairs.is_sparse() && truth.pairs.positions_m2().is_empty() {
+            // Nobody is near anybody: this is rare enough to look at every pair.
+            let mut pairs_m2 = Vec::new();
+            fill_pairs(&frame.positions_m, &mut pairs_m2);
+            self.least_m2 = pairs_m2.iter().fold(self.least_m2, |least, pair_m2| least.min(*pair_m2));
+        }
     }
 
     /// Leaves out pairs that are farther apart than the root of `near_m2`, unless they come closer too fast.
@@ -67,20 +88,19 @@ impl<const D: usize> Distances<D> {
         before: Option<&Before<D>>,
         verdicts: &mut Verdicts,
     ) {
-        let mut pair = 0;
-        for second in 0..frame.positions_m.len() {
-            for (first, distance_m2) in truth.actual_m2()[pair..pair + second].iter().enumerate() {
-                self.least_m2 = if *distance_m2 < self.least_m2 { *distance_m2 } else { self.least_m2 };
-                let place = pair + first;
-                let rooms_m2 = before.map(|before| self.rooms_m2(place, truth, before));
-                let nears = rooms_m2.is_some_and(|[floor_m2, now_m2]| now_m2 < floor_m2);
-                if *distance_m2 < near_m2 || nears {
-                    let pair = Pair { place, robots: [first, second], distance_m2: *distance_m2, rooms_m2 };
-                    self.watch_pair(&pair, tick, frame, before, verdicts);
-                }
+        let positions_m2 = truth.pairs.positions_m2();
+        let mut least_m2 = self.least_m2;
+        truth.pairs.each(|place, robots| {
+            let distance_m2 = positions_m2[place];
+            least_m2 = if distance_m2 < least_m2 { distance_m2 } else { least_m2 };
+            let rooms_m2 = before.map(|before| self.rooms_m2(place, truth, before));
+            let nears = rooms_m2.is_some_and(|[floor_m2, now_m2]| now_m2 < floor_m2);
+            if distance_m2 < near_m2 || nears {
+                let pair = Pair { place, robots, distance_m2, rooms_m2 };
+                self.watch_pair(&pair, tick, frame, before, verdicts);
             }
-            pair += second;
-        }
+        });
+        self.least_m2 = least_m2;
     }
 
     /// A pair that is farther apart than the root of this, m², was not too near since the tick before.
@@ -91,10 +111,13 @@ impl<const D: usize> Distances<D> {
         near_m * near_m * (1.0 + ROUNDING)
     }
 
-    /// `D − Δ_d²` of two references, m²: the least that must be left of it since the tick before, and what is left.
+    /// `D − Δ_d²` of two references, m²: the least that must be left of it since the tick before, and what is left. Of a pair
+    /// that was too far away to be bounded nothing need be left.
     fn rooms_m2(&self, place: usize, truth: &Truth, before: &Before<D>) -> [f64; 2] {
         let least_m = self.params.kept().distance_min_m;
-        let [then, now] = [&before.truth, truth].map(|truth| truth.pairs_m2[place] - least_m * least_m);
+        let now = truth.pairs.references_m2()[place] - least_m * least_m;
+        let Some(then) = self.places.then(place) else { return [f64::NEG_INFINITY, now] };
+        let then = before.truth.pairs.references_m2()[then] - least_m * least_m;
         [(1.0 - self.gamma_c()) * then, now]
     }
 
@@ -112,7 +135,7 @@ impl<const D: usize> Distances<D> {
         }
         let robots = pair.robots.map(|index| u16::try_from(index + 1).unwrap_or(u16::MAX));
         let at = |seen, demanded| Violation { tick, robots, seen, demanded };
-        let carried = before.is_some_and(|before| before.moves && self.apart[pair.place]);
+        let carried = before.is_some_and(|before| before.moves && self.was_apart(pair.place));
         let least_m = self.params.settings().limits.distance_min_m;
         let limit_m2 = self.limit_m2(least_m);
         if pair.distance_m2 < limit_m2 {
@@ -143,22 +166,34 @@ impl<const D: usize> Distances<D> {
     fn binds(&self, place: usize, before: &Before<D>) -> bool {
         let radius_m = self.params.kept().link.radius_m;
         let budget = self.params.controller().promises();
-        budget && before.truth.pairs_m2[place] <= radius_m * radius_m
+        let then = self.places.then(place).map(|then| before.truth.pairs.references_m2()[then]);
+        budget && then.is_some_and(|then_m2| then_m2 <= radius_m * radius_m)
+    }
+
+    /// Whether a pair was safe in the tick before and must be so in this one.
+    fn was_apart(&self, place: usize) -> bool {
+        match self.places.then(place) {
+            Some(then) => self.apart.get(then).copied().unwrap_or(false),
+            None => self.far_apart,
+        }
     }
 
     /// What is safe now, or was and must still be, must be so at the next tick. `inside` is false while nothing is promised.
     pub(crate) fn carry(&mut self, truth: &Truth, before: &Before<D>, inside: bool, moves: bool) {
         let limit_m2 = self.limit_m2(self.params.kept().distance_min_m);
-        self.apart.resize(truth.pairs_m2.len(), false);
-        for (apart, pair_m2) in self.apart.iter_mut().zip(&truth.pairs_m2) {
-            *apart = moves && ((inside && *pair_m2 >= limit_m2) || (*apart && before.moves));
-        }
+        let mut scratch = core::mem::take(&mut self.scratch);
+        scratch.clear();
+        scratch.extend(truth.pairs.references_m2().iter().enumerate().map(|(place, pair_m2)| {
+            moves && ((inside && *pair_m2 >= limit_m2) || (self.was_apart(place) && before.moves))
+        }));
+        self.scratch = core::mem::replace(&mut self.apart, scratch);
+        self.far_apart = moves && inside;
     }
 }
 
 /// Two robots of a tick.
 struct Pair {
-    /// In the order of [`Truth::pairs_m2`].
+    /// In the order of [`Pairs`](crate::monitors::pairs::Pairs).
     place: usize,
     robots: [usize; 2],
     distance_m2: f64,

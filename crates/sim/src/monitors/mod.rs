@@ -5,6 +5,7 @@ mod carry;
 mod distance;
 mod heard;
 mod mode;
+mod pairs;
 pub mod robustness;
 mod time;
 pub(crate) mod truth;
@@ -176,7 +177,7 @@ impl<const D: usize> Monitors<D> {
     //= paper eq:composition
     fn watch_composition(&mut self, tick: u32) {
         let (composed, radius_m) = (self.composed, self.params.link().radius_m);
-        let near = self.truth.pairs_m2.iter().filter(|pair| **pair <= radius_m * radius_m);
+        let near = self.truth.pairs.references_m2().iter().filter(|pair| **pair <= radius_m * radius_m);
         let collisions: f64 =
             near.map(|pair| composed.collision_term::<f64>(*pair)).fold(0.0, |sum, term| sum + term);
         let degrees: f64 = self.truth.levels.iter().map(|level| composed.degree_term::<f64>(*level)).sum();

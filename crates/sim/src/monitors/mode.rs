@@ -56,7 +56,8 @@ impl<const D: usize> ModeWatch<D> {
     pub(crate) fn watch(&mut self, tick: u32, frame: &Frame<D>, truth: &Truth, verdicts: &mut Verdicts) {
         let stopped = frame.modes.contains(&Mode::Stopped);
         let safe = (0..truth.h_own.len()).all(|robot| truth.h_own[robot] >= ROUNDING)
-            && (0..truth.h_own.len()).all(|robot| !self.crowded(robot, truth, true));
+            && !self.crowd(truth, true).contains(&true);
+        let crowded = self.crowd(truth, false);
         let well = safe && !stopped && !frame.assumptions.broken;
         if !well {
             self.unwell = Some(tick);
@@ -72,7 +73,7 @@ impl<const D: usize> ModeWatch<D> {
                 *counter += u64::from(counts);
             }
             let at = |seen| Violation { tick, robots: [robot, 0], seen, demanded: 0.0 };
-            if guaranteed && !frame.assumptions.sensed_wrong[index] && self.untrue(index, truth) {
+            if guaranteed && !frame.assumptions.sensed_wrong[index] && self.untrue(index, truth, &crowded) {
                 verdicts.broke(Law::Mode, at(truth.h[index]), true);
             }
             if !guaranteed && healed {
@@ -86,13 +87,14 @@ impl<const D: usize> ModeWatch<D> {
 
     /// True when a robot that senses within the stated errors must know that its h is negative, its degree too low, or another
     /// robot too close.
-    fn untrue(&self, robot: usize, truth: &Truth) -> bool {
+    fn untrue(&self, robot: usize, truth: &Truth, crowded: &[bool]) -> bool {
         let degree_low = self.exact && truth.degrees[robot] < required(&self.params);
-        degree_low || truth.h[robot] < -ROUNDING - self.blur || self.crowded(robot, truth, false)
+        degree_low || truth.h[robot] < -ROUNDING - self.blur || crowded.get(robot) == Some(&true)
     }
 
-    /// True when another robot is certainly too close to `robot`; `anybody` counts disobedient ones too.
-    fn crowded(&self, robot: usize, truth: &Truth, anybody: bool) -> bool {
+    /// For each robot whether another one is certainly too close to it; `anybody` counts disobedient ones too. Empty if nobody
+    /// is too close to anybody.
+    fn crowd(&self, truth: &Truth, anybody: bool) -> Vec<bool> {
         let kept = self.params.kept();
         let radius_m = self.params.link().radius_m;
         let blur_m2 = ROUNDING * radius_m * radius_m;
@@ -104,12 +106,16 @@ impl<const D: usize> ModeWatch<D> {
             least_m * least_m - blur_m2
         };
         if truth.least_m2 >= limit_m2 {
-            return false;
+            return Vec::new();
         }
-        let counts =
-            |other: usize| anybody || !(self.free && (self.malicious[robot] || self.malicious[other]));
-        (0..truth.h_own.len())
-            .any(|other| other != robot && counts(other) && truth.pair_m2(robot, other) < limit_m2)
+        let mut crowded = vec![false; truth.h_own.len()];
+        truth.pairs.each(|place, [first, second]| {
+            let free = self.free && (self.malicious[first] || self.malicious[second]);
+            if truth.pairs.references_m2()[place] < limit_m2 && (anybody || !free) {
+                (crowded[first], crowded[second]) = (true, true);
+            }
+        });
+        crowded
     }
 
     /// Shares of time in which normal robots were guaranteed, and in which their own h was negative.

@@ -8,7 +8,7 @@ use closeranks_core::settings::Team;
 use closeranks_core::settings::params::Params;
 
 use crate::frame::Frame;
-use crate::geometry::fill_pairs;
+use crate::monitors::pairs::Pairs;
 
 /// Sums of weights, and squares of distances as a share of R², are rounded by far less than this.
 pub(crate) const ROUNDING: f64 = 1e-11;
@@ -24,12 +24,10 @@ pub(crate) struct Truth {
     pub(crate) h: Vec<f64>,
     /// h_i as a robot has it that senses exactly: with free liars of the trimmed sum.
     pub(crate) h_own: Vec<f64>,
-    /// Squared distances of references, m², pair (first, second) at `second (second − 1)/2 + first`.
-    pub(crate) pairs_m2: Vec<f64>,
-    /// The least of `pairs_m2`.
+    /// Squared distances of references and of positions.
+    pub(crate) pairs: Pairs,
+    /// The least of those of references, m²; of a sparse team that has none near it is infinite.
     pub(crate) least_m2: f64,
-    /// Squared distances of positions, m², in the order of `pairs_m2`; empty where the positions are the references.
-    actual_m2: Vec<f64>,
     /// Memory for the weights and the slopes of all pairs.
     scratch: [Vec<f64>; 2],
 }
@@ -47,9 +45,8 @@ impl Clone for Truth {
         self.degrees.clone_from(&other.degrees);
         self.h.clone_from(&other.h);
         self.h_own.clone_from(&other.h_own);
-        self.pairs_m2.clone_from(&other.pairs_m2);
+        self.pairs.clone_from(&other.pairs);
         self.least_m2 = other.least_m2;
-        self.actual_m2.clone_from(&other.actual_m2);
     }
 }
 
@@ -62,13 +59,9 @@ impl Truth {
         frame: &Frame<D>,
         plain: bool,
     ) {
-        fill_pairs(&frame.references_m, &mut self.pairs_m2);
+        self.pairs.look(&frame.positions_m, &frame.references_m, wide_m(params));
         let lesser = |least: f64, pair_m2: &f64| if *pair_m2 < least { *pair_m2 } else { least };
-        self.least_m2 = self.pairs_m2.iter().fold(f64::INFINITY, lesser);
-        self.actual_m2.clear();
-        if frame.positions_m != frame.references_m {
-            fill_pairs(&frame.positions_m, &mut self.actual_m2);
-        }
+        self.least_m2 = self.pairs.references_m2().iter().fold(f64::INFINITY, lesser);
         let required = f64::from(required(params));
         if plain {
             self.levels.clone_from(&frame.levels);
@@ -82,17 +75,17 @@ impl Truth {
         let margin = params.kept().errors.away_m > 0.0;
         let counts = |robot: usize| !(free && malicious[robot]);
         self.resize(frame.positions_m.len());
-        let actual_m2 = first_filled(&self.actual_m2, &self.pairs_m2);
-        let scratch = &mut self.scratch;
-        weigh(params.link(), actual_m2, |_| true, &mut self.levels, &mut self.degrees, scratch);
+        let (pairs, scratch) = (&self.pairs, &mut self.scratch);
+        let positions_m2 = pairs.positions_m2();
+        weigh(params.link(), pairs, positions_m2, |_| true, &mut self.levels, &mut self.degrees, scratch);
         self.h.clone_from(&self.levels);
         if free {
-            weigh(params.link(), actual_m2, counts, &mut self.h, &mut self.degrees, scratch);
+            weigh(params.link(), pairs, positions_m2, counts, &mut self.h, &mut self.degrees, scratch);
         }
         if free || margin {
             let degrees = &mut vec![0; self.degrees.len()];
             let shape = &params.kept().link;
-            weigh(shape, &self.pairs_m2, counts, &mut self.h, degrees, scratch);
+            weigh(shape, pairs, pairs.references_m2(), counts, &mut self.h, degrees, scratch);
         }
         for h in &mut self.h {
             *h -= required;
@@ -109,28 +102,19 @@ impl Truth {
         self.levels.resize(count, 0.0);
         self.degrees.resize(count, 0);
     }
-
-    /// Squared distances of positions, m², in the order of [`Truth::pairs_m2`].
-    pub(crate) fn actual_m2(&self) -> &[f64] {
-        first_filled(&self.actual_m2, &self.pairs_m2)
-    }
-
-    /// Squared distance of the references of two different robots, m².
-    #[must_use]
-    pub(crate) fn pair_m2(&self, one: usize, other: usize) -> f64 {
-        let (first, second) = if one < other { (one, other) } else { (other, one) };
-        self.pairs_m2[second * (second - 1) / 2 + first]
-    }
 }
 
-fn first_filled<'a>(numbers: &'a Vec<f64>, others: &'a Vec<f64>) -> &'a Vec<f64> {
-    if numbers.is_empty() { others } else { numbers }
+/// Pairs that are farther apart than this, m, have no link and cannot have met since the tick before.
+fn wide_m<const D: usize>(params: &Params<D>) -> f64 {
+    let meets_m = params.settings().limits.distance_min_m + 2.0 * params.reach().longest_m();
+    params.link().radius_m.max(meets_m * (1.0 + 1e-6))
 }
 
 /// Sum and number of the links of every robot with the others that count, in order of their numbers; each pair once.
 fn weigh(
     shape: &LinkShape,
-    pairs_m2: &Vec<f64>,
+    pairs: &Pairs,
+    pairs_m2: &[f64],
     counts: impl Fn(usize) -> bool,
     sums: &mut [f64],
     degrees: &mut [u16],
@@ -139,22 +123,22 @@ fn weigh(
     sums.fill(0.0);
     degrees.fill(0);
     let [weights, slopes] = scratch;
-    weights.clone_from(pairs_m2);
+    weights.clear();
+    weights.extend_from_slice(pairs_m2);
     slopes.resize(weights.len(), 0.0);
     shape.links_at(weights, slopes);
-    let mut rest = &weights[..];
-    for second in 0..sums.len() {
-        let (line, later) = rest.split_at(second);
-        for (first, weight) in line.iter().enumerate().filter(|(_, weight)| Link::is_link(**weight)) {
-            for (end, other) in [(second, first), (first, second)] {
-                if counts(other) {
-                    sums[end] += weight;
-                    degrees[end] += 1;
-                }
+    pairs.each(|place, [first, second]| {
+        let weight = weights[place];
+        if !Link::is_link(weight) {
+            return;
+        }
+        for (end, other) in [(second, first), (first, second)] {
+            if counts(other) {
+                sums[end] += weight;
+                degrees[end] += 1;
             }
         }
-        rest = later;
-    }
+    });
 }
 
 /// The degree that counts: F′, or θ among normal robots with free liars. Written down once more, so that monitors do not rest on what they watch.

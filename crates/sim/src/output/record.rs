@@ -6,7 +6,7 @@ use closeranks_core::program::Outcome;
 use crate::frame::Frame;
 use crate::scenario::Scenario;
 
-/// Columns of a run; row `tick·n + index` belongs to robot `index + 1`. Ticks 0 to the last, both included.
+/// Columns of a run. Row `tick·n + index` belongs to robot `index + 1`. Ticks go from 0 to the last, both included.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Record {
     /// n.
@@ -40,7 +40,7 @@ pub struct Record {
 }
 
 impl Record {
-    /// Empty, with room for the whole run.
+    /// An empty record with room for the whole run.
     #[must_use]
     pub fn new(scenario: &Scenario, required_degree: u16) -> Self {
         let rows = (scenario.ticks() as usize + 1) * usize::from(scenario.team.robots);

@@ -28,9 +28,9 @@ pub struct StartSummary {
 /// What a run came to.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Summary {
-    /// The start.
+    /// Where the run began.
     pub start: StartSummary,
-    /// Least and greatest over the run.
+    /// Least and greatest numbers over the run.
     pub extremes: Extremes,
     /// What became of each law.
     pub verdicts: Verdicts,
@@ -44,13 +44,13 @@ pub struct Summary {
     pub speed_end_m_s: f64,
     /// Rate of growth of the radius of gyration at the start and at the end, m/s.
     pub spreading_m_s: [f64; 2],
-    /// Share of the time of normal robots in which they said that they were guaranteed.
+    /// Fraction of the time of normal robots in which they said that they were guaranteed.
     pub guaranteed_share: f64,
-    /// Share of it in which their own h was negative: with free liars they stand still then.
+    /// Fraction of that time in which their own h was negative. With free liars such a robot only comes closer to others.
     pub negative_share: f64,
-    /// Share of ticks in which every assumption of `budget` held, and long enough for what was told to be true.
+    /// Fraction of ticks in which every assumption of `budget` held, and had held long enough for what was told to be true.
     pub covered_share: f64,
-    /// Longest time from the end of trouble until all said again that they were guaranteed, s.
+    /// Longest time from when all assumptions held again until all robots said again that they were guaranteed, s.
     pub recovery_s: f64,
     /// How many malicious robots had fewer than F′ neighbours at some time.
     pub malicious_below: u16,
@@ -67,8 +67,8 @@ impl Summary {
         self.verdicts.of(law).count
     }
 
-    /// What counts against the controller, counted and located so: what it promises ([`Row::promises`]) and what was
-    /// broken although everything held that the promise rests on. With `budget` that is a bug, or a hole in the theorem.
+    /// What counts against the controller: each law that it promises ([`Row::promises`]) with how often, and where first, it
+    /// was broken although everything held that the promise rests on. With `budget` that is a bug, or a hole in the theorem.
     pub fn violations(&self, scenario: &Scenario) -> impl Iterator<Item = Verdict> {
         let Row { promises: laws, counted, .. } = scenario.controller.row();
         let counted =
@@ -89,7 +89,7 @@ impl Summary {
     }
 }
 
-/// Collects what only single frames tell.
+/// Collects what only single frames show.
 #[derive(Clone, Debug, Default)]
 pub struct Collector {
     start: Option<StartSummary>,
@@ -143,7 +143,7 @@ impl Collector {
     }
 }
 
-/// Of a run without a single tick, which there is not.
+/// Stands for the start of a run without a single tick; there is no such run.
 const NO_START: StartSummary = StartSummary {
     inside: false,
     phi_min: f64::NAN,

@@ -9,7 +9,7 @@ use crate::geometry::squared_distance;
 use crate::scenario::start::{Start, StartError};
 use crate::scenario::{Scenario, Values};
 
-/// Most rows (ticks × robots) that a run may have.
+/// How many rows (ticks × robots) a run may have at most.
 pub const ROWS_MAX: u64 = 20_000_000;
 
 /// Notes in `reader` what cannot be run; `scenario` holds fields that were each read without fault.

@@ -24,7 +24,7 @@ pub(crate) const VALUE: Allowed = Allowed::Closed(-VALUE_MAX, VALUE_MAX);
 /// One kind of something: the word that the field `kind` holds, and what reads the other fields of that kind.
 pub(crate) type Kind<T> = (&'static str, fn(&mut Reader, &mut Section<'_>) -> T);
 
-/// Reads the field `kind` and all fields of that kind. Without a (right) `kind` it is the first of `kinds`.
+/// Reads the field `kind` and all fields of that kind. Where `kind` is missing or wrong, the first of `kinds` is read.
 pub(crate) fn one_kind<T>(reader: &mut Reader, section: &mut Section<'_>, kinds: &[Kind<T>]) -> T {
     let read = reader.kind(section, kinds).unwrap_or(kinds[0].1);
     read(reader, section)

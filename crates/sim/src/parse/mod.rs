@@ -1,4 +1,4 @@
-//! Scenarios written in TOML. Every field has a default; anything not understood is refused with its place.
+//! Scenarios written in TOML. Every field has a default, and what is not understood is refused with its place.
 
 mod checks;
 pub(crate) mod common;

@@ -23,7 +23,7 @@ pub(crate) struct Section<'text> {
     place: Range<usize>,
     entries: Option<&'text DeTable<'text>>,
     known: Vec<&'static str>,
-    /// Its kind was refused, so nobody knows which fields it has.
+    /// True if its kind was refused, so that nobody knows which fields it has.
     unclear: bool,
 }
 
@@ -268,7 +268,7 @@ pub(crate) fn one_of<'a>(names: impl Iterator<Item = &'a str>) -> String {
     names.map(|name| format!("`{name}`")).collect::<Vec<_>>().join(", ")
 }
 
-/// The value as an error shows it, short.
+/// The value, shortened, as an error shows it.
 pub(crate) fn describe(value: &DeValue<'_>) -> String {
     match value {
         DeValue::String(text) => format!("\"{}\"", printable(text)),
@@ -281,7 +281,7 @@ pub(crate) fn describe(value: &DeValue<'_>) -> String {
     }
 }
 
-/// Short, without control characters.
+/// The text, shortened and without control characters.
 pub(crate) fn printable(text: &str) -> String {
     let short: String = text.chars().take(40).flat_map(char::escape_debug).collect();
     if text.chars().count() > 40 { format!("{short}...") } else { short }

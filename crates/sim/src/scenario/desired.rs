@@ -9,11 +9,11 @@ use crate::random::{Random, Stream};
 pub enum Desired {
     /// The paper's section V: unit speed in four directions (six in 3D), which would break the network.
     Paper,
-    /// Stay.
+    /// Stay where one is.
     Hold,
-    /// To the origin at unit speed: everybody into everybody.
+    /// To the origin at unit speed, so that everybody runs into everybody.
     Gather,
-    /// Somewhere else every half second, at up to 1.5 times unit speed; each robot for itself.
+    /// Somewhere else every half second, at up to 1.5 times unit speed, each robot for itself.
     Wander,
 }
 
@@ -40,7 +40,7 @@ impl Desired {
         unit(&toward)
     }
 
-    /// The same for [`Desired::Wander`], a function of seed, robot and time alone.
+    /// Desired velocity of robot `number` under [`Desired::Wander`], m/s. It depends on seed, robot and time alone.
     #[must_use]
     pub fn wandering<const D: usize>(seed: u64, number: u16, time_s: f64) -> Vector<D> {
         #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "saturates")]
@@ -50,7 +50,7 @@ impl Desired {
     }
 }
 
-/// Of length 1 if it has one.
+/// The vector scaled to length 1; 0 stays 0.
 fn unit<const D: usize>(vector: &Vector<D>) -> Vector<D> {
     let size = length(vector);
     if size > 0.0 { vector.map(|component| component / size) } else { [0.0; D] }

@@ -1,4 +1,4 @@
-//! What to run: plain data, checked.
+//! What to run, as plain data that was checked.
 
 pub mod desired;
 mod scatter;
@@ -32,7 +32,7 @@ pub struct Scenario {
     pub seed: u64,
     /// 2 or 3.
     pub dimension: usize,
-    /// n and F.
+    /// Who is in the team: n and F.
     pub team: Team,
     /// Malicious robots by number, from 1, ascending.
     pub malicious: Vec<u16>,
@@ -47,7 +47,7 @@ pub struct Scenario {
     pub composed: ComposedSettings,
     /// Parameters of `budget`.
     pub budget: BudgetSettings,
-    /// τ₁, the tick, τ₂, a multiple of it, and ages.
+    /// When things happen, and how old they may be: the tick τ₁, its multiple τ₂, and ages.
     pub clock: Clock,
     /// Stated bounds of errors.
     pub errors: Errors,
@@ -70,14 +70,14 @@ pub struct Scenario {
 /// Initial values y_i(t₀).
 #[derive(Clone, Debug, PartialEq)]
 pub enum Values {
-    /// Drawn evenly from the interval for each robot.
+    /// Each robot's value is drawn evenly from the interval.
     Random {
         /// Least.
         min: f64,
         /// Greatest.
         max: f64,
     },
-    /// One for each robot.
+    /// The value of each robot is listed.
     Listed(Vec<f64>),
 }
 
@@ -149,16 +149,17 @@ impl Scenario {
 
     /// True when nothing goes wrong and every liar tells all the same, so that robots may be computed at once.
     ///
-    /// Bodies that do not follow their velocities make no difference to `composed` and `none`, which know nothing but what
-    /// they sense in a tick. A robot of `budget` compares where it senses itself with where its last velocity should have
-    /// taken it and promises nothing where the two differ; only single robots keep that account.
+    /// Bodies that do not follow their velocities make no difference to robots that know nothing but what they sense in a tick.
+    /// A robot whose controller guarantees something compares where it senses itself with where its last velocity should have
+    /// taken it, and promises nothing where the two differ; only single robots keep that account.
     #[must_use]
     pub fn is_plain(&self) -> bool {
-        let followed = self.plant == Plant::Single || self.controller != Controller::Budget;
+        let followed = self.plant == Plant::Single || !self.controller.row().guarantees;
         self.faults.is_none() && self.attack.is_plain() && followed
     }
 
-    /// The same under another controller, with what is usually expected of it unless the scenario expects something else.
+    /// This scenario under another controller. If it expects what is usual for its own controller, it then expects what is
+    /// usual for the other one.
     #[must_use]
     pub fn under(self, controller: Controller) -> Self {
         let usual = self.expect == self.controller.row().expects;
@@ -198,7 +199,7 @@ impl Scenario {
         })
     }
 
-    /// Every number of the settings, by the table of [`settings::field`], whatever the controller.
+    /// Every number of the settings, for the table of [`settings::field`], whatever the controller.
     pub(crate) fn parts(&mut self) -> Parts<'_> {
         Parts {
             team: &mut self.team,

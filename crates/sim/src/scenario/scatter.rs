@@ -7,10 +7,10 @@ use closeranks_core::num::Vector;
 use crate::geometry::squared_distance;
 use crate::random::{Random, Stream};
 
-/// Draws for one robot before the box counts as full.
+/// How often a place is drawn for one robot before the box counts as full.
 pub(crate) const TRIES: u32 = 10_000;
 
-/// Draws for a whole team, a robot: the generator ends within seconds for any team and box.
+/// How often places are drawn for a whole team, per robot, so that the generator ends within seconds for any team and box.
 const TRIES_MEAN: u32 = 100;
 
 /// Robots drawn evenly from the cube `[−half, half]^D`, m, each at least `distance_min_m` from the others. If the next

@@ -34,7 +34,7 @@ pub enum StartError {
     /// The preset is for another team.
     #[error("start `{preset}` has 11 robots in 2 dimensions, not {robots} in {dimension}")]
     Preset {
-        /// Which.
+        /// Which preset it is.
         preset: &'static str,
         /// n.
         robots: u16,
@@ -47,7 +47,7 @@ pub enum StartError {
     /// Positions and robots differ in number, or a position has the wrong number of coordinates.
     #[error("{found} positions of {dimension} coordinates for {robots} robots")]
     Count {
-        /// How many good positions.
+        /// How many positions are good.
         found: usize,
         /// D.
         dimension: usize,
@@ -64,7 +64,7 @@ pub enum StartError {
         placed: usize,
         /// n.
         robots: u16,
-        /// m.
+        /// How far apart they had to be, m.
         distance_min_m: f64,
     },
 }
@@ -95,7 +95,7 @@ const INSIDE_PLACES: [[i8; 2]; 11] =
 pub const INSIDE_SPACING_M: f64 = 0.6;
 
 impl Start {
-    /// The positions of so many robots; a pure function of its arguments, bounded in time.
+    /// The positions of so many robots. They are a pure function of the arguments, computed in bounded time.
     pub fn positions<const D: usize>(&self, robots: u16, seed: u64) -> Result<Vec<Vector<D>>, StartError> {
         match self {
             Self::Published => preset("published", &PUBLISHED_M, robots),

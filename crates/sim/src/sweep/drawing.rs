@@ -19,7 +19,7 @@ pub enum Drawn {
 
 /// Draws in the order of the tree and notes what was drawn.
 pub(super) struct Drawer<'a> {
-    /// Where draws come from.
+    /// The generator of the draws.
     pub(super) random: &'a mut Random,
     /// Every drawn field by its full name.
     pub(super) drawn: BTreeMap<String, Drawn>,
@@ -56,7 +56,7 @@ impl Drawer<'_> {
             Node::Number { min, max, log: false } => Value::Float(self.random.uniform(*min, *max)),
             Node::Number { min, max, log: true } => Value::Float(self.log_uniform(*min, *max)),
             Node::Choice { items, sums } => self.choose(path, items, sums),
-            // What stands inside of a choice is noted by the choice, lists as a whole.
+            // What stands inside of a choice is noted by the choice, and a list is noted as a whole.
             Node::Plain(value) => value.clone(),
             Node::Table(entries) => Value::Table(
                 entries.iter().map(|(key, node)| (key.clone(), self.draw(&below(path, key), node))).collect(),
@@ -70,7 +70,7 @@ impl Drawer<'_> {
         i64::try_from(self.random.below(width + 1)).unwrap_or(0)
     }
 
-    /// Even in the logarithm. The logarithm of libm and our exponential give the same bits everywhere.
+    /// A number drawn evenly in the logarithm. The logarithm of libm and our exponential give the same bits everywhere.
     fn log_uniform(&mut self, min: f64, max: f64) -> f64 {
         let power = self.random.uniform(libm::log(min), libm::log(max));
         exp(power).max(min).min(max)
@@ -95,7 +95,7 @@ impl Drawer<'_> {
         }
     }
 
-    /// Notes a drawn value; of tables, every field.
+    /// Notes a drawn value. Of a table every field is noted.
     fn note(&mut self, path: &str, value: &Value) {
         let drawn = match value {
             Value::Table(entries) => {

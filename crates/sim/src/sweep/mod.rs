@@ -1,4 +1,4 @@
-//! Many scenarios out of one text: values that are drawn anew for every run.
+//! Many scenarios out of one text, in which values are drawn anew for every run.
 //!
 //! ```toml
 //! [sweep]
@@ -37,10 +37,10 @@ use reading::Reading;
 pub use tree::Field;
 use tree::Node;
 
-/// A run that could not be drawn after so many tries cannot be drawn.
+/// A run that could not be drawn in so many tries counts as one that cannot be drawn.
 pub const TRIES: u32 = 1_000;
 
-/// Seeds of scenarios are below this: whole in every reader of numbers.
+/// Seeds of scenarios are below this, so that every reader of numbers takes them for whole.
 const SEEDS: u64 = 1 << 53;
 
 /// A text with draws, read.
@@ -57,15 +57,15 @@ pub struct Plan {
 pub struct Run {
     /// The scenario under each controller, in alphabetical order, with its plain text.
     pub scenarios: Vec<(Scenario, String)>,
-    /// What each of [`Plan::fields`] has here; none where the chosen branch does not have it.
+    /// What each of [`Plan::fields`] has in this run; `None` where the chosen branch does not have the field.
     pub drawn: Vec<Option<Drawn>>,
     /// How many draws before this one could not be run.
     pub redraws: u32,
 }
 
 impl Run {
-    /// The text of the scenario under `controller`: that of the run if it has it, else the same with this controller, which
-    /// perhaps cannot be run.
+    /// The text of the scenario under `controller`. If the run has none under it, it is the first one's text with this
+    /// controller in it, which perhaps cannot be run.
     #[must_use]
     pub fn under(&self, controller: Controller) -> String {
         let has_it = |(scenario, _): &&(Scenario, String)| scenario.controller == controller;
@@ -116,7 +116,7 @@ impl Plan {
         &self.controllers
     }
 
-    /// Run `run`, from 0, of the sweep with `seed`.
+    /// The run with number `run`, counted from 0, of the sweep with `seed`.
     ///
     /// Fails if none of 1,000 draws could be run; the problems are those of the last, at their places in the text.
     pub fn draw(&self, seed: u64, run: u64) -> Result<Run, Vec<Problem>> {
@@ -145,7 +145,7 @@ impl Plan {
         Err(problems)
     }
 
-    /// The scenario under each controller: all of them can be run, or none is.
+    /// The scenario under each controller. If one of them cannot be run, none is.
     fn scenarios(&self, values: &toml::Table) -> Result<Vec<(Scenario, String)>, Vec<Problem>> {
         let read = |values: &toml::Table| {
             let text = values.to_string();
@@ -180,7 +180,7 @@ fn with_controller(values: &toml::Table, controller: Controller) -> toml::Table 
     values
 }
 
-/// The table `sweep`: which controllers, in alphabetical order.
+/// The controllers that the table `sweep` names, in alphabetical order.
 fn controllers(reading: &mut Reading, root: &DeTable<'_>) -> Vec<Controller> {
     let Some(value) = root.get("sweep") else { return Vec::new() };
     let DeValue::Table(table) = value.get_ref() else {

@@ -14,7 +14,7 @@ type Item<'text> = Spanned<DeValue<'text>>;
 
 /// Whole numbers beyond this are no longer whole as floats.
 const WHOLE_MAX: i64 = 1 << 53;
-/// Items of a refused list that are shown.
+/// How many items of a refused list are shown.
 const SHOWN: usize = 6;
 
 /// Collects problems and the places of fields while a text is read.
@@ -22,7 +22,7 @@ const SHOWN: usize = 6;
 pub(super) struct Reading {
     /// What was wrong.
     pub(super) problems: Vec<Problem>,
-    /// Where each field stands; what stands inside of a choice is where the choice is.
+    /// Where each field stands. A field inside of a choice stands where the choice does.
     pub(super) places: BTreeMap<String, Range<usize>>,
     choices: u32,
 }
@@ -185,7 +185,7 @@ fn numbers(value: &DeValue<'_>) -> Option<Vec<f64>> {
     value.as_array()?.iter().map(|item| number(item.get_ref())).collect()
 }
 
-/// Sums of weights from the first on; none if a weight is negative or all are 0.
+/// Sums of weights from the first on; `None` if a weight is negative or all are 0.
 fn sums(weights: &[f64]) -> Option<Vec<f64>> {
     let mut sum = 0.0;
     let sums: Vec<f64> = weights

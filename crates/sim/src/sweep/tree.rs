@@ -7,7 +7,7 @@ use toml::Value;
 /// A value, or what to draw it from. Tables go by the alphabet of their keys, and so does the order of draws.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) enum Node {
-    /// As it stands.
+    /// A value that is not drawn.
     Plain(Value),
     /// A table.
     Table(BTreeMap<String, Node>),
@@ -26,14 +26,14 @@ pub(super) enum Node {
         min: f64,
         /// Greatest.
         max: f64,
-        /// Even in the logarithm.
+        /// True if it is drawn evenly in the logarithm.
         log: bool,
     },
     /// One of several, each with the sum of weights up to and with it.
     Choice {
         /// What to choose from.
         items: Vec<Node>,
-        /// Ascending; the last is the sum of all weights.
+        /// The sums, which ascend; the last is that of all weights.
         sums: Vec<f64>,
     },
 }
@@ -43,9 +43,9 @@ pub(super) enum Node {
 pub struct Field {
     /// Full name, such as `attack.level.bias`.
     pub path: String,
-    /// Every value it can have is a number; else they are texts.
+    /// True if every value that it can have is a number; else they are texts.
     pub number: bool,
-    /// It can have a few values only: it is chosen, or a whole number.
+    /// True if it can have a few values only: it is chosen, or it is a whole number.
     pub few: bool,
 }
 
@@ -55,7 +55,7 @@ pub(super) fn below(path: &str, key: &str) -> String {
 }
 
 impl Node {
-    /// Notes every field that is drawn below `path`; all of them once a choice was made (`chosen`).
+    /// Notes every field below `path` that is drawn. Inside of a choice (`chosen`) these are all fields.
     pub(super) fn fields(&self, path: &str, chosen: bool, found: &mut BTreeMap<String, Field>) {
         match self {
             Self::Plain(Value::Table(_)) => {}

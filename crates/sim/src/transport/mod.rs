@@ -31,7 +31,7 @@ pub struct Parcel {
     pub sender: usize,
     /// Index of the receiver.
     pub receiver: usize,
-    /// As sent.
+    /// The bytes as they were sent.
     pub bytes: [u8; MESSAGE_BYTES],
 }
 

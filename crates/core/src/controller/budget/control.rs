@@ -16,14 +16,14 @@ use crate::program::InputBox;
 use crate::program::balls::reach::Reach;
 use crate::robot::neighbor::{RobotId, Slot};
 use crate::robot::report::{Mode, Reason};
-use crate::robot::scratch::Scratch;
+use crate::robot::scratch::{Needs, Scratch};
 use crate::settings::{BudgetSettings, Clock, Settings};
 use crate::time::Instant;
 
 /// The controller with its parameters.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct BudgetController<const D: usize> {
-    /// The rows.
+    /// The parameters of the rows.
     pub budget: Budget,
     reach: Reach<D>,
     input: InputBox<D>,
@@ -62,7 +62,7 @@ impl<const D: usize> BudgetController<D> {
         }
     }
 
-    /// Fills the sightings from the slots; gives how many there are.
+    /// Fills the sightings from the slots and returns how many there are.
     fn see(&self, view: &View<'_, D>, sightings: &mut [Sighting<D>]) -> usize {
         let latest = view.now.after(self.clock.error);
         let mut count = 0;
@@ -74,14 +74,14 @@ impl<const D: usize> BudgetController<D> {
         count
     }
 
-    /// What a neighbour told; nothing if that is from later than `latest`.
+    /// What a neighbour told; `None` if that is from later than `latest`.
     fn claim_of(&self, slot: &Slot<D>, latest: Instant) -> Option<Claim> {
         let told = slot.told?;
         self.claim(told.level, latest.checked_since(told.stamp)?)
     }
 
-    /// A level told `age` ago, in whole ticks, rounded up; nothing if it is too old, or older than can be counted: younger
-    /// than it is it would be worth too much.
+    /// The claim of a level told `age` ago. Its age is counted in whole ticks, rounded up. `None` if it is too old, or older
+    /// than can be counted: a claim that counted as younger than it is would be worth too much.
     #[must_use]
     pub fn claim(&self, level: f64, age: Duration) -> Option<Claim> {
         let age_ticks = if age.is_zero() { 0 } else { ticks(age, self.clock.level_period)? };
@@ -92,8 +92,8 @@ impl<const D: usize> BudgetController<D> {
         velocity_m_s.map(|component| component * self.hold_s)
     }
 
-    /// The velocity that keeps every row for as long as it may be held. That of the tick before makes it faster to find and
-    /// changes it by no more than rounding.
+    /// The velocity that keeps every row for as long as it may be held. The velocity of the tick before makes it faster to
+    /// find, and changes it by no more than rounding.
     #[inline]
     fn decision(&self, rows: &mut Rows<'_, D>, before_m_s: &Vector<D>) -> Decision<D> {
         let Move { displacement_m, outcome, doubt } = rows.decide(&self.desired_m(before_m_s));
@@ -104,7 +104,7 @@ impl<const D: usize> BudgetController<D> {
 
 impl<const D: usize> Control<D> for BudgetController<D> {
     type Pair = Pair;
-    /// What is left of the claim above what is required.
+    /// What is left of the claim above what is needed.
     type Told = f64;
     type Sums = ();
     type Known = KnownMargin;
@@ -123,6 +123,11 @@ impl<const D: usize> Control<D> for BudgetController<D> {
 
     fn promises(&self) -> bool {
         true
+    }
+
+    fn needs(&self, neighbors: usize) -> Needs {
+        let values = Budget::survey_len(self.budget.assume, neighbors);
+        Needs { values, sightings: neighbors, rows: rows(D, !self.budget.is_exact(), neighbors) }
     }
 
     fn can_be_computed_at_once(&self) -> bool {
@@ -155,7 +160,7 @@ impl<const D: usize> Control<D> for BudgetController<D> {
         }
     }
 
-    /// For a level told in this tick.
+    /// What counts of a level that was told in this tick.
     #[inline]
     fn told(&self, robot: RobotId, level: Option<f64>) -> f64 {
         let claim = level.and_then(|level| self.claim(level, self.clock.error));
@@ -199,7 +204,7 @@ impl<const D: usize> Control<D> for BudgetController<D> {
         self.decision(&mut rows, &view.before_m_s)
     }
 
-    /// Guaranteed as long as nothing that the robot can check speaks against it.
+    /// The answer is guaranteed as long as nothing that the robot can check speaks against it.
     fn mode(&self, standing: &Standing) -> Mode {
         let degree_low = standing.degree < standing.need;
         let exact = self.budget.errors.offset_m == 0.0;
@@ -210,6 +215,13 @@ impl<const D: usize> Control<D> for BudgetController<D> {
             None => Mode::Guaranteed,
         }
     }
+}
+
+/// How many rows there can be: two for each axis, two for each neighbour, and one of the robot's own. With stated errors
+/// each row but those of the axes is there once for every corner of a cube.
+fn rows(dimension: usize, blurred: bool, neighbors: usize) -> usize {
+    let corners = if blurred { 1 << dimension.min(8) } else { 1 };
+    neighbors.saturating_mul(2).saturating_add(1).saturating_mul(corners).saturating_add(2 * dimension)
 }
 
 /// `age` in periods, rounded up; a longer period than 64 bits hold counts as shorter, which makes the age greater.

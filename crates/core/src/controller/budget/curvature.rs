@@ -40,7 +40,7 @@ pub struct Curvature {
 }
 
 impl Curvature {
-    /// Finds the two peaks; some 64 exponentials, once.
+    /// Finds the two peaks. That takes some 64 exponentials, once.
     #[must_use]
     pub fn new(link: LinkShape) -> Self {
         let steepest_m2 = crate::num::sqrt(2.0 * STEEPEST / link.q2);
@@ -113,9 +113,9 @@ impl Curvature {
 
     /// Bound of the error of the gradient of `r → a(|r|)`, 1/m, at `distance_m` when r is wrong by at most `error_m`.
     ///
-    /// `M · error`, M the largest |eigenvalue| of the Hessian in reach: K, or near the rim, where the weight is convex, the
-    /// radial one `4 (R² − s) f′(s) − 2 f(s)`, which falls with s as long as it is positive.
-    //= theory sec:margins
+    /// It is `M · error_m`, with M the largest |eigenvalue| of the Hessian in reach. That is K, or near the rim, where the
+    /// weight is convex, the radial eigenvalue `4 (R² − s) f′(s) − 2 f(s)`, which falls with s as long as it is positive.
+    //= theory eq:gradient-error
     #[inline]
     #[must_use]
     pub fn gradient_error(&self, distance_m: f64, error_m: f64) -> f64 {

@@ -64,7 +64,7 @@ impl<const D: usize> Row<D> {
     }
 }
 
-/// The left-hand sides.
+/// The left-hand sides of the rows.
 impl Budget {
     /// The pair of two robots at `offset` (m) that can both move within `reach`. `slope` is that of their link, or 0.
     #[inline]
@@ -124,7 +124,7 @@ impl Budget {
     }
 }
 
-/// The right-hand sides.
+/// The right-hand sides of the rows.
 impl Budget {
     /// What a robot may spend of a neighbour's h_k by moving: `s(b_ik)/(δ⁺_ik + 1)`.
     //= theory eq:far-prime

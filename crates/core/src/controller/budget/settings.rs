@@ -9,17 +9,17 @@ use crate::num::exp;
 /// What bounds the loss of connectivity.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Form {
-    /// (far): every link by itself.
+    /// (far): every link is bounded by itself.
     Link,
-    /// (far′): the level of every robot; leaving one neighbour may be paid for by approaching another. Sound under
+    /// (far′): the level of every robot is bounded; leaving one neighbour may be paid for by approaching another. Sound under
     /// [`Assume::Obedient`] only; under [`Assume::Free`], `Link` is used in its place.
     Level,
 }
 
 /// The controller `budget`. All robots of a team must have the same; only trust may differ.
 ///
-/// Not even the form: (far) bounds the loss of a link by the distance, (far′) by the joint move of both ends, and a pair
-/// of which one end has each is covered by neither proof.
+/// The form must be the same too. (far) bounds the loss of a link by the distance, (far′) by the joint move of both ends, and
+/// a pair whose ends have different forms is covered by neither proof (docs/theory, sec:mixing).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Budget {
     /// Bounds of the link weight's derivatives, and its shape.
@@ -34,7 +34,7 @@ pub struct Budget {
     pub move_max_m: f64,
     /// γ in (0, 1]: the fraction of h_k that may be lost in a tick, see [`fraction_of_rate`].
     pub gamma: f64,
-    /// κ ≥ 0, by how much that fraction rises with h_k, see [`loss_max`](Self::loss_max).
+    /// q ≥ 0, by how much that fraction rises with h_k, see [`loss_max`](Self::loss_max).
     pub gain_slope: f64,
     /// γ_c in (0, 1]: the fraction of D − Δ_d² that may be lost in a tick.
     pub gamma_c: f64,
@@ -52,11 +52,11 @@ impl Budget {
     /// s(h): what all robots together may take of h_k ≥ 0 in a tick.
     ///
     /// ```text
-    /// s(h) = γ h (1 + κ h)/(1 + κγ h),      h − s(h) = (1 − γ) h/(1 + κγ h) ≥ 0
+    /// s(h) = γ h (1 + q h)/(1 + γ q h),      h − s(h) = (1 − γ) h/(1 + γ q h) ≥ 0
     /// ```
     ///
-    /// the loss of `ḣ = −α (h + κ h²)` in a tick, `γ = 1 − e^(−αT)`: far from the limit robots may spend faster than close to it.
-    /// The proof needs no more than `s(b) ≤ s(h) ≤ h` for `b ≤ h`, and s rises. With κ = 0 it is `γ h`.
+    /// This is what `ḣ = −α (h + q h²)` loses in a tick of length T, with `γ = 1 − e^(−αT)`: far from the limit robots may
+    /// spend faster than close to it. The proof needs no more than `s(b) ≤ s(h) ≤ h` for `b ≤ h`. With q = 0 it is `γ h`.
     //= theory eq:loss
     #[inline]
     #[must_use]
@@ -71,7 +71,7 @@ impl Budget {
     /// closed form because it is that of a differential equation.
     ///
     /// ```text
-    /// g h/(1 + κ (1 − g) h),   g = (1 − γ)^ticks
+    /// g h/(1 + q (1 − g) h),   g = (1 − γ)^ticks
     /// ```
     //= theory eq:decayed
     #[must_use]
@@ -96,8 +96,8 @@ fn power(base: f64, exponent: u32) -> f64 {
 
 /// `γ = 1 − e^(−αT)`: the fraction per tick of `period_s` (s) that loses at the rate α (1/s), whatever the tick.
 ///
-/// The guarantee holds for every γ; how far a team gets does not. Who spends all in one tick is held where it happens to
-/// stand. Mean radius of gyration of the paper's eleven robots after 10 s (q₂ = 0.3, start `inside`, twelve assignments of
+/// The guarantee holds for every γ, but how far a team gets depends on it. A robot that spends all in one tick is held
+/// where it happens to stand. Mean radius of gyration of the paper's eleven robots after 10 s (q₂ = 0.3, start `inside`, twelve assignments of
 /// robots to places, no attack; `examples/budget_spread.rs`), m:
 ///
 /// ```text

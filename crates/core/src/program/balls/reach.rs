@@ -14,7 +14,7 @@ const SURELY: f64 = 1.0 + 1e-9;
 pub struct Reach<const D: usize> {
     min_m: Vector<D>,
     max_m: Vector<D>,
-    /// To the longer side of each axis.
+    /// How far the longer side of each axis reaches, m.
     far_m: Vector<D>,
 }
 

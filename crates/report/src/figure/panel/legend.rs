@@ -1,7 +1,8 @@
 //! Lines that say what shapes and lines mean.
 
 use crate::figure::distance::{least_style, limit_style};
-use crate::figure::formation::{Marker, link_style, ring, robots_group, shape};
+use crate::figure::formation::link_style;
+use crate::figure::formation::marker::{Marker, ring, robots_group, shape};
 use crate::figure::panel::layout::LEGEND_LINE;
 use crate::figure::paths::start_mark;
 use crate::figure::robustness::{largest_f, largest_r, needed};

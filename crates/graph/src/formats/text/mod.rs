@@ -1,0 +1,13 @@
+//! Edge lists of all kinds.
+
+mod arrow;
+pub(super) mod counted;
+mod direction;
+pub(super) mod edge_list;
+mod header;
+mod name;
+pub(super) mod tuples;
+
+pub(super) use direction::Said;
+pub(super) use edge_list::refuse_no_weight;
+pub(super) use name::{plain, refuse_strange};

@@ -1,0 +1,54 @@
+//! Markers of robots: colour and shape say the same.
+
+use crate::svg::palette::{CLOSE, MALICIOUS, NORMAL};
+use crate::svg::{Element, Piece, Svg};
+
+/// How robots are drawn.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Marker {
+    /// Radius of the circle; squares have the same area.
+    pub(crate) radius: f64,
+    /// With the robot's number.
+    pub(crate) numbered: bool,
+}
+
+impl Marker {
+    /// Draws robot `number`.
+    pub(super) fn draw(self, svg: &mut Svg, point: [f64; 2], malicious: bool, number: usize) {
+        svg.add(shape(point, self.radius, malicious));
+        if self.numbered {
+            svg.add(robot_number(point, self.radius, number));
+        }
+    }
+}
+
+/// What all robots of a kind share.
+pub(crate) fn robots_group(malicious: bool, marker: Marker) -> Element {
+    let colour = if malicious { MALICIOUS } else { NORMAL };
+    let edge = if marker.numbered { 0.9 } else { 0.4 };
+    let group = Element::group().text("fill", colour).text("stroke", "#ffffff").number("stroke-width", edge);
+    group.text("text-anchor", "middle").text("font-weight", "bold")
+}
+
+/// Around a robot that is closer to another one than it may be.
+pub(crate) fn ring(point: [f64; 2], radius: f64) -> Element {
+    let ring = Element::new("circle").point(["cx", "cy"], point).number("r", radius + 2.6);
+    ring.text("fill", "none").text("stroke", CLOSE).number("stroke-width", 1.8)
+}
+
+/// A circle, or for malicious robots a square of the same area.
+pub(crate) fn shape(point: [f64; 2], radius: f64, malicious: bool) -> Element {
+    if malicious {
+        let side = 1.772 * radius;
+        let corner = point.map(|coordinate| coordinate - 0.5 * side);
+        Element::new("rect").point(["x", "y"], corner).number("width", side).number("height", side)
+    } else {
+        Element::new("circle").point(["cx", "cy"], point).number("r", radius)
+    }
+}
+
+fn robot_number([x, y]: [f64; 2], radius: f64, number: usize) -> Element {
+    let size = if number < 10 { 1.4 * radius } else { 1.2 * radius };
+    let text = Element::new("text").point(["x", "y"], [x, y + 0.36 * size]).number("font-size", size);
+    text.text("fill", "#ffffff").text("stroke", "none").label(&[Piece::Plain(&number.to_string())])
+}

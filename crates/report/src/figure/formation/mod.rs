@@ -1,0 +1,219 @@
+//! A panel with the robots of one tick and the links between them.
+
+pub(crate) mod links;
+pub(crate) mod marker;
+pub(crate) mod view;
+
+use closeranks_sim::output::record::Record;
+
+use self::links::{Link, links};
+use self::marker::{Marker, ring, robots_group};
+use self::view::View;
+use crate::figure::Case;
+use crate::figure::panel::axes::Axes;
+use crate::figure::panel::ticks::{Range, plain};
+use crate::figure::panel::title::Title;
+use crate::svg::palette::{LINK, MALICIOUS};
+use crate::svg::path::PathData;
+use crate::svg::{Element, Svg};
+
+/// Up to so many robots have numbers in them.
+const NUMBERED: u16 = 40;
+/// More links than this in a panel are hairlines: their dots could not be told apart.
+const DOTTED: usize = 1_500;
+
+/// Length of a dot and of the space after it.
+const DOTS: &str = "1.2 1.9";
+/// Their sum.
+const PERIOD: f64 = 3.1;
+
+/// One tick of a case.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Moment<'a> {
+    /// Whose.
+    pub(crate) case: Case<'a>,
+    /// Which.
+    pub(crate) tick: usize,
+    /// It is shown as the start of all cases.
+    pub(crate) start: bool,
+    /// From where.
+    pub(crate) view: View,
+}
+
+/// Everything that panels of one figure share.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Look {
+    /// Shown from left to right, m.
+    pub(crate) x: Range,
+    /// Shown from bottom to top, m.
+    pub(crate) y: Range,
+    /// Robots.
+    pub(crate) marker: Marker,
+    /// Height of a panel over its width.
+    pub(crate) aspect: f64,
+}
+
+impl Look {
+    /// One look for all `moments` in panels of `width`, at most `tallest` times as high: a metre is as long in x as in y, in every panel.
+    #[must_use]
+    pub(crate) fn of(moments: &[Moment<'_>], width: f64, tallest: f64) -> Self {
+        let [x, y] = [0, 1].map(|axis| Range::of(coordinates(moments, axis)));
+        let margin = 0.09 * x.width().max(y.width()).max(1.0);
+        let (x, y) = (x.padded(margin), y.padded(margin));
+        let aspect = (y.width() / x.width()).clamp(0.6, tallest);
+        let span = x.width().max(y.width() / aspect);
+        let (x, y) = (x.widened_to(span), y.widened_to(span * aspect));
+        Self { x, y, marker: Marker::of(moments, width / span), aspect }
+    }
+}
+
+impl Marker {
+    /// As large as robots leave room for, at `scale` page units a metre.
+    fn of(moments: &[Moment<'_>], scale: f64) -> Self {
+        let numbered = moments.iter().all(|moment| moment.case.record.robots <= NUMBERED);
+        let [least, greatest] = if numbered { [4.9, 7.0] } else { [2.2, 4.0] };
+        let distances = moments.iter().map(|moment| usual_distance(moment));
+        let room = 0.45 * scale * distances.fold(f64::INFINITY, f64::min);
+        Self { radius: room.clamp(least, greatest), numbered }
+    }
+}
+
+/// The distance in the plane that nine of ten robots keep from all others, m.
+fn usual_distance(moment: &Moment<'_>) -> f64 {
+    let points = moment.points();
+    let nearest = |point: &[f64; 2]| {
+        let squares = points.iter().map(|other| {
+            let [dx, dy] = [other[0] - point[0], other[1] - point[1]];
+            dx * dx + dy * dy
+        });
+        squares.filter(|square| *square > 0.0).fold(f64::INFINITY, f64::min).sqrt()
+    };
+    let mut distances: Vec<f64> = points.iter().map(nearest).collect();
+    distances.sort_by(f64::total_cmp);
+    distances.get(distances.len() / 10).copied().unwrap_or(f64::INFINITY)
+}
+
+fn coordinates<'a>(moments: &'a [Moment<'_>], axis: usize) -> impl Iterator<Item = f64> + 'a {
+    moments.iter().flat_map(Moment::points).map(move |point| point[axis])
+}
+
+impl<'a> Moment<'a> {
+    /// The first tick of a case.
+    #[must_use]
+    pub(crate) fn start(case: Case<'a>, view: View) -> Self {
+        Self { case, tick: 0, start: true, view }
+    }
+
+    /// The last tick of a case.
+    #[must_use]
+    pub(crate) fn end(case: Case<'a>, view: View) -> Self {
+        Self { case, tick: case.record.last_tick(), start: false, view }
+    }
+
+    fn record(&self) -> &'a Record {
+        self.case.record
+    }
+
+    /// Where robots are in the plane of the view, m.
+    fn points(&self) -> Vec<[f64; 2]> {
+        let robots = 0..usize::from(self.record().robots);
+        robots.map(|index| self.view.point(self.record(), self.tick, index)).collect()
+    }
+
+    /// What its panel is called: the start, or the case and the time.
+    #[must_use]
+    pub(crate) fn title(&self) -> Title {
+        let time = format!("t = {} s", plain(self.record().time_s(self.tick)));
+        let name = if self.start { "start" } else { self.case.title };
+        Title { name: name.into(), time, time_known: self.start }
+    }
+
+    /// Draws links, then robots: in the order of their numbers, which stay readable where robots overlap (a wide number is
+    /// above a narrow one); without numbers malicious ones last.
+    pub(crate) fn draw(&self, svg: &mut Svg, axes: &Axes, marker: Marker) {
+        let points: Vec<[f64; 2]> = self.points().into_iter().map(|point| axes.at(point)).collect();
+        let links = links(self.record(), self.case.scenario.link.radius_m, self.tick);
+        let (red, grey): (Vec<Link>, Vec<Link>) = links.iter().partition(|link| link.malicious);
+        for (some, colour) in [(grey, LINK), (red, MALICIOUS)] {
+            draw_links(svg, &points, &some, colour, links.len() <= DOTTED);
+        }
+        self.draw_robots(svg, &points, marker);
+        for index in self.too_close().into_iter().filter(|index| points[*index][0].is_finite()) {
+            svg.add(ring(points[index], marker.radius));
+        }
+        self.view.draw_note(svg, axes.place, self.record());
+    }
+
+    /// Robots that are closer to another one than the scenario demands, by index.
+    #[must_use]
+    pub(crate) fn too_close(&self) -> Vec<usize> {
+        let close = links(self.record(), self.case.scenario.limits.distance_min_m, self.tick);
+        let mut robots: Vec<usize> = close.iter().flat_map(|pair| [pair.first, pair.second]).collect();
+        robots.sort_unstable();
+        robots.dedup();
+        robots
+    }
+
+    /// Draws the robots alone, where they are seen at this tick.
+    pub(crate) fn draw_only_robots(&self, svg: &mut Svg, axes: &Axes, marker: Marker) {
+        let points: Vec<[f64; 2]> = self.points().into_iter().map(|point| axes.at(point)).collect();
+        self.draw_robots(svg, &points, marker);
+    }
+
+    fn draw_robots(&self, svg: &mut Svg, points: &[[f64; 2]], marker: Marker) {
+        let kind = |index: &usize| self.record().malicious.get(*index).copied().unwrap_or(false);
+        let mut order: Vec<usize> = (0..points.len()).filter(|index| points[*index][0].is_finite()).collect();
+        if !marker.numbered {
+            order.sort_by_key(kind);
+        }
+        for alike in order.chunk_by(|a, b| kind(a) == kind(b)) {
+            let malicious = kind(&alike[0]);
+            svg.begin(&robots_group(malicious, marker));
+            for index in alike {
+                marker.draw(svg, points[*index], malicious, index + 1);
+            }
+            svg.end();
+        }
+    }
+}
+
+/// All links of one colour in one path.
+fn draw_links(svg: &mut Svg, points: &[[f64; 2]], links: &[Link], colour: &str, dotted: bool) {
+    let mut path = PathData::default();
+    for link in links {
+        let ends = [points[link.first], points[link.second]];
+        if ends.iter().flatten().all(|end| end.is_finite()) {
+            let [start, end] = in_step(ends);
+            path.start(start);
+            path.continue_to(end);
+        }
+    }
+    if !path.is_empty() {
+        svg.add(link_style(path.element(), colour, dotted));
+    }
+}
+
+/// Shortens a link by less than a period, under the marker at its end, so that links along one line have their dots in the
+/// same places: else the dots of one fill the spaces of another, and the line looks solid.
+fn in_step(mut ends: [[f64; 2]; 2]) -> [[f64; 2]; 2] {
+    ends.sort_by(|a, b| a[0].total_cmp(&b[0]).then(a[1].total_cmp(&b[1])));
+    let [start, end] = ends;
+    let offset = [end[0] - start[0], end[1] - start[1]];
+    let length = (offset[0] * offset[0] + offset[1] * offset[1]).sqrt();
+    if length < 2.0 * PERIOD {
+        return ends;
+    }
+    let along = (start[0] * offset[0] + start[1] * offset[1]) / length;
+    let share = (PERIOD - along.rem_euclid(PERIOD)) / length;
+    [[start[0] + share * offset[0], start[1] + share * offset[1]], end]
+}
+
+/// Dotted, or a hairline where there are too many.
+pub(crate) fn link_style(element: Element, colour: &str, dotted: bool) -> Element {
+    let element = element.text("fill", "none").text("stroke", colour);
+    if dotted {
+        element.number("stroke-width", 0.9).text("stroke-dasharray", DOTS)
+    } else {
+        element.number("stroke-width", 0.25).number("stroke-opacity", 0.5)
+    }
+}

@@ -1,0 +1,202 @@
+//! Pairs of robots within a radius, found once for both ends.
+
+use closeranks_core::num::Vector;
+
+use crate::geometry::squared_distance;
+
+/// Teams up to this size are looked at pair by pair.
+const FEW: usize = 128;
+/// A grid of fewer cells than this per axis does not help.
+const CELLS_MIN: f64 = 4.0;
+/// Cells per axis are never more than this: memory stays in bounds however wide the team is.
+const CELLS_MAX: f64 = 64.0;
+
+/// Finds, robot by robot, those of lower numbers that are near.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Near {
+    grid: Grid,
+    /// Whether the grid is in use in this tick.
+    sparse: bool,
+    /// Robots of lower numbers that may be near; without a grid all robots.
+    candidates: Vec<u16>,
+    /// Those that are near, and their squared distances, m².
+    firsts: Vec<u16>,
+    distances_m2: Vec<f64>,
+}
+
+/// Robots by the cell in which they stand.
+#[derive(Clone, Debug, Default)]
+struct Grid {
+    cells: [usize; 3],
+    low_m: [f64; 3],
+    side_m: [f64; 3],
+    /// Where the robots of each cell begin in `robots`.
+    starts: Vec<u32>,
+    robots: Vec<u16>,
+    cell_of: Vec<u32>,
+}
+
+impl Near {
+    /// Gets ready for robots at `positions_m`; true if a grid of cells is in use.
+    pub(crate) fn look<const D: usize>(&mut self, positions_m: &[Vector<D>], radius_m: f64) -> bool {
+        let sparse = positions_m.len() > FEW && self.grid.fill(positions_m, radius_m);
+        if sparse != self.sparse {
+            self.candidates.clear();
+        }
+        self.sparse = sparse;
+        sparse
+    }
+
+    /// Robots before `second` within the radius, in order, and their squared distances, m².
+    #[inline]
+    pub(crate) fn before<const D: usize>(
+        &mut self,
+        second: usize,
+        positions_m: &[Vector<D>],
+        radius_m: f64,
+    ) -> (&[u16], &[f64]) {
+        if self.sparse {
+            self.grid.around(second, &mut self.candidates);
+        } else {
+            while self.candidates.len() < second {
+                self.candidates.push(small(self.candidates.len()));
+            }
+        }
+        let candidates = if self.sparse { &self.candidates[..] } else { &self.candidates[..second] };
+        self.firsts.resize(candidates.len(), 0);
+        self.distances_m2.resize(candidates.len(), 0.0);
+        let (firsts, distances_m2) =
+            (&mut self.firsts[..candidates.len()], &mut self.distances_m2[..candidates.len()]);
+        let (own, radius_m2) = (&positions_m[second], radius_m * radius_m);
+        let mut count = 0;
+        for first in candidates {
+            let distance_m2 = squared_distance(&positions_m[usize::from(*first)], own);
+            (firsts[count], distances_m2[count]) = (*first, distance_m2);
+            // Where it is out of range, the next one takes its place.
+            count += usize::from(radius_m2 - distance_m2 >= 0.0);
+        }
+        (&firsts[..count], &distances_m2[..count])
+    }
+}
+
+impl Grid {
+    /// Sorts robots into cells whose sides are at least the radius; false if that would not help.
+    fn fill<const D: usize>(&mut self, positions_m: &[Vector<D>], radius_m: f64) -> bool {
+        (self.cells, self.low_m, self.side_m) = ([1; 3], [0.0; 3], [1.0; 3]);
+        let mut helps = false;
+        for d in 0..D.min(3) {
+            let along = || positions_m.iter().map(|position| position[d]);
+            let (low, high) =
+                (along().fold(f64::INFINITY, f64::min), along().fold(f64::NEG_INFINITY, f64::max));
+            // A hair more than the radius, so that rounding puts no near robot two cells away.
+            let count = ((high - low) / (radius_m * (1.0 + 1e-9))).floor().min(CELLS_MAX);
+            helps |= count >= CELLS_MIN;
+            if count >= 2.0 {
+                (self.cells[d], self.low_m[d], self.side_m[d]) = (whole(count), low, (high - low) / count);
+            }
+        }
+        if helps {
+            self.sort(positions_m);
+        }
+        helps
+    }
+
+    fn sort<const D: usize>(&mut self, positions_m: &[Vector<D>]) {
+        let cells: usize = self.cells.iter().product();
+        self.starts.clear();
+        self.starts.resize(cells + 1, 0);
+        self.cell_of.clear();
+        for position in positions_m {
+            let mut cell = 0;
+            for d in (0..D.min(3)).rev() {
+                cell = cell * self.cells[d] + self.place(position[d], d);
+            }
+            self.starts[cell + 1] += 1;
+            self.cell_of.push(u32::try_from(cell).unwrap_or(u32::MAX));
+        }
+        for cell in 0..cells {
+            self.starts[cell + 1] += self.starts[cell];
+        }
+        self.robots.resize(positions_m.len(), 0);
+        for robot in (0..positions_m.len()).rev() {
+            let end = &mut self.starts[self.cell_of[robot] as usize + 1];
+            *end -= 1;
+            self.robots[*end as usize] = u16::try_from(robot).unwrap_or(u16::MAX);
+        }
+        // Each entry is now where its cell begins, one place too far to the right.
+        self.starts.rotate_left(1);
+        self.starts[cells] = u32::try_from(positions_m.len()).unwrap_or(u32::MAX);
+    }
+
+    fn place(&self, along: f64, d: usize) -> usize {
+        whole((along - self.low_m[d]) / self.side_m[d]).min(self.cells[d] - 1)
+    }
+
+    /// Robots of lower numbers than `robot` in its cell and those beside it, in order.
+    fn around(&self, robot: usize, candidates: &mut Vec<u16>) {
+        candidates.clear();
+        let mut cell = self.cell_of[robot] as usize;
+        let mut ranges = [[0; 2]; 3];
+        for (range, count) in ranges.iter_mut().zip(self.cells) {
+            let place = cell % count;
+            *range = [place.saturating_sub(1), (place + 1).min(count - 1)];
+            cell /= count;
+        }
+        let [x, y, z] = ranges;
+        for k in z[0]..=z[1] {
+            for j in y[0]..=y[1] {
+                let line = (k * self.cells[1] + j) * self.cells[0];
+                let (from, to) = (self.starts[line + x[0]], self.starts[line + x[1] + 1]);
+                let robots = self.robots[from as usize..to as usize].iter();
+                candidates.extend(robots.filter(|other| usize::from(**other) < robot));
+            }
+        }
+        candidates.sort_unstable();
+    }
+}
+
+pub(crate) fn small(index: usize) -> u16 {
+    u16::try_from(index).unwrap_or(u16::MAX)
+}
+
+fn whole(number: f64) -> usize {
+    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "saturates, and is cut")]
+    let whole = number as usize;
+    whole
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::random::{Random, Stream};
+
+    fn check<const D: usize>(seed: u64, robots: usize, half_side_m: f64) -> bool {
+        let mut random = Random::new(seed, Stream::Start);
+        let mut place = || core::array::from_fn(|_| random.uniform(-half_side_m, half_side_m));
+        let positions_m: Vec<Vector<D>> = (0..robots).map(|_| place()).collect();
+        let mut near = Near::default();
+        near.look(&positions_m, 1.0);
+        for second in 0..robots {
+            let (firsts, distances_m2) = near.before(second, &positions_m, 1.0);
+            let firsts = firsts.iter().map(|first| usize::from(*first));
+            let found: Vec<_> = firsts.zip(distances_m2.iter().copied()).collect();
+            let all = positions_m[..second].iter().map(|other| squared_distance(other, &positions_m[second]));
+            let within: Vec<_> = all.enumerate().filter(|(_, distance_m2)| *distance_m2 <= 1.0).collect();
+            assert_eq!(found, within, "robot {second} of {robots}, seed {seed}");
+        }
+        near.sparse
+    }
+
+    #[test]
+    fn cells_find_what_looking_at_every_pair_finds() {
+        let mut sparse = 0;
+        for seed in 0..6 {
+            for half_side_m in [0.5, 1.9, 3.0, 20.0, 300.0] {
+                sparse += usize::from(check::<2>(seed, 200, half_side_m));
+                sparse += usize::from(check::<3>(seed, 200, half_side_m));
+                assert!(!check::<2>(seed, 40, half_side_m));
+            }
+        }
+        assert!(sparse >= 36, "{sparse}");
+    }
+}

@@ -1,0 +1,282 @@
+//! The world: one tick after another, and a run as the loop over it.
+
+pub mod any;
+pub mod given;
+
+use closeranks_core::program::Outcome;
+use closeranks_core::robot::error::RobotError;
+use closeranks_core::settings::params::Params;
+use closeranks_core::settings::range::ParamsError;
+
+use crate::attack::liars::Liars;
+use crate::controllers::{Answer, Global, TeamView, Velocities};
+use crate::engine;
+pub use crate::engine::Engine;
+use crate::engine::judge::Judge;
+use crate::engine::robots::Robots;
+use crate::frame::Frame;
+use crate::monitors::Monitors;
+use crate::monitors::robustness::{Round, Watcher};
+use crate::output::record::Record;
+use crate::output::summary::{Collector, Summary};
+use crate::plant::Bodies;
+use crate::random::{Random, Stream};
+use crate::scenario::desired::Desired;
+use crate::scenario::start::StartError;
+use crate::scenario::{Scenario, Values};
+use crate::world::any::AnyWorld;
+use crate::world::given::{Given, GivenError};
+
+/// What a run is to produce besides its summary.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Options {
+    /// Keep every tick.
+    pub record: bool,
+    /// Search the network of every consensus round for its exact robustness.
+    pub robustness: bool,
+    /// Leave φ and φ_i out where the controller does not use them: their extremes are then infinite, and their laws are not
+    /// looked at.
+    pub without_phi: bool,
+    /// How robots are computed.
+    pub engine: Engine,
+}
+
+/// A finished run.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Run {
+    /// Every tick, if it was asked for.
+    pub record: Option<Record>,
+    /// Exact robustness of every consensus round, if it was asked for and the team is small enough.
+    pub rounds: Vec<Round>,
+    /// The table's row.
+    pub summary: Summary,
+}
+
+/// Why a scenario could not be run.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+pub enum RunError {
+    /// A parameter is outside its range.
+    #[error(transparent)]
+    Params(#[from] ParamsError),
+    /// There is no start.
+    #[error(transparent)]
+    Start(#[from] StartError),
+    /// A robot could not be made.
+    #[error(transparent)]
+    Robot(#[from] RobotError),
+    /// Neither 2 nor 3.
+    #[error("dimension is {0}, allowed is 2 or 3")]
+    Dimension(usize),
+    /// Initial values and robots differ in number.
+    #[error("{found} initial values for {robots} robots")]
+    Values {
+        /// How many.
+        found: usize,
+        /// n.
+        robots: u16,
+    },
+}
+
+/// Runs `scenario` from the first tick to the last. `progress` is called before each tick with its number.
+pub fn run(scenario: &Scenario, options: Options, progress: &mut dyn FnMut(u32)) -> Result<Run, RunError> {
+    let mut world = AnyWorld::new(scenario, options)?;
+    while !world.is_over() {
+        progress(world.ticks_done());
+        world.step();
+    }
+    Ok(world.finish())
+}
+
+/// y_i(t₀).
+pub fn initial_values(scenario: &Scenario) -> Result<Vec<f64>, RunError> {
+    match &scenario.values {
+        Values::Listed(values) if values.len() == usize::from(scenario.team.robots) => Ok(values.clone()),
+        Values::Listed(values) => Err(RunError::Values { found: values.len(), robots: scenario.team.robots }),
+        Values::Random { min, max } => {
+            let mut random = Random::new(scenario.seed, Stream::Values);
+            Ok((0..scenario.team.robots).map(|_| random.uniform(*min, *max)).collect())
+        }
+    }
+}
+
+/// A team in its world.
+///
+/// [`step`](Self::step) computes one tick; [`frame`](Self::frame) is what it came to. Robots move at the beginning of the next
+/// step, so that positions and velocities of a frame belong together. A world can be stepped beyond the last tick of
+/// its scenario.
+///
+/// ```
+/// use closeranks_sim::scenario::Scenario;
+/// use closeranks_sim::world::{Options, World};
+///
+/// let mut world = World::<2>::new(&Scenario::default(), Options::default())?;
+/// for _ in 0..200 {
+///     world.step();
+/// }
+/// assert!(world.frame().h.iter().all(|h| *h > 0.0));
+/// # Ok::<(), closeranks_sim::world::RunError>(())
+/// ```
+pub struct World<const D: usize> {
+    scenario: Scenario,
+    params: Params<D>,
+    robots: Box<dyn Robots<D>>,
+    global: Option<Global>,
+    answers: Vec<Answer<D>>,
+    frame: Frame<D>,
+    liars: Liars,
+    bodies: Bodies<D>,
+    judge: Judge,
+    monitors: Monitors<D>,
+    collector: Collector,
+    record: Option<Record>,
+    watcher: Option<Watcher>,
+    /// Ticks computed yet.
+    done: u32,
+}
+
+impl<const D: usize> World<D> {
+    /// The world of `scenario`, which must be of `D` dimensions, before its first tick.
+    pub fn new(scenario: &Scenario, options: Options) -> Result<Self, RunError> {
+        if scenario.dimension != D {
+            return Err(RunError::Dimension(scenario.dimension));
+        }
+        let params = scenario.params::<D>()?;
+        let values = initial_values(scenario)?;
+        let wants_phi = scenario.controller.row().uses_phi || !options.without_phi;
+        let frame = Frame { wants_phi, ..Frame::new(scenario.positions()?, values.clone()) };
+        Ok(Self {
+            params,
+            robots: engine::robots(scenario, params, &frame, &values, options.engine)?,
+            global: scenario.controller.global(scenario),
+            answers: Vec::new(),
+            bodies: Bodies::new(scenario.plant, scenario.tick_s(), &frame.positions_m),
+            liars: Liars::new(scenario),
+            judge: Judge::new(scenario, &params),
+            monitors: Monitors::new(scenario, params),
+            collector: Collector::default(),
+            record: options.record.then(|| Record::new(scenario, scenario.composition().required)),
+            watcher: options.robustness.then(Watcher::default),
+            scenario: scenario.clone(),
+            frame,
+            done: 0,
+        })
+    }
+
+    /// How many ticks were computed.
+    #[must_use]
+    pub fn ticks_done(&self) -> u32 {
+        self.done
+    }
+
+    /// True once the last tick of the scenario was computed.
+    #[must_use]
+    pub fn is_over(&self) -> bool {
+        self.done > self.scenario.ticks()
+    }
+
+    /// What the last tick came to; before the first one, where robots start.
+    #[must_use]
+    pub fn frame(&self) -> &Frame<D> {
+        &self.frame
+    }
+
+    /// What is run.
+    #[must_use]
+    pub fn scenario(&self) -> &Scenario {
+        &self.scenario
+    }
+
+    /// What became of the laws, and least and greatest values, up to the last tick.
+    #[must_use]
+    pub fn monitors(&self) -> &Monitors<D> {
+        &self.monitors
+    }
+
+    /// Computes the next tick.
+    pub fn step(&mut self) -> &Frame<D> {
+        self.begin();
+        self.end()
+    }
+
+    /// Computes the next tick with what is `given` from outside instead of what the scenario says; refused if an array has another
+    /// length than the team, or a number is not finite.
+    pub fn step_with(&mut self, given: &Given<'_, D>) -> Result<&Frame<D>, GivenError> {
+        given.check(self.frame.positions_m.len())?;
+        self.begin();
+        if let Some(desired_m_s) = given.desired_m_s {
+            self.frame.desired_m_s.copy_from_slice(desired_m_s);
+        }
+        self.liars.give(given.levels, given.values);
+        Ok(self.end())
+    }
+
+    /// Moves everybody to the next tick and asks where they want to go.
+    fn begin(&mut self) {
+        if self.done > 0 {
+            self.bodies.integrate(&mut self.frame.positions_m, &self.frame.velocities_m_s);
+        }
+        want(&self.scenario, self.done, &mut self.frame);
+        self.liars.give(None, None);
+    }
+
+    fn end(&mut self) -> &Frame<D> {
+        let tick = self.done;
+        self.ask();
+        self.robots.step(&mut self.frame, &mut self.liars);
+        for (outcome, answer) in self.frame.outcomes.iter_mut().zip(&self.answers) {
+            *outcome = answer.outcome;
+        }
+        self.judge.judge(tick, &mut self.frame, self.robots.as_ref(), &self.bodies);
+        self.monitors.watch(tick, &self.frame);
+        self.collector.watch(&self.scenario, &self.frame, &self.monitors);
+        if let Some(record) = &mut self.record {
+            record.push(&self.frame);
+        }
+        self.watch_round(tick);
+        self.done = self.done.saturating_add(1);
+        &self.frame
+    }
+
+    /// What robots are asked for: what they want, or what a controller with global state makes of it.
+    fn ask(&mut self) {
+        let Frame { desired_m_s, asked_m_s, positions_m, velocities_m_s, .. } = &mut self.frame;
+        asked_m_s.copy_from_slice(desired_m_s);
+        let Some(global) = &mut self.global else { return };
+        let nothing = Answer { velocity_m_s: [0.0; D], outcome: Outcome::Free };
+        self.answers.resize(positions_m.len(), nothing);
+        global.velocities(
+            &TeamView { params: &self.params, positions_m, velocities_m_s, desired_m_s },
+            &mut self.answers,
+        );
+        for (asked, answer) in asked_m_s.iter_mut().zip(&self.answers) {
+            *asked = answer.velocity_m_s;
+        }
+    }
+
+    fn watch_round(&mut self, tick: u32) {
+        if let Some(watcher) = &mut self.watcher
+            && tick.is_multiple_of(self.scenario.ticks_per_round())
+        {
+            watcher.watch(tick, &self.frame, self.scenario.link.radius_m, self.monitors.malicious());
+        }
+    }
+
+    /// Ends the run: the record, if one was asked for, and the row of the table.
+    #[must_use]
+    pub fn finish(self) -> Run {
+        let summary = self.collector.finish(&self.scenario, &self.frame, &self.monitors);
+        Run { record: self.record, rounds: self.watcher.map(Watcher::finish).unwrap_or_default(), summary }
+    }
+}
+
+/// Fills the desired velocities of `tick`.
+pub fn want<const D: usize>(scenario: &Scenario, tick: u32, frame: &mut Frame<D>) {
+    let time_s = f64::from(tick) * scenario.tick_s();
+    for (index, (desired, position)) in frame.desired_m_s.iter_mut().zip(&frame.positions_m).enumerate() {
+        let number = u16::try_from(index + 1).unwrap_or(u16::MAX);
+        *desired = match scenario.desired {
+            Desired::Wander => Desired::wandering(scenario.seed, number, time_s),
+            motion => motion.desired(number, scenario.team.robots, position),
+        };
+    }
+}
