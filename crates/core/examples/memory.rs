@@ -14,11 +14,11 @@ const fn row<const N: usize, const K: usize>() -> (usize, [usize; 3]) {
 
 /// The table as it stands in README.md.
 pub(crate) fn table() -> String {
-    let mut text = String::from("neighbours  in the plane  in space  in the plane, least\n");
-    for (neighbors, [plane, space, least]) in TABLE {
-        text += &format!("{neighbors:10} {plane:13} {space:9} {least:20}\n");
-    }
-    text
+    let head = "neighbours  in the plane  in space  in the plane, least\n";
+    let lines = TABLE.map(|(neighbors, [plane, space, least])| {
+        format!("{neighbors:10} {plane:13} {space:9} {least:20}\n")
+    });
+    format!("{head}{}", lines.concat())
 }
 
 #[expect(clippy::print_stdout, reason = "a report")]

@@ -1,5 +1,7 @@
 //! Robots with frames of their own: nothing that they tell has a direction, so origins and axes need not agree.
 
+#![expect(clippy::unwrap_used, reason = "helpers of tests")]
+
 use core::time::Duration;
 
 use closeranks_core::{

@@ -1,5 +1,7 @@
 //! What a robot says when its owner calls it in a wrong way: the table in the doc of `Robot`.
 
+#![expect(clippy::unwrap_used, reason = "helpers of tests")]
+
 use core::time::Duration;
 
 use closeranks_core::{
