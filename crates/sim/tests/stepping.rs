@@ -1,5 +1,4 @@
 //! The world is stepped from outside: the loop of a run, wishes and lies that are given, and what is refused.
-#![expect(clippy::unwrap_used, reason = "helpers of tests")]
 
 use closeranks_sim::attack::{LevelAttack, ValueAttack};
 use closeranks_sim::scenario::start::Start;

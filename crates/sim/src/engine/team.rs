@@ -169,7 +169,7 @@ impl<const D: usize, C: Control<D> + Copy> Robots<D, C> {
 
     /// In a small team sums over what a robot sees are taken for all others at once.
     fn control_in_tables(&self, dense: &mut Dense, frame: &mut Frame<D>, scratch: &mut Scratch<'_, D>) {
-        dense.fill(self.links.pairs(), self.links.weights());
+        dense.fill(self.links.pairs(), self.links.pair_weights());
         for robot in 0..frame.positions_m.len() {
             if usize::from(frame.degrees[robot]) + 1 < frame.positions_m.len() {
                 dense.look_around(robot);
@@ -256,7 +256,7 @@ impl<const D: usize, C: Control<D> + Copy> Robots<D, C> {
         let seen =
             |of: &&Half| usize::from(of.other) == robot || self.sees.linked(robot, usize::from(of.other));
         let halves = self.around.of(other).iter().filter(seen);
-        halves.fold(0.0, |sum, half| sum + self.links.weights()[half.pair as usize])
+        halves.fold(0.0, |sum, half| sum + self.links.pair_weights()[half.pair as usize])
     }
 
     /// A neighbour of a controller that needs neighbours one by one only in rare cases.

@@ -7,6 +7,7 @@ use crate::world::given::{Given, GivenError};
 use crate::world::{Options, Run, RunError, World};
 
 /// A [`World`] in the plane or in space. Vectors of the team are flat: one robot after another, one number a dimension.
+#[expect(clippy::large_enum_variant, reason = "there is one a run")]
 pub enum AnyWorld {
     /// Two dimensions.
     Plane(World<2>),
