@@ -83,8 +83,8 @@ fn told(arguments: &crate::Run, Done { scenario, run, wall_s, .. }: &Done) -> St
         let file = invocation::quoted(&arguments.file.display().to_string());
         notes.extend(sentences::advice(scenario, &run.summary, &file));
     }
-    let notes: String = notes.iter().map(|note| format!("{note}\n")).collect();
-    format!("{}\n{start}\n{notes}{laws}", text(&table(&[line])))
+    let lines: Vec<&str> = [start.as_str()].into_iter().chain(notes.iter().map(String::as_str)).collect();
+    format!("{}\n{}\n{laws}", text(&table(&[line])), lines.join("\n"))
 }
 
 /// Writes everything; says which files.

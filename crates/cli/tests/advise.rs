@@ -149,3 +149,32 @@ fn run_points_here_when_a_start_lies_outside() {
     assert!(run(&outside, "advise").contains("The start of the file lies OUTSIDE the safe set of budget"));
     assert!(run(budget, "advise").contains("The start of the file lies inside"));
 }
+
+#[test]
+fn a_lag_that_is_not_stated_is_noticed() {
+    let folder = tempfile::tempdir().unwrap();
+    let advise = |stated_m: f64| {
+        let text = format!(
+            "[controller]\nkind = \"budget\"\ntracking_error_m = {stated_m}\n[plant]\nlag_s = 0.02\n"
+        );
+        fs::write(folder.path().join("a.toml"), text).unwrap();
+        let output = closeranks(folder.path(), &["advise", "a.toml"]);
+        String::from_utf8(output.stdout).unwrap().split_whitespace().collect::<Vec<_>>().join(" ")
+    };
+    let note = "Its robots LAG, for which a tracking error of 0.04243 m is enough; 0.01 m is stated.";
+    assert!(advise(0.01).contains(note));
+    assert!(!advise(0.043).contains("LAG"));
+}
+
+/// The example of the page is what the program says, paragraph by paragraph.
+#[test]
+fn the_page_has_the_words_of_the_program() {
+    let page = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../docs/budget.md");
+    let page = fs::read_to_string(page).unwrap();
+    let (_, after) = page.split_once("closeranks advise --position-error 0.01 --lag 0.02").unwrap();
+    let block = after.split("```").find(|block| block.starts_with("text")).unwrap();
+    let (_, told, _) = advise(&["--position-error", "0.01", "--lag", "0.02"]);
+    for paragraph in block.trim_start_matches("text").trim().split("\n\n") {
+        assert!(told.contains(paragraph), "the page has\n{paragraph}\nthe program says\n{told}");
+    }
+}

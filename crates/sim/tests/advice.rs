@@ -2,7 +2,8 @@
 #![expect(clippy::unwrap_used, reason = "helpers of tests")]
 
 use closeranks_core::Mode;
-use closeranks_sim::advice::cost::Stated;
+use closeranks_core::num::exp;
+use closeranks_sim::advice::cost::Stated::{self, All, Clock, Hold, Nothing, Position, Tracking};
 use closeranks_sim::advice::patch::start;
 use closeranks_sim::advice::question::Question;
 use closeranks_sim::advice::{Advice, advise};
@@ -151,7 +152,6 @@ fn each_error_costs_something_of_its_own() {
     ];
     let costs = advise(&question(2, "obedient", &numbers)).unwrap().costs;
     let errors: Vec<Stated> = costs.iter().map(|cost| cost.error).collect();
-    use Stated::{All, Clock, Hold, Nothing, Position, Tracking};
     assert_eq!(errors, [Nothing, Position, Tracking, Clock, Hold, All]);
     let [nothing, position, tracking, clock, hold, all] = &costs[..] else { unreachable!() };
     assert_eq!((nothing.link_m, nothing.apart_m, nothing.h_lost, nothing.told), (3.0, 0.3, 0.0, 1.0));
@@ -159,7 +159,7 @@ fn each_error_costs_something_of_its_own() {
     assert!((tracking.link_m - (3.0 - 2.0 * tracking.stated)).abs() < 1e-12);
     assert!((all.apart_m - (0.3 + 2.0 * (tracking.stated + 0.01))).abs() < 1e-12);
     assert!(0.0 < position.h_lost && position.h_lost < tracking.h_lost && tracking.h_lost < all.h_lost);
-    assert!((clock.told - (-2.0 * 0.015_f64).exp()).abs() < 1e-12, "12 ms are three ticks of 5 ms");
+    assert!((clock.told - exp(-2.0 * 0.015)).abs() < 1e-12, "12 ms are three ticks of 5 ms");
     assert!(hold.h_lost == 0.0 && hold.move_max_m > nothing.move_max_m);
 }
 

@@ -106,7 +106,7 @@ fn refused(question: &Question, AdviceError { error, too_fast }: &AdviceError) -
     };
     let (speed_m_s, tick_s) = (question.axis_speed_m_s(), question.scenario.tick_s());
     let moved = format!(
-        "at {speed_m_s} m/s along each axis a robot moves up to {} m before its next tick, and robots out of range could meet",
+        "at {speed_m_s} m/s along each axis a robot moves up to {} m before its next tick, and with what is stated of errors robots out of range could meet",
         numbers::plain(question.move_max_m())
     );
     match (limits.speed_m_s, limits.tick_s) {
@@ -122,7 +122,7 @@ fn refused(question: &Question, AdviceError { error, too_fast }: &AdviceError) -
             numbers::down(tick)
         ),
         (Some(speed), None) => format!(
-            "{moved}: --speed is {speed_m_s}, allowed is at most {} with this tick; no tick is short enough for this speed",
+            "{moved}: --speed is {speed_m_s}, allowed is at most {} with this tick; no tick is short enough for this speed and these errors",
             numbers::down(speed)
         ),
     }

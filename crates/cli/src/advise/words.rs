@@ -66,15 +66,14 @@ fn errors(scenario: &Scenario) -> String {
 /// 2F + 1 and n, needs and those who count.
 fn counting(asked: &Asked, advice: &Advice) -> String {
     let team = asked.question.scenario.team;
-    let mut text = format!("2F + 1 = {} is at most n = {}.", 2 * u32::from(team.faults) + 1, team.robots);
-    for Fit { assume, counts, .. } in &advice.fits {
+    let sentence = |Fit { assume, counts, .. }: &Fit| {
         let verdict = if counts.need <= counts.counted { "can" } else { "CANNOT" };
-        text += &format!(
-            " Under {assume} a robot must keep {} of the {} that count, which {verdict} be.",
-            counts.need, counts.counted
-        );
-    }
-    text
+        let (need, counted) = (counts.need, counts.counted);
+        format!("Under {assume} a robot must keep {need} of the {counted} that count, which {verdict} be.")
+    };
+    let [obedient, free] = &advice.fits;
+    let sum = 2 * u32::from(team.faults) + 1;
+    format!("2F + 1 = {sum} is at most n = {}. {} {}", team.robots, sentence(obedient), sentence(free))
 }
 
 /// The spacings under one assumption, or why there are none.
@@ -140,13 +139,23 @@ fn file(asked: &Asked) -> Option<String> {
         return Some("The start of the file is none for this team and dimension.".to_owned());
     };
     let place = if start.inside { "inside" } else { "OUTSIDE" };
-    Some(format!(
+    let scenario = asked.question.settled();
+    let judged = format!(
         "The start of the file lies {place} the safe set of {}: its least h is {}, its least distance {} m. The file itself runs \
          {controller}.",
-        asked.question.settled().controller.name(),
+        scenario.controller.name(),
         plain(start.h_min),
         plain(start.distance_min_m)
-    ))
+    );
+    let stated_m = scenario.errors.tracking_m;
+    Some(match asked.question.tracking_needed_m().filter(|needed_m| stated_m < *needed_m) {
+        Some(needed_m) => format!(
+            "{judged} Its robots LAG, for which a tracking error of {} m is enough; {} m is stated.",
+            up(needed_m),
+            plain(stated_m)
+        ),
+        None => judged,
+    })
 }
 
 /// What each assumption asks, and what it costs.

@@ -42,7 +42,7 @@ fn at_tick(question: &Question, tick_s: f64) -> Question {
     let clock = &mut asked.scenario.clock;
     let tick = Duration::try_from_secs_f64(tick_s).unwrap_or(Duration::MAX);
     let jitter = clock.hold_max.map(|hold| hold.saturating_sub(clock.level_period));
-    clock.hold_max = jitter.map(|jitter| tick.saturating_add(jitter).min(Duration::from_secs(3_600)));
+    clock.hold_max = jitter.map(|jitter| tick.saturating_add(jitter).min(Duration::from_hours(1)));
     clock.level_period = tick;
     asked
 }

@@ -10,6 +10,7 @@ use closeranks_core::settings::range::Allowed;
 use super::ASSUMPTIONS;
 use crate::controllers::Controller;
 use crate::parse::common::{DELAY, NOT_NEGATIVE};
+use crate::plant::Plant;
 use crate::scenario::Scenario;
 
 /// A team about which advice is asked.
@@ -142,6 +143,15 @@ impl Question {
         let corner = |numbers: &[f64]| core::array::from_fn(|d| numbers.get(d).copied().unwrap_or(0.0));
         let (min_m_s, max_m_s) = (corner(&limits.input_min_m_s), corner(&limits.input_max_m_s));
         Reach::<D>::new(&InputBox { min_m_s, max_m_s }, time_s).longest_m()
+    }
+
+    /// The tracking error that is enough for the bodies of the scenario, m, if they lag and start from rest.
+    #[must_use]
+    pub fn tracking_needed_m(&self) -> Option<f64> {
+        match self.scenario.plant {
+            Plant::Lag { lag_s } => Some(lag_s * self.speed_m_s()),
+            Plant::Single => None,
+        }
     }
 
     /// The scenario under `budget`, with the tracking error that follows from the lag.
