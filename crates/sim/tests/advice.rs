@@ -117,31 +117,6 @@ fn teams_are_the_largest_and_the_smallest() {
     }
 }
 
-/// The least n is sought by halving; here one n after another is tried.
-#[test]
-fn the_least_team_is_the_first_that_fits() {
-    let counts = |numbers: &[(&str, f64)], assume: &str| {
-        advise(&question(2, assume, numbers)).ok().map(|advice| advice.fit().counts)
-    };
-    for (q2, epsilon) in [(0.3, None), (0.02, None), (0.015, None), (0.01, None), (0.3, Some(0.04))] {
-        for faults in [0.0, 1.0, 3.0] {
-            for assume in ["obedient", "free"] {
-                let numbers = |robots: f64| {
-                    let mut numbers = vec![("team.robots", robots), ("team.faults", faults), ("link.q2", q2)];
-                    numbers.extend(epsilon.map(|epsilon| ("link.epsilon", epsilon)));
-                    numbers
-                };
-                let found = counts(&numbers(9.0), assume).unwrap().robots_min;
-                let fits = |robots: &u16| {
-                    counts(&numbers(f64::from(*robots)), assume).is_some_and(|counts| counts.h_most >= 0.0)
-                };
-                let first = (2..40).find(fits);
-                assert!(found == first || (first.is_none() && found >= Some(40)), "{found:?} and {first:?}");
-            }
-        }
-    }
-}
-
 #[test]
 fn each_error_costs_something_of_its_own() {
     let numbers = [

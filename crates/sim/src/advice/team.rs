@@ -76,3 +76,31 @@ fn of_team<const D: usize>(question: &Question, robots: u16, faults: u16) -> Opt
     (asked.team.robots, asked.team.faults) = (robots, faults);
     asked.params().ok()
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::scenario::Scenario;
+
+    /// The least n is sought by halving; here one n after another is tried.
+    #[test]
+    fn the_least_team_is_the_first_that_fits() {
+        let mut found = 0;
+        for (q2, epsilon) in [(0.3, None), (0.02, None), (0.015, None), (0.01, None), (0.3, Some(0.04))] {
+            for (faults, assume) in [0, 1, 3, 7]
+                .into_iter()
+                .flat_map(|faults| [(faults, Assume::Obedient), (faults, Assume::Free)])
+            {
+                let mut question = Question::new(Scenario::default()).under(assume);
+                (question.scenario.link.q2, question.scenario.link.epsilon) = (q2, epsilon);
+                let fits = |robots: &u16| {
+                    of_team::<2>(&question, *robots, faults).is_some_and(|params| most(&params) >= 0.0)
+                };
+                let (least, first) = (robots_min::<2>(&question, faults), (2..400).find(fits));
+                assert_eq!(least, first, "q2 = {q2}, F = {faults}, {assume:?}");
+                found += usize::from(least.is_some());
+            }
+        }
+        assert!((20..40).contains(&found), "{found} of 40 have an answer");
+    }
+}
