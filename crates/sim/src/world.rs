@@ -238,7 +238,7 @@ impl<const D: usize> World<D> {
         self.monitors.watch(tick, &self.frame);
         self.collector.watch(&self.scenario, &self.frame, &self.monitors);
         if let Some(record) = &mut self.record {
-            record.push(&self.frame);
+            record.push(tick, &self.frame);
         }
         self.watch_round(tick);
         self.done = self.done.saturating_add(1);
@@ -259,6 +259,11 @@ impl<const D: usize> World<D> {
         for (asked, answer) in asked_m_s.iter_mut().zip(&self.answers) {
             *asked = answer.velocity_m_s;
         }
+    }
+
+    /// What was recorded, if anything was asked for.
+    pub(crate) fn record_mut(&mut self) -> Option<&mut Record> {
+        self.record.as_mut()
     }
 
     fn watch_round(&mut self, tick: u32) {
