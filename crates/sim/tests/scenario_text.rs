@@ -58,7 +58,7 @@ fn wrong_types_are_refused_with_the_type_that_is_allowed() {
     refused("team = 3", "3", "`team` is 3, allowed is a table");
     refused("seed = 1.5", "1.5", "`seed` is 1.5, allowed is a whole number, 0 to 9223372036854775807");
     refused("seed = -1", "-1", "`seed` is -1, allowed is a whole number, 0 to 9223372036854775807");
-    refused("name = \"\"", "\"\"", "`name` is \"\", allowed is a text of 1 to 60 characters");
+    refused("name = \"\"", "\"\"", "`name` is \"\", allowed is a text of 1 to 60 characters, without control characters");
     refused(
         "[controller]\nw_r = \"15\"",
         "\"15\"",
@@ -74,6 +74,73 @@ fn wrong_types_are_refused_with_the_type_that_is_allowed() {
         "\"degrees\"",
         "`expect[0]` is \"degrees\", allowed is `degree`, `distance`, `interval`, `agreement`, `input`, `spare`, `path`, `decay`, `mode`, `composition`, `shares`, `feasible`",
     );
+}
+
+#[test]
+fn numbers_that_do_not_fit_are_named_one_by_one() {
+    let listed = |x: &str| {
+        format!("[team]\nrobots = 2\nfaults = 0\n[start]\nkind = \"listed\"\npositions_m = [[0, 0], [{x}, 0.6]]")
+    };
+    for x in ["inf", "-inf", "nan", "-1e9"] {
+        let said =
+            format!("`start.positions_m[1][0]` is {x}, allowed is a finite number (x_m), -1000000 to 1000000");
+        refused(&listed(x), x, &said);
+    }
+    refused(
+        "[controller]\ninput_min_m_s = [-inf, -1]",
+        "-inf",
+        "`controller.input_min_m_s[0]` is -inf, allowed is a finite number (m/s), -1000000 to 1000000",
+    );
+    refused(
+        "[link]\nq2 = -inf",
+        "-inf",
+        "`link.q2` is -inf, allowed is a number, more than 0 and at most 1000000",
+    );
+}
+
+#[test]
+fn names_are_without_control_characters() {
+    refused(
+        "name = \"a\\u0007b\"",
+        "\"a\\u0007b\"",
+        "`name` is \"a\\u{7}b\", allowed is a text of 1 to 60 characters, without control characters",
+    );
+}
+
+#[test]
+fn seeds_are_what_toml_can_say() {
+    assert!(scenario("seed = 9223372036854775807").is_ok());
+    for seed in ["-1", "9223372036854775808"] {
+        let said = format!("`seed` is {seed}, allowed is a whole number, 0 to 9223372036854775807");
+        refused(&format!("seed = {seed}"), seed, &said);
+    }
+}
+
+/// The distance that must be kept used to be called wrong, with a negative number as what is allowed.
+#[test]
+fn robots_that_fly_past_each_other_are_too_fast() {
+    refused(
+        "[controller]\nkind = \"budget\"\ninput_min_m_s = [-1, -1]\ninput_max_m_s = [400, 300]",
+        "[400, 300]",
+        "`controller.input_max_m_s` is too much: at up to 500.0000 m/s a robot moves 2.5000 m in 0.005 s, allowed is such a move below half of link.radius_m = 3",
+    );
+    refused(
+        "[controller]\nkind = \"budget\"\n[clock]\ntau_1_s = 2.0\ntau_2_s = 2.0",
+        "2.0",
+        "`clock.tau_1_s` is too much: at up to 2.1213 m/s a robot moves 4.2426 m in 2 s, allowed is such a move below half of link.radius_m = 3",
+    );
+}
+
+#[test]
+fn the_second_of_two_that_are_alike_is_marked() {
+    let text = "[team]\nmalicious = [1, 2, 1]";
+    let found = problems(text);
+    assert_eq!(found[0].to_string(), "`team.malicious[2]` is robot 1 twice, allowed is each robot once");
+    assert_eq!(found[0].span, text.len() - 2..text.len() - 1);
+    let text = "[team]\nrobots = 2\nfaults = 0\n[start]\nkind = \"listed\"\npositions_m = [[0, 0], [0, 0]]";
+    let found = problems(text);
+    assert!(found[0].to_string().starts_with("`start.positions_m[1]` is robots 1 and 2 at one point"));
+    assert_eq!(found[0].span, text.len() - 7..text.len() - 1);
 }
 
 #[test]
@@ -126,7 +193,7 @@ fn budget_has_limits_of_its_own() {
         "`controller.gamma` is 1.5, allowed is a number, more than 0 and at most 1",
     );
     let fast = problems("[controller]\nkind = \"budget\"\ninput_max_m_s = [300, 300]");
-    assert!(fast[0].to_string().contains("two longest moves"), "{}", fast[0]);
+    assert!(fast[0].to_string().contains("below half of link.radius_m = 3"), "{}", fast[0]);
 }
 
 /// Only teams of a plain world hold less than every pair of robots.
@@ -159,9 +226,9 @@ fn impossible_teams_and_starts_are_refused() {
         "`team.malicious[0]` is 12, allowed is the number of a robot, 1 to 11",
     );
     refused(
-        "[team]\nmalicious = [3, 3]",
-        "[3, 3]",
-        "`team.malicious` is robot 3 twice, allowed is each robot once",
+        "[team]\nmalicious = [4, 3, 4]",
+        "4",
+        "`team.malicious[2]` is robot 4 twice, allowed is each robot once",
     );
     let two = |positions: &str| {
         format!("[team]\nrobots = 2\n[start]\nkind = \"listed\"\npositions_m = {positions}")

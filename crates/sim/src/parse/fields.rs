@@ -7,7 +7,7 @@ use closeranks_core::settings::params::{MAGNITUDE_MAX, ROBOTS_MAX};
 use closeranks_core::settings::range::Allowed;
 use toml::de::{DeTable, DeValue};
 
-use super::common::{POSITIVE, interval, set, small};
+use super::common::{ANY, POSITION, POSITIVE, interval, set, small};
 use super::reader::{Reader, Section, number, whole};
 use crate::attack::Attack;
 use crate::faults::{Faults, Outages};
@@ -100,8 +100,9 @@ fn controller(reader: &mut Reader, section: &mut Section<'_>, scenario: &mut Sce
     let assumptions = [("obedient", Assume::Obedient), ("free", Assume::Free)];
     set(&mut scenario.budget.assume, reader.word(section, "assume", &assumptions));
     let limits = &mut scenario.limits;
-    set(&mut limits.input_min_m_s, reader.list(section, "input_min_m_s", "a speed in m/s", number));
-    set(&mut limits.input_max_m_s, reader.list(section, "input_max_m_s", "a speed in m/s", number));
+    let speed = format!("a finite number (m/s), {ANY}");
+    set(&mut limits.input_min_m_s, reader.list(section, "input_min_m_s", &speed, inside));
+    set(&mut limits.input_max_m_s, reader.list(section, "input_max_m_s", &speed, inside));
 }
 
 fn clock(reader: &mut Reader, section: &mut Section<'_>, scenario: &mut Scenario) {
@@ -131,31 +132,27 @@ fn start(reader: &mut Reader, section: &mut Section<'_>, scenario: &mut Scenario
             set(distance_min_m, reader.number(section, "distance_min_m", POSITIVE));
         }
         Start::Listed(positions) => {
-            let dimension = scenario.dimension;
-            let allowed = format!("a list of {dimension} numbers (m)");
-            set(positions, reader.list(section, "positions_m", &allowed, |value| position(value, dimension)));
+            set(positions, reader.rows(section, "positions_m", &POSITION[..scenario.dimension]));
         }
         Start::Inside | Start::Published => {}
     }
 }
 
-/// A position of `dimension` numbers.
-fn position(value: &DeValue<'_>, dimension: usize) -> Option<Vec<f64>> {
-    let inside = |number: &f64| number.abs() <= MAGNITUDE_MAX;
-    let numbers = value.as_array()?.iter().map(|item| number(item.get_ref()).filter(inside));
-    numbers.collect::<Option<Vec<f64>>>().filter(|numbers| numbers.len() == dimension)
-}
-
 fn values(reader: &mut Reader, section: &mut Section<'_>, scenario: &mut Scenario) {
     let listed = reader.kind(section, &[("random", false), ("listed", true)]) == Some(true);
     if listed {
-        let value = |value: &DeValue<'_>| number(value).filter(|value| value.abs() <= MAGNITUDE_MAX);
+        let allowed = format!("a finite number, {ANY}");
         scenario.values =
-            Values::Listed(reader.list(section, "values", "a number", value).unwrap_or_default());
+            Values::Listed(reader.list(section, "values", &allowed, inside).unwrap_or_default());
         return;
     }
     let [min, max] = interval(reader, section, [-500.0, 500.0]);
     scenario.values = Values::Random { min, max };
+}
+
+/// A number that fits.
+fn inside(value: &DeValue<'_>) -> Option<f64> {
+    number(value).filter(|number| ANY.holds(*number))
 }
 
 fn motion(reader: &mut Reader, section: &mut Section<'_>, scenario: &mut Scenario) {

@@ -1,6 +1,7 @@
 //! Scenarios written in TOML. Every field has a default, and what is not understood is refused with its place.
 
 mod checks;
+pub(crate) mod column;
 pub(crate) mod common;
 mod fields;
 mod problem;

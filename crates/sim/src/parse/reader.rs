@@ -7,6 +7,7 @@ use closeranks_core::settings::range::Allowed;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
+use super::column::{Column, names};
 use super::problem::Problem;
 
 /// Collects problems and the places of fields while a text is read.
@@ -14,6 +15,8 @@ use super::problem::Problem;
 pub(crate) struct Reader {
     problems: Vec<Problem>,
     places: BTreeMap<String, Range<usize>>,
+    /// Items of lists that are numbers.
+    items: BTreeMap<String, f64>,
 }
 
 /// A table of the text, or one that is not there and has only defaults.
@@ -199,7 +202,7 @@ impl Reader {
             |text: &&str| (1..=length).contains(&text.chars().count()) && !text.chars().any(char::is_control);
         let text = value.get_ref().as_str().filter(good).map(str::to_owned);
         if text.is_none() {
-            self.wrong(field, value, format!("a text of 1 to {length} characters"));
+            self.wrong(field, value, format!("a text of 1 to {length} characters, without control characters"));
         }
         text
     }
@@ -219,12 +222,68 @@ impl Reader {
         };
         let mut read = Vec::with_capacity(items.len());
         for (index, value) in items.iter().enumerate() {
+            let name = format!("{field}[{index}]");
             match item(value.get_ref()) {
                 Some(good) => read.push(good),
-                None => self.wrong(format!("{field}[{index}]"), value, allowed),
+                None => self.wrong(name.clone(), value, allowed),
             }
+            self.items.extend(number(value.get_ref()).map(|number| (name.clone(), number)));
+            self.places.insert(name, value.span());
         }
         (read.len() == items.len()).then_some(read)
+    }
+
+    /// A list of lists with a number for each of `columns`; a bad number is named with its place in both.
+    pub(crate) fn rows(
+        &mut self,
+        section: &mut Section<'_>,
+        key: &'static str,
+        columns: &[Column],
+    ) -> Option<Vec<Vec<f64>>> {
+        let allowed = format!("a list of {} numbers, {}", columns.len(), names(columns));
+        let (field, value) = self.take(section, key)?;
+        let Some(items) = value.get_ref().as_array() else {
+            self.wrong(field, value, format!("a list, each item {allowed}"));
+            return None;
+        };
+        let mut rows = Vec::with_capacity(items.len());
+        for (index, value) in items.iter().enumerate() {
+            let field = format!("{field}[{index}]");
+            self.places.insert(field.clone(), value.span());
+            match value.get_ref().as_array().filter(|numbers| numbers.len() == columns.len()) {
+                Some(numbers) => rows.extend(self.row(&field, numbers.iter(), columns)),
+                None => self.wrong(field, value, allowed.as_str()),
+            }
+        }
+        (rows.len() == items.len()).then_some(rows)
+    }
+
+    fn row<'text>(
+        &mut self,
+        field: &str,
+        values: impl Iterator<Item = &'text Spanned<DeValue<'text>>>,
+        columns: &[Column],
+    ) -> Option<Vec<f64>> {
+        let mut row = Vec::with_capacity(columns.len());
+        for (index, (value, column)) in values.zip(columns).enumerate() {
+            match number(value.get_ref()).filter(|number| column.holds(*number)) {
+                Some(number) => row.push(number),
+                None => self.wrong(format!("{field}[{index}]"), value, column.to_string()),
+            }
+        }
+        (row.len() == columns.len()).then_some(row)
+    }
+
+    /// The name of the second item of a list that is `number`, or of the list itself if nobody knows where that stands.
+    pub(crate) fn second(&self, list: &str, number: f64) -> String {
+        let is_it = |place: &usize| self.items.get(&format!("{list}[{place}]")) == Some(&number);
+        let place = (0..self.items.len()).filter(is_it).nth(1);
+        place.map_or(list.to_owned(), |place| format!("{list}[{place}]"))
+    }
+
+    /// True if the text has this field.
+    pub(crate) fn was_given(&self, field: &str) -> bool {
+        self.places.contains_key(field)
     }
 
     /// Notes every field of `section` that nobody asked for.
