@@ -287,8 +287,11 @@ pub fn want<const D: usize>(scenario: &Scenario, tick: u32, frame: &mut Frame<D>
     let time_s = f64::from(tick) * scenario.tick_s();
     for (index, (desired, position)) in frame.desired_m_s.iter_mut().zip(&frame.positions_m).enumerate() {
         let number = u16::try_from(index + 1).unwrap_or(u16::MAX);
-        *desired = match scenario.desired {
+        *desired = match &scenario.desired {
             Desired::Wander => Desired::wandering(scenario.seed, number, time_s),
+            Desired::Listed(route) => {
+                route.velocity(index, time_s, scenario.tick_s(), position).unwrap_or([0.0; D])
+            }
             motion => motion.desired(number, scenario.team.robots, position),
         };
     }

@@ -111,9 +111,11 @@ fn is_too_fast(reader: &mut Reader, scenario: &Scenario) -> bool {
     if 2.0 * speed * hold_s < radius_m {
         return false;
     }
-    let fields = ["controller.input_max_m_s", "controller.input_min_m_s", "clock.hold_max_s", "clock.tau_1_s"];
+    let fields =
+        ["controller.input_max_m_s", "controller.input_min_m_s", "clock.hold_max_s", "clock.tau_1_s"];
     let field = fields.into_iter().find(|field| reader.was_given(field)).unwrap_or("link.radius_m");
-    let found = format!("too much: at up to {speed:.4} m/s a robot moves {:.4} m in {hold_s} s", speed * hold_s);
+    let found =
+        format!("too much: at up to {speed:.4} m/s a robot moves {:.4} m in {hold_s} s", speed * hold_s);
     reader.refuse(field, found, format!("such a move below half of link.radius_m = {radius_m}"));
     true
 }
@@ -150,7 +152,11 @@ fn start<const D: usize>(reader: &mut Reader, scenario: &Scenario) {
                 Start::Random { half_side_m, .. } => ("start.half_side_m", half_side_m),
                 _ => {
                     let found = format!("{pair} at one point {x:?}");
-                    reader.refuse(&format!("start.positions_m[{second}]"), found, "a different point for each robot");
+                    reader.refuse(
+                        &format!("start.positions_m[{second}]"),
+                        found,
+                        "a different point for each robot",
+                    );
                     continue;
                 }
             };

@@ -23,7 +23,8 @@ pub(crate) const PERIOD: Allowed = Allowed::Closed(1e-3, MAGNITUDE_MAX);
 pub(crate) const VALUE: Allowed = Allowed::Closed(-VALUE_MAX, VALUE_MAX);
 
 /// Columns of a position, m.
-pub(crate) const POSITION: [Column; 3] = [Column::new("x_m", ANY), Column::new("y_m", ANY), Column::new("z_m", ANY)];
+pub(crate) const POSITION: [Column; 3] =
+    [Column::new("x_m", ANY), Column::new("y_m", ANY), Column::new("z_m", ANY)];
 
 /// One kind of something: the word that the field `kind` holds, and what reads the other fields of that kind.
 pub(crate) type Kind<T> = (&'static str, fn(&mut Reader, &mut Section<'_>) -> T);

@@ -14,6 +14,7 @@ use crate::faults::{Faults, Outages};
 use crate::law::Law;
 use crate::plant::Plant;
 use crate::scenario::desired::Desired;
+use crate::scenario::route::{KINDS, Route};
 use crate::scenario::start::Start;
 use crate::scenario::{Controller, Scenario, Values};
 
@@ -37,7 +38,8 @@ pub(super) fn read(reader: &mut Reader, table: &DeTable<'_>) -> Scenario {
     for (key, fill) in tables {
         reader.table(&mut root, key, |reader, section| fill(reader, section, &mut scenario));
     }
-    scenario.attack = reader.table(&mut root, "attack", Attack::read);
+    scenario.attack =
+        reader.table(&mut root, "attack", |reader, section| Attack::read(reader, section, &scenario));
     scenario.faults = Faults::read(reader, &mut root, scenario.team.robots);
     reader.table(&mut root, "plant", |reader, section| {
         scenario.plant = Plant::read(reader, section);
@@ -156,17 +158,20 @@ fn inside(value: &DeValue<'_>) -> Option<f64> {
 }
 
 fn motion(reader: &mut Reader, section: &mut Section<'_>, scenario: &mut Scenario) {
-    set(
-        &mut scenario.desired,
-        reader.word(
-            section,
-            "kind",
-            &[
-                ("paper", Desired::Paper),
-                ("hold", Desired::Hold),
-                ("gather", Desired::Gather),
-                ("wander", Desired::Wander),
-            ],
-        ),
-    );
+    let simple = [
+        ("paper", Some(Desired::Paper)),
+        ("hold", Some(Desired::Hold)),
+        ("gather", Some(Desired::Gather)),
+        ("wander", Some(Desired::Wander)),
+    ];
+    let words = simple.iter().map(|(name, _)| *name).chain(KINDS.map(|(name, _)| name));
+    let kinds: Vec<(&str, usize)> = words.enumerate().map(|(index, name)| (name, index)).collect();
+    let Some(kind) = reader.kind(section, &kinds) else { return };
+    scenario.desired = match simple.into_iter().nth(kind).and_then(|(_, desired)| desired) {
+        Some(desired) => desired,
+        None => {
+            let listed = KINDS[kind - (kinds.len() - KINDS.len())].1;
+            Desired::Listed(Route::read(reader, section, listed, scenario, None))
+        }
+    };
 }

@@ -8,6 +8,7 @@ use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
 use super::column::{Column, names};
+use super::files::Files;
 use super::problem::Problem;
 
 /// Collects problems and the places of fields while a text is read.
@@ -17,6 +18,7 @@ pub(crate) struct Reader {
     places: BTreeMap<String, Range<usize>>,
     /// Items of lists that are numbers.
     items: BTreeMap<String, f64>,
+    files: Files,
 }
 
 /// A table of the text, or one that is not there and has only defaults.
@@ -36,7 +38,8 @@ impl<'text> Section<'text> {
         Self { path: String::new(), place: 0..0, entries: Some(entries), known: Vec::new(), unclear: false }
     }
 
-    fn name(&self, key: &str) -> String {
+    /// Full name of a field.
+    pub(crate) fn name(&self, key: &str) -> String {
         if self.path.is_empty() { key.to_owned() } else { format!("{}.{key}", self.path) }
     }
 
@@ -52,6 +55,11 @@ impl<'text> Section<'text> {
         self.entries.is_some_and(|entries| entries.contains_key(key))
     }
 
+    /// True if the text has a table by this name.
+    pub(crate) fn has_table(&self, key: &str) -> bool {
+        self.entries.and_then(|entries| entries.get(key)).is_some_and(|value| value.get_ref().is_table())
+    }
+
     fn take(&mut self, key: &'static str) -> Option<&'text Spanned<DeValue<'text>>> {
         self.know(key);
         self.entries.and_then(|entries| entries.get(key))
@@ -59,6 +67,28 @@ impl<'text> Section<'text> {
 }
 
 impl Reader {
+    /// Reads a text that names `files`.
+    pub(crate) fn new(files: &Files) -> Self {
+        Self { files: files.clone(), ..Self::default() }
+    }
+
+    /// The files beside the text.
+    pub(crate) fn files(&self) -> Files {
+        self.files.clone()
+    }
+
+    /// Notes something wrong with a field that was not read, at its table.
+    pub(crate) fn refuse_in(
+        &mut self,
+        section: &Section<'_>,
+        field: &str,
+        found: &str,
+        allowed: impl Into<String>,
+    ) {
+        let (span, found) = (section.place.clone(), found.to_owned());
+        self.problems.push(Problem { span, field: field.to_owned(), found, allowed: allowed.into() });
+    }
+
     /// What was wrong, in the order of the text.
     pub(crate) fn finish(mut self) -> Vec<Problem> {
         self.problems.sort_by_key(|problem| problem.span.start);
@@ -202,7 +232,11 @@ impl Reader {
             |text: &&str| (1..=length).contains(&text.chars().count()) && !text.chars().any(char::is_control);
         let text = value.get_ref().as_str().filter(good).map(str::to_owned);
         if text.is_none() {
-            self.wrong(field, value, format!("a text of 1 to {length} characters, without control characters"));
+            self.wrong(
+                field,
+                value,
+                format!("a text of 1 to {length} characters, without control characters"),
+            );
         }
         text
     }
