@@ -13,6 +13,7 @@ use rayon::prelude::*;
 
 use crate::as_run::as_run;
 use crate::folder::Folder;
+use crate::results::recorder::Recorder;
 use crate::{json, output, pages, progress, sentences, source};
 
 /// Reads a controller by its name in scenario files.
@@ -43,11 +44,15 @@ pub(crate) fn compare(arguments: &crate::Compare) -> Result<bool> {
         let names: Vec<&str> = Controller::ALL.iter().map(|controller| controller.name()).collect();
         bail!("`--controllers` names one twice; allowed is each of {} once", names.join(", "));
     }
-    let folder = arguments.output.as_deref().map(Folder::new).transpose()?;
+    let mut folder = arguments.output.as_deref().map(Folder::new).transpose()?;
+    let mut todo = Vec::new();
+    for controller in &arguments.controllers {
+        todo.push(Todo::new(&scenario, &source, *controller, folder.as_mut())?);
+    }
     let bar =
         progress::bar(arguments.controllers.len() as u64, arguments.speech.quiet || arguments.speech.json);
-    let runs = arguments.controllers.par_iter().map(|name| {
-        let done = done(&scenario, &source, *name, folder.is_some());
+    let runs = todo.into_par_iter().map(|todo| {
+        let done = todo.run();
         bar.inc(1);
         done
     });
@@ -63,13 +68,37 @@ pub(crate) fn compare(arguments: &crate::Compare) -> Result<bool> {
     Ok(runs.iter().all(|done| done.run.summary.failures(&done.scenario).next().is_none()))
 }
 
-fn done(scenario: &Scenario, source: &str, controller: Controller, record: bool) -> Result<Done> {
-    let source = as_run(source, &scenario.clone().under(controller));
-    let named = Scenario { name: controller.name().to_owned(), ..scenario.clone() };
-    let scenario = named.under(controller);
-    let options = Options { record, robustness: true, ..Options::default() };
-    let (run, time) = progress::timed(|| world::run(&scenario, options, &mut |_| ()));
-    Ok(Done { run: run?, source, scenario, wall_s: time.as_secs_f64() })
+/// A run that is to be done.
+struct Todo {
+    scenario: Scenario,
+    source: String,
+    recorder: Option<Recorder>,
+}
+
+impl Todo {
+    fn new(
+        scenario: &Scenario,
+        source: &str,
+        controller: Controller,
+        folder: Option<&mut Folder>,
+    ) -> Result<Self> {
+        let source = as_run(source, &scenario.clone().under(controller));
+        let named = Scenario { name: controller.name().to_owned(), ..scenario.clone() };
+        let scenario = named.under(controller);
+        let name = format!("{}.parquet", controller.name());
+        let recorder = folder.map(|folder| Recorder::new(folder, &name, &scenario, &source)).transpose()?;
+        Ok(Self { scenario, source, recorder })
+    }
+
+    fn run(self) -> Result<Done> {
+        let Self { scenario, source, recorder } = self;
+        let options = Options { robustness: true, ..Options::default() };
+        let (run, time) = progress::timed(|| match recorder {
+            Some(recorder) => recorder.run(&scenario, &mut |_| ()),
+            None => Ok(world::run(&scenario, options, &mut |_| ())?),
+        });
+        Ok(Done { run: run?, source, scenario, wall_s: time.as_secs_f64() })
+    }
 }
 
 impl Done {

@@ -12,7 +12,11 @@ use closeranks_sim::world::{self, Options, Run};
 
 use crate::as_run::as_run;
 use crate::folder::Folder;
+use crate::results::recorder::Recorder;
 use crate::{invocation, json, output, pages, progress, sentences, source};
+
+/// Name of the file with every tick.
+const TICKS: &str = "run.parquet";
 
 /// A finished run.
 struct Done {
@@ -30,14 +34,20 @@ pub(crate) fn run(arguments: &crate::Run) -> Result<bool> {
         output::say(&source);
         return Ok(true);
     }
-    let folder = arguments.output.as_deref().map(Folder::new).transpose()?;
+    let source = as_run(&source, &scenario);
+    let mut folder = arguments.output.as_deref().map(Folder::new).transpose()?;
+    let recorder =
+        folder.as_mut().map(|folder| Recorder::new(folder, TICKS, &scenario, &source)).transpose()?;
     let bar = progress::bar(u64::from(scenario.ticks()), arguments.speech.quiet);
     bar.set_message(scenario.name.clone());
-    let options = Options { record: folder.is_some(), robustness: true, ..Options::default() };
-    let (run, time) =
-        progress::timed(|| world::run(&scenario, options, &mut |tick| bar.set_position(u64::from(tick))));
+    let unrecorded = Options { robustness: true, ..Options::default() };
+    let mut progress = |tick| bar.set_position(u64::from(tick));
+    let (run, time) = progress::timed(|| match recorder {
+        Some(recorder) => recorder.run(&scenario, &mut progress),
+        None => Ok(world::run(&scenario, unrecorded, &mut progress)?),
+    });
     bar.finish_and_clear();
-    let done = Done { source: as_run(&source, &scenario), run: run?, scenario, wall_s: time.as_secs_f64() };
+    let done = Done { source, run: run?, scenario, wall_s: time.as_secs_f64() };
     if arguments.speech.json {
         output::say(&json::text(&json::run(&done.scenario, &done.run, done.wall_s)));
     } else if !arguments.speech.quiet {
@@ -95,13 +105,8 @@ fn save(mut folder: Folder, done: &Done) -> Result<String> {
     let robustness = pages::robustness_of(&scenario.name, scenario, run).map(|series| robustness(&[series]));
     let mut figures = vec![("overview", svg.as_str())];
     figures.extend(robustness.as_deref().map(|svg| ("robustness", svg)));
-    let mut files = pages::add_data(
-        &mut folder,
-        ["scenario.toml", "run.parquet", "rounds.parquet"],
-        source,
-        scenario,
-        run,
-    )?;
+    let mut files =
+        pages::add_data(&mut folder, ["scenario.toml", TICKS, "rounds.parquet"], source, scenario, run)?;
     files.extend(pages::add_figures(&mut folder, &figures, &|| ())?);
     let names = pages::names(&files);
     folder.add("report.html", html(&page(done, svg.clone(), robustness, files)));

@@ -7,7 +7,7 @@ use std::path::Path;
 
 use annotate_snippets::{AnnotationKind, Group, Level, Renderer, Snippet};
 use anyhow::{Context, Result, bail};
-use closeranks_sim::parse::{self, Problem, TEXT_MAX};
+use closeranks_sim::parse::{self, FILE_MAX, Files, Problem, TEXT_MAX};
 use closeranks_sim::scenario::Scenario;
 use closeranks_sim::sweep::{Plan, Run as Drawn, TRIES, is_drawn};
 
@@ -32,9 +32,10 @@ impl core::error::Error for Refused {}
 
 /// Reads and checks a scenario; gives its text too.
 pub(crate) fn scenario(file: &Path) -> Result<(Scenario, String)> {
-    let text = text(file, "scenario", TEXT_MAX)?;
-    match parse::scenario(&text) {
-        Ok(scenario) => Ok((scenario, text)),
+    let text = scenario_text(file)?;
+    let files = beside(file, &text);
+    match parse::scenario_with(&text, &files) {
+        Ok(scenario) => Ok((scenario, whole(file, &text, &files)?)),
         Err(_) if is_drawn(&text) => {
             let name = name(file);
             bail!(
@@ -56,11 +57,45 @@ pub(crate) fn read(name: &str, text: String) -> Result<(Scenario, String)> {
 
 /// Reads a scenario that may draw values; gives its text too.
 pub(crate) fn plan(file: &Path) -> Result<(Plan, String)> {
-    let text = text(file, "scenario", TEXT_MAX)?;
-    match Plan::read(&text) {
-        Ok(plan) => Ok((plan, text)),
+    let text = scenario_text(file)?;
+    let files = beside(file, &text);
+    match Plan::read_with(&text, &files) {
+        Ok(plan) => Ok((plan, text + &files.comments())),
         Err(problems) => bail!(refused(file, &text, &problems)),
     }
+}
+
+/// The text of a scenario. An empty file is one; an empty pipe is a program before it that failed.
+fn scenario_text(file: &Path) -> Result<String> {
+    let text = text(file, "scenario", TEXT_MAX)?;
+    if text.is_empty() && !file.is_file() {
+        bail!("the scenario `{}` is an empty pipe; allowed is TOML, at least a comment", name(file));
+    }
+    Ok(text)
+}
+
+/// The files that a scenario names, from the folder that it stands in.
+fn beside(file: &Path, text: &str) -> Files {
+    let read = |name: &String| -> Result<String, String> {
+        if file == Path::new("-") {
+            return Err("a scenario from standard input has no files beside it".to_owned());
+        }
+        let path = file.parent().unwrap_or(Path::new("")).join(name);
+        self::text(&path, "file", FILE_MAX).map_err(|error| format!("{error:#}"))
+    };
+    parse::named(text).into_iter().map(|name| (name.clone(), read(&name))).collect()
+}
+
+/// The text with the rows of its files in it, as it goes into results.
+fn whole(file: &Path, text: &str, files: &Files) -> Result<String> {
+    let whole = parse::inlined(text, files);
+    if whole.len() > TEXT_MAX {
+        let (name, length) = (name(file), whole.len());
+        bail!(
+            "the scenario `{name}` with its files is too long: {length} bytes, allowed is at most {TEXT_MAX}"
+        );
+    }
+    Ok(whole)
 }
 
 /// Run `run` of a sweep with `seed`.

@@ -1,9 +1,11 @@
 //! Scenario texts: what is refused, and how it is said.
 
 use closeranks_core::settings::LinkSettings;
-use closeranks_sim::parse::{Problem, scenario};
+use closeranks_sim::parse::{Problem, inlined, named, scenario, scenario_with};
 use closeranks_sim::scenario::Scenario;
+use closeranks_sim::scenario::desired::Desired;
 use closeranks_sim::scenario::start::Start;
+use closeranks_sim::world::{Options, run};
 
 fn problems(text: &str) -> Vec<Problem> {
     scenario(text).expect_err("must be refused")
@@ -58,7 +60,11 @@ fn wrong_types_are_refused_with_the_type_that_is_allowed() {
     refused("team = 3", "3", "`team` is 3, allowed is a table");
     refused("seed = 1.5", "1.5", "`seed` is 1.5, allowed is a whole number, 0 to 9223372036854775807");
     refused("seed = -1", "-1", "`seed` is -1, allowed is a whole number, 0 to 9223372036854775807");
-    refused("name = \"\"", "\"\"", "`name` is \"\", allowed is a text of 1 to 60 characters");
+    refused(
+        "name = \"\"",
+        "\"\"",
+        "`name` is \"\", allowed is a text of 1 to 60 characters, without control characters",
+    );
     refused(
         "[controller]\nw_r = \"15\"",
         "\"15\"",
@@ -74,6 +80,76 @@ fn wrong_types_are_refused_with_the_type_that_is_allowed() {
         "\"degrees\"",
         "`expect[0]` is \"degrees\", allowed is `degree`, `distance`, `interval`, `agreement`, `input`, `spare`, `path`, `decay`, `mode`, `composition`, `shares`, `feasible`",
     );
+}
+
+#[test]
+fn numbers_that_do_not_fit_are_named_one_by_one() {
+    let listed = |x: &str| {
+        format!(
+            "[team]\nrobots = 2\nfaults = 0\n[start]\nkind = \"listed\"\npositions_m = [[0, 0], [{x}, 0.6]]"
+        )
+    };
+    for x in ["inf", "-inf", "nan", "-1e9"] {
+        let said = format!(
+            "`start.positions_m[1][0]` is {x}, allowed is a finite number (x_m), -1000000 to 1000000"
+        );
+        refused(&listed(x), x, &said);
+    }
+    refused(
+        "[controller]\ninput_min_m_s = [-inf, -1]",
+        "-inf",
+        "`controller.input_min_m_s[0]` is -inf, allowed is a finite number (m/s), -1000000 to 1000000",
+    );
+    refused(
+        "[link]\nq2 = -inf",
+        "-inf",
+        "`link.q2` is -inf, allowed is a number, more than 0 and at most 1000000",
+    );
+}
+
+#[test]
+fn names_are_without_control_characters() {
+    refused(
+        "name = \"a\\u0007b\"",
+        "\"a\\u0007b\"",
+        "`name` is \"a\\u{7}b\", allowed is a text of 1 to 60 characters, without control characters",
+    );
+}
+
+#[test]
+fn seeds_are_what_toml_can_say() {
+    assert!(scenario("seed = 9223372036854775807").is_ok());
+    for seed in ["-1", "9223372036854775808"] {
+        let said = format!("`seed` is {seed}, allowed is a whole number, 0 to 9223372036854775807");
+        refused(&format!("seed = {seed}"), seed, &said);
+    }
+}
+
+/// The distance that must be kept used to be called wrong, with a negative number as what is allowed.
+#[test]
+fn robots_that_fly_past_each_other_are_too_fast() {
+    refused(
+        "[controller]\nkind = \"budget\"\ninput_min_m_s = [-1, -1]\ninput_max_m_s = [400, 300]",
+        "[400, 300]",
+        "`controller.input_max_m_s` is too much: at up to 500.0000 m/s a robot moves 2.5000 m in 0.005 s, allowed is such a move below half of link.radius_m = 3",
+    );
+    refused(
+        "[controller]\nkind = \"budget\"\n[clock]\ntau_1_s = 2.0\ntau_2_s = 2.0",
+        "2.0",
+        "`clock.tau_1_s` is too much: at up to 2.1213 m/s a robot moves 4.2426 m in 2 s, allowed is such a move below half of link.radius_m = 3",
+    );
+}
+
+#[test]
+fn the_second_of_two_that_are_alike_is_marked() {
+    let text = "[team]\nmalicious = [1, 2, 1]";
+    let found = problems(text);
+    assert_eq!(found[0].to_string(), "`team.malicious[2]` is robot 1 twice, allowed is each robot once");
+    assert_eq!(found[0].span, text.len() - 2..text.len() - 1);
+    let text = "[team]\nrobots = 2\nfaults = 0\n[start]\nkind = \"listed\"\npositions_m = [[0, 0], [0, 0]]";
+    let found = problems(text);
+    assert!(found[0].to_string().starts_with("`start.positions_m[1]` is robots 1 and 2 at one point"));
+    assert_eq!(found[0].span, text.len() - 7..text.len() - 1);
 }
 
 #[test]
@@ -126,7 +202,7 @@ fn budget_has_limits_of_its_own() {
         "`controller.gamma` is 1.5, allowed is a number, more than 0 and at most 1",
     );
     let fast = problems("[controller]\nkind = \"budget\"\ninput_max_m_s = [300, 300]");
-    assert!(fast[0].to_string().contains("two longest moves"), "{}", fast[0]);
+    assert!(fast[0].to_string().contains("below half of link.radius_m = 3"), "{}", fast[0]);
 }
 
 /// Only teams of a plain world hold less than every pair of robots.
@@ -159,9 +235,9 @@ fn impossible_teams_and_starts_are_refused() {
         "`team.malicious[0]` is 12, allowed is the number of a robot, 1 to 11",
     );
     refused(
-        "[team]\nmalicious = [3, 3]",
-        "[3, 3]",
-        "`team.malicious` is robot 3 twice, allowed is each robot once",
+        "[team]\nmalicious = [4, 3, 4]",
+        "4",
+        "`team.malicious[2]` is robot 4 twice, allowed is each robot once",
     );
     let two = |positions: &str| {
         format!("[team]\nrobots = 2\n[start]\nkind = \"listed\"\npositions_m = {positions}")
@@ -169,8 +245,8 @@ fn impossible_teams_and_starts_are_refused() {
     let same = "[[1.0, 2.0], [1, 2]]";
     refused(
         &two(same),
-        same,
-        "`start.positions_m` is robots 1 and 2 at one point [1.0, 2.0], allowed is a different point for each robot",
+        "[1, 2]",
+        "`start.positions_m[1]` is robots 1 and 2 at one point [1.0, 2.0], allowed is a different point for each robot",
     );
     refused(
         &two("[[1.0, 2.0]]"),
@@ -283,4 +359,118 @@ fn hostile_texts_are_refused_without_panic() {
     {
         assert!(!problems(text).is_empty());
     }
+}
+
+fn with_file(text: &str, csv: &str) -> Result<Scenario, Vec<Problem>> {
+    let files = [("motion.csv".to_owned(), Ok(csv.to_owned()))].into_iter().collect();
+    scenario_with(text, &files)
+}
+
+const LISTED: &str =
+    "[motion]\nkind = \"waypoints\"\nwaypoints = [[1, 0, 0.5, 0], [1, 2, 0.5, 1.5], [4, 1, 0, 0]]\n";
+const FILE: &str = "[motion]\nkind = \"waypoints\"\nfile = \"motion.csv\"\n";
+
+#[test]
+fn motion_is_listed_in_the_text_or_in_a_file_beside_it() {
+    let listed = scenario(LISTED).unwrap();
+    let csv = "# ours\nrobot,time_s,x_m,y_m\n1,0,0.5,0\n\n1,2,0.5,1.5\n4,1,0,0\n";
+    let moved = "\u{feff}\"y_m\", x_m, time_s, robot\r\n0, 0.5, 0, 1\r\n1.5,0.5,2.0,1\r\n0,0,1,4";
+    for csv in [csv, moved] {
+        assert_eq!(with_file(FILE, csv), Ok(listed.clone()));
+        let files = [("motion.csv".to_owned(), Ok(csv.to_owned()))].into_iter().collect();
+        assert_eq!(scenario(&inlined(FILE, &files)), Ok(listed.clone()));
+    }
+    assert_eq!(named(FILE), ["motion.csv"]);
+    assert!(matches!(listed.desired, Desired::Listed(_)));
+    for text in [
+        "[motion]\nkind = \"goals\"\ngoals = [[1, 2.0, 0.0]]\nspeed_m_s = 0.5",
+        "[motion]\nkind = \"velocities\"\nvelocities = [[1, 0.0, 0.2, 0.0]]",
+        "[attack]\nmotion = { kind = \"velocities\", velocities = [[1, 0.0, 0.2, 0.0]] }",
+    ] {
+        assert!(scenario(text).is_ok(), "{text}");
+    }
+}
+
+#[test]
+fn files_are_refused_with_name_line_value_and_what_is_allowed() {
+    let told = |csv: &str, expected: &str| {
+        let problems = with_file(FILE, csv).unwrap_err();
+        assert_eq!(problems[0].to_string(), format!("`motion.file` is motion.csv, {expected}"));
+        assert_eq!(&FILE[problems[0].span.clone()], "\"motion.csv\"");
+    };
+    let head = "robot,time_s,x_m,y_m\n";
+    let told_below = |rows: &str, expected: &str| told(&format!("{head}{rows}"), expected);
+    told("", "line 1: the columns \"\", allowed is robot, time_s, x_m, y_m, in any order");
+    told(
+        "robot,x_m,y_m",
+        "line 1: the columns \"robot,x_m,y_m\", allowed is robot, time_s, x_m, y_m, in any order",
+    );
+    told_below("1,0,inf,0", "line 2: x_m = inf, allowed is a finite number (x_m), -1000000 to 1000000");
+    told_below("1,0,0,0\n12,0,0,0", "line 3: robot = 12, allowed is a whole number (robot), 1 to 11");
+    told_below("1,0,0", "line 2: 3 numbers, allowed is 4 of them");
+    told_below(
+        "1,1,0,0\n\n1,1,0,0",
+        "line 4: robot 1 at 1 s after 1 s, allowed is more than 1: times of a robot rise",
+    );
+    let many = format!("{head}{}", (0..10_001).map(|t| format!("1,{t},0,0\n")).collect::<String>());
+    let problems = with_file(FILE, &many).unwrap_err();
+    assert_eq!(problems[0].to_string(), "`motion.file` is 10001 rows, allowed is 1 to 10000 rows");
+}
+
+#[test]
+fn lists_are_refused_at_the_number_that_is_wrong() {
+    refused(
+        "[motion]\nkind = \"goals\"\ngoals = [[1, 0, 0], [2, 0, nan]]",
+        "nan",
+        "`motion.goals[1][2]` is nan, allowed is a finite number (y_m), -1000000 to 1000000",
+    );
+    refused(
+        "[attack]\nmotion = { kind = \"goals\", goals = [[2, 0, 0], [3, 0, 0]] }",
+        "[3, 0, 0]",
+        "`attack.motion.goals[1]` is robot 3, allowed is a malicious robot, one of [1, 2]",
+    );
+    refused(
+        "[attack]\nmotion = \"goals\"",
+        "\"goals\"",
+        "`attack.motion` is a word without a list, allowed is for lists a table, such as { kind = \"goals\", file = \"liars.csv\" }",
+    );
+    refused(
+        FILE,
+        "\"motion.csv\"",
+        "`motion.file` is motion.csv, which nobody read, allowed is a file beside a scenario file",
+    );
+    let away = FILE.replace("motion.csv", "../motion.csv");
+    refused(
+        &away,
+        "\"../motion.csv\"",
+        "`motion.file` is \"../motion.csv\", allowed is the name of a file beside the scenario, without a path",
+    );
+    let neither = problems("[motion]\nkind = \"waypoints\"");
+    assert!(neither[0].to_string().contains("neither listed nor in a `file`"), "{}", neither[0]);
+}
+
+/// The kinds of a file that does what an empty one does can only stand in its comments.
+#[test]
+fn the_file_with_every_field_names_every_kind_of_motion() {
+    let text = include_str!("../../../scenarios/everything.toml");
+    for kind in ["paper", "hold", "gather", "wander", "goals", "waypoints", "velocities", "obedient", "flee"]
+    {
+        assert!(text.contains(&format!("\"{kind}\"")), "{kind}");
+    }
+}
+
+#[test]
+fn robots_and_liars_go_where_the_list_says() {
+    let text = "duration_s = 4.0\n[controller]\nkind = \"none\"\n[team]\nmalicious = [2]\n\
+        [motion]\nkind = \"waypoints\"\nwaypoints = [[1, 0, 0, 0], [1, 1, 0.5, 1.0], [1, 1.5, 0.5, 1.0]]\n\
+        [attack]\nmotion = { kind = \"velocities\", velocities = [[2, 0.5, 1.0, 0.0], [2, 1.0, 0.0, 0.0]] }\n";
+    let scenario = scenario(text).unwrap();
+    let run = run(&scenario, Options { record: true, ..Options::default() }, &mut |_| ()).unwrap();
+    let record = run.record.unwrap();
+    let near = |a: [f64; 2], b: [f64; 2]| (a[0] - b[0]).abs() < 1e-9 && (a[1] - b[1]).abs() < 1e-9;
+    let last = record.last_tick();
+    assert!(near(record.point(last, 0), [0.5, 1.0]), "{:?}", record.point(last, 0));
+    let [start, end] = [record.point(0, 1), record.point(last, 1)];
+    assert!(near(end, [start[0] + 0.5, start[1]]), "{start:?} {end:?}");
+    assert!(near(record.point(0, 2), record.point(last, 2)), "not listed");
 }

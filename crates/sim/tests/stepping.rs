@@ -56,7 +56,7 @@ fn lies_that_are_given_are_told() {
     };
     for engine in [Engine::Team, Engine::Robots] {
         let options = Options { engine, ..recorded() };
-        let mut lying = World::<2>::new(&Scenario { attack, ..short() }, options).unwrap();
+        let mut lying = World::<2>::new(&Scenario { attack: attack.clone(), ..short() }, options).unwrap();
         let honest = Scenario { attack: ValueAttack::None.into(), ..short() };
         let mut given = World::<2>::new(&honest, options).unwrap();
         let values = [7.0; 11];

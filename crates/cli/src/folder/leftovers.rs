@@ -6,7 +6,7 @@
 //! ```
 
 use std::ffi::OsString;
-use std::fs;
+use std::fs::{self, File, TryLockError};
 use std::io;
 use std::path::{Path, PathBuf};
 
@@ -51,7 +51,7 @@ pub(super) fn kept(fresh: &Path, target: &Path) -> PathBuf {
 }
 
 /// Removes what a killed program left beside `target`, after putting back what it had moved away. The caller holds the lock
-/// of the folder above, so nobody is writing.
+/// of the folder above, so nobody begins to write; who does it already holds the lock of its new folder, which stays.
 pub(super) fn clean(target: &Path) -> Result<()> {
     for old in of(target, OLD)? {
         let aside = old.join(ASIDE);
@@ -62,8 +62,13 @@ pub(super) fn clean(target: &Path) -> Result<()> {
         }
         remove(&old);
     }
-    of(target, NEW)?.iter().for_each(|new| remove(new));
+    of(target, NEW)?.iter().filter(|new| !is_held(new)).for_each(|new| remove(new));
     Ok(())
+}
+
+/// True if a program that lives writes to `folder`.
+fn is_held(folder: &Path) -> bool {
+    File::open(folder).is_ok_and(|file| matches!(file.try_lock(), Err(TryLockError::WouldBlock)))
 }
 
 /// What cannot be removed is in nobody's way.

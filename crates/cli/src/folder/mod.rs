@@ -7,6 +7,7 @@ use std::fs::{self, File};
 use std::path::{Path, PathBuf};
 
 use anyhow::{Context, Result, bail};
+use tempfile::TempDir;
 
 use crate::invocation;
 
@@ -24,6 +25,17 @@ pub(crate) const SWEEP: &str = "sweep.json";
 pub(crate) struct Folder {
     target: PathBuf,
     files: Vec<(String, Vec<u8>)>,
+    /// Names of files that are written bit by bit.
+    growing: Vec<String>,
+    fresh: Option<Fresh>,
+}
+
+/// The folder beside the target, on its way to it.
+#[derive(Debug)]
+struct Fresh {
+    folder: TempDir,
+    /// Held locked, so that nobody takes it for leftovers; the system lets go of it when the program ends in any way.
+    _lock: Option<File>,
 }
 
 impl Folder {
@@ -40,7 +52,19 @@ impl Folder {
         }
         check(&target)?;
         try_writing(&target)?;
-        Ok(Self { target, files: Vec::new() })
+        Ok(Self { target, files: Vec::new(), growing: Vec::new(), fresh: None })
+    }
+
+    /// Begins a file that is written while a run goes on.
+    pub(crate) fn file(&mut self, name: &str) -> Result<File> {
+        let path = self.fresh()?.join(name);
+        self.growing.push(name.to_owned());
+        File::create(&path).with_context(|| format!("cannot write `{}`", path.display()))
+    }
+
+    /// True if a file of this name was begun.
+    pub(crate) fn has(&self, name: &str) -> bool {
+        self.growing.iter().any(|known| known == name)
     }
 
     /// Adds a file.
@@ -48,24 +72,39 @@ impl Folder {
         self.files.push((name.into(), bytes.into()));
     }
 
-    /// Writes everything to a folder beside the target and renames it into place.
-    pub(crate) fn write(self) -> Result<()> {
+    /// The folder beside the target, made when it is first needed.
+    fn fresh(&mut self) -> Result<PathBuf> {
         let parent = parent(&self.target);
         let cannot = || format!("cannot write to the folder `{}`", parent.display());
-        fs::create_dir_all(parent).with_context(cannot)?;
-        let _lock = lock(parent); // until all is in place, so that nobody takes it for leftovers
-        let fresh = leftovers::beside(&self.target, leftovers::NEW).with_context(cannot)?;
+        if self.fresh.is_none() {
+            fs::create_dir_all(parent).with_context(cannot)?;
+            let _lock = lock(parent); // so that nobody takes it for leftovers before it is locked itself
+            let folder = leftovers::beside(&self.target, leftovers::NEW).with_context(cannot)?;
+            let _lock = lock(folder.path());
+            self.fresh = Some(Fresh { folder, _lock });
+        }
+        let path = self.fresh.as_ref().map(|fresh| fresh.folder.path().to_owned());
+        path.with_context(cannot)
+    }
+
+    /// Writes everything else to a folder beside the target and renames it into place.
+    pub(crate) fn write(mut self) -> Result<()> {
+        let fresh = self.fresh()?;
         for (name, bytes) in self.files.iter().chain([&self.manifest()]) {
-            let path = fresh.path().join(name);
+            let path = fresh.join(name);
             fs::write(&path, bytes).with_context(|| format!("cannot write `{}`", path.display()))?;
         }
+        let _lock = lock(parent(&self.target));
         check(&self.target)?;
-        swap(&fresh.keep(), &self.target)
+        let Some(Fresh { folder, _lock: held }) = self.fresh else { return Ok(()) };
+        let swapped = swap(&folder.keep(), &self.target);
+        drop(held);
+        swapped
     }
 
     fn manifest(&self) -> (String, Vec<u8>) {
         let mut lines = vec![format!("{WRITTEN_BY}{}", invocation::name())];
-        lines.extend(self.files.iter().map(|(name, _)| name.clone()));
+        lines.extend(self.growing.iter().chain(self.files.iter().map(|(name, _)| name)).cloned());
         (MANIFEST.to_owned(), lines.join("\n").into_bytes())
     }
 }

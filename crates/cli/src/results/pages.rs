@@ -2,7 +2,7 @@
 
 use anyhow::Result;
 use closeranks_report::content::{Figure, Link, Listing};
-use closeranks_report::parquet::{Metadata, write};
+use closeranks_report::parquet::write;
 use closeranks_report::png::{SCALE_200_DPI, png};
 use closeranks_report::recording::rounds::write_rounds;
 use closeranks_report::robustness::{RobustnessSeries, points};
@@ -11,6 +11,7 @@ use closeranks_sim::world::Run;
 use rayon::prelude::*;
 
 use crate::folder::Folder;
+use crate::results::recorder::metadata;
 
 /// What the figure of exact robustness says, and why it may be below what degrees guarantee.
 pub(crate) const ROBUSTNESS: &str = "Exact robustness of the network in every consensus round: largest r for which it is r-robust, \
@@ -80,7 +81,8 @@ pub(crate) fn add_figures(
     Ok(links)
 }
 
-/// Adds the scenario, every tick and every round of a run under names that begin with `stem`, and says what is in them.
+/// Adds the scenario, every tick (unless a recorder wrote them already) and every round of a run under the names `stem`, and says
+/// what is in them.
 pub(crate) fn add_data(
     folder: &mut Folder,
     stem: [&str; 3],
@@ -89,14 +91,15 @@ pub(crate) fn add_data(
     run: &Run,
 ) -> Result<Vec<Link>> {
     let [scenario_file, ticks_file, rounds_file] = stem;
-    let (version, commit) = (env!("CARGO_PKG_VERSION"), env!("CLOSERANKS_COMMIT"));
-    let metadata = Metadata { scenario: text, seed: scenario.seed, version, commit };
+    let metadata = metadata(text, scenario);
     folder.add(scenario_file, text);
     let mut links = vec![Link::new(scenario_file, "the scenario as it was run: closeranks run repeats it")];
     if let Some(record) = &run.record {
-        let mut ticks = Vec::new();
-        write(record, &metadata, &mut ticks)?;
-        folder.add(ticks_file, ticks);
+        if !folder.has(ticks_file) {
+            let mut ticks = Vec::new();
+            write(record, &metadata, &mut ticks)?;
+            folder.add(ticks_file, ticks);
+        }
         links.push(Link::new(ticks_file, "every tick: positions, inputs, degrees, levels, h, phi_i, values"));
     }
     if !run.rounds.is_empty() {

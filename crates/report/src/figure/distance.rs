@@ -22,7 +22,7 @@ pub(crate) fn least(record: &Record) -> Vec<f64> {
 }
 
 /// Robots in the order of x: only those are compared whose x alone is nearer than the nearest pair so far.
-fn least_at(record: &Record, tick: usize) -> f64 {
+pub(crate) fn least_at(record: &Record, tick: usize) -> f64 {
     let positions = (0..usize::from(record.robots)).map(|index| position(record, tick, index));
     let mut positions: Vec<_> = positions.filter(|position| position.iter().all(|x| drawable(*x))).collect();
     positions.sort_by(|a, b| a[0].total_cmp(&b[0]));

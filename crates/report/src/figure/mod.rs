@@ -10,6 +10,7 @@ pub(crate) mod panel;
 mod paper;
 mod paths;
 mod series;
+mod thinned;
 pub(crate) mod trace;
 
 use closeranks_sim::output::record::Record;
@@ -17,6 +18,7 @@ use closeranks_sim::scenario::Scenario;
 
 pub use self::overview::overview;
 pub use self::paper::{figure1, figure2, figure3};
+pub use self::thinned::Thinned;
 
 use self::formation::view::{View, views};
 use self::formation::{Look, Moment};

@@ -79,22 +79,23 @@ impl Data<'_> {
         Ok(Arc::new(field.with_repetition(repetition).with_logical_type(logical).build()?))
     }
 
-    /// Writes `rows` of it and closes the column.
+    /// Writes `rows` of it and closes the column; there are no inputs from row `end` on.
     pub(crate) fn write(
         &self,
         record: &Record,
         rows: Range<usize>,
+        end: usize,
         mut column: SerializedColumnWriter<'_>,
     ) -> Result<(), ParquetError> {
         let robots = usize::from(record.robots).max(1);
         let target = &mut column;
         match self {
-            Self::Tick => put::<Int32Type>(target, rows.map(|row| word(row / robots)))?,
+            Self::Tick => put::<Int32Type>(target, rows.map(|row| record.ticks[row / robots].cast_signed()))?,
             Self::Time => put::<DoubleType>(target, rows.map(|row| record.time_s(row / robots)))?,
             Self::Robot => put::<Int32Type>(target, rows.map(|row| word(row % robots + 1)))?,
             Self::Malicious => put::<BoolType>(target, rows.map(|row| record.malicious[row % robots]))?,
             Self::Numbers(numbers) => put::<DoubleType>(target, numbers[rows].iter().copied())?,
-            Self::Inputs(numbers) => put_inputs(target, numbers, rows, record.row(record.last_tick(), 0))?,
+            Self::Inputs(numbers) => put_inputs(target, numbers, rows, end)?,
             Self::Degree => {
                 put::<Int32Type>(target, record.degree[rows].iter().map(|degree| i32::from(*degree)))?;
             }
@@ -107,7 +108,7 @@ impl Data<'_> {
     }
 }
 
-/// Bits of an unsigned number; ticks and robots are below 2³².
+/// Bits of an unsigned number; robots are below 2³².
 fn word(number: usize) -> i32 {
     u32::try_from(number).unwrap_or(u32::MAX).cast_signed()
 }

@@ -10,6 +10,7 @@
 //! Ticks run from 0 to the last, both included. The file's key-value metadata are `scenario` (TOML), `seed`, `version` and
 //! `commit`. The same record and metadata give the same bytes.
 
+use core::ops::Range;
 use std::io::Write;
 use std::sync::Arc;
 
@@ -19,6 +20,7 @@ use ::parquet::file::metadata::KeyValue;
 use ::parquet::file::properties::{WriterProperties, WriterPropertiesPtr};
 use ::parquet::file::writer::SerializedFileWriter;
 use ::parquet::schema::types::{Type, TypePtr};
+use closeranks_sim::output::parts::{PART_ROWS, part_ticks};
 use closeranks_sim::output::record::Record;
 
 use crate::recording::columns::{AXES, Column, columns};
@@ -47,34 +49,56 @@ pub enum WriteError {
     Parquet(#[from] ParquetError),
 }
 
-/// Rows held in memory at once.
-const GROUP_ROWS: usize = 1 << 20;
-
-/// Writes `record`; `sink` is flushed but not closed. Fails if the sink does, or if the record is ragged.
-pub fn write<W: Write + Send>(record: &Record, metadata: &Metadata<'_>, sink: W) -> Result<(), WriteError> {
-    write_groups(record, metadata, sink, GROUP_ROWS)
+/// Writes a record part by part, each as a row group of its own.
+pub struct PartWriter<W: Write + Send> {
+    writer: SerializedFileWriter<W>,
 }
 
-fn write_groups<W: Write + Send>(
-    record: &Record,
-    metadata: &Metadata<'_>,
-    sink: W,
-    group_rows: usize,
-) -> Result<(), WriteError> {
-    check(record)?;
-    let columns = columns(record);
-    let mut writer = SerializedFileWriter::new(sink, schema(&columns)?, properties(metadata))?;
-    for start in (0..record.rows()).step_by(group_rows) {
-        let rows = start..record.rows().min(start + group_rows);
-        let mut group = writer.next_row_group()?;
-        for column in &columns {
+impl<W: Write + Send> PartWriter<W> {
+    /// Begins a file for records like `record`, which may be empty.
+    pub fn new(record: &Record, metadata: &Metadata<'_>, sink: W) -> Result<Self, WriteError> {
+        let schema = schema(&columns(record))?;
+        Ok(Self { writer: SerializedFileWriter::new(sink, schema, properties(metadata))? })
+    }
+
+    /// Writes a part that others follow.
+    pub fn write(&mut self, part: &Record) -> Result<(), WriteError> {
+        check(part)?;
+        self.group(part, 0..part.rows(), part.rows())
+    }
+
+    /// Writes the last part and ends the file; the sink is flushed but not closed.
+    pub fn finish(self, part: &Record) -> Result<(), WriteError> {
+        self.finish_in(part, part_ticks(part.robots))
+    }
+
+    /// The last part in row groups of so many ticks.
+    fn finish_in(mut self, part: &Record, group_ticks: usize) -> Result<(), WriteError> {
+        check(part)?;
+        let end = part.row(part.last_tick(), 0);
+        let group_rows = part.row(group_ticks, 0).max(1);
+        for start in (0..part.rows()).step_by(group_rows) {
+            self.group(part, start..part.rows().min(start + group_rows), end)?;
+        }
+        self.writer.close()?;
+        Ok(())
+    }
+
+    fn group(&mut self, record: &Record, rows: Range<usize>, end: usize) -> Result<(), WriteError> {
+        let mut group = self.writer.next_row_group()?;
+        for column in &columns(record) {
             let Some(target) = group.next_column()? else { return Err(WriteError::Ragged) };
-            column.data.write(record, rows.clone(), target)?;
+            column.data.write(record, rows.clone(), end, target)?;
         }
         group.close()?;
+        Ok(())
     }
-    writer.close()?;
-    Ok(())
+}
+
+/// Writes a whole `record`, as a [`PartWriter`] does part by part; `sink` is flushed but not closed. Fails if the sink does, or if the
+/// record is ragged.
+pub fn write<W: Write + Send>(record: &Record, metadata: &Metadata<'_>, sink: W) -> Result<(), WriteError> {
+    PartWriter::new(record, metadata, sink)?.finish(record)
 }
 
 fn check(record: &Record) -> Result<(), WriteError> {
@@ -82,6 +106,7 @@ fn check(record: &Record) -> Result<(), WriteError> {
     let numbers = [&record.level, &record.told, &record.h, &record.phi, &record.value];
     let vectors = record.positions_m.iter().chain(&record.inputs_m_s);
     let full = vectors.chain(numbers).all(|column| column.len() == rows) && record.outcome.len() == rows;
+    let full = full && record.ticks.len() * usize::from(record.robots) == rows;
     let whole =
         record.malicious.len() == usize::from(record.robots) && rows % record.malicious.len().max(1) == 0;
     let wide = [&record.positions_m, &record.inputs_m_s].iter().all(|columns| columns.len() == dimension);
@@ -105,7 +130,7 @@ pub(crate) fn properties(metadata: &Metadata<'_>) -> WriterPropertiesPtr {
     let pairs = pairs.map(|(key, value)| KeyValue::new(key.to_owned(), value.to_owned()));
     let mut properties = WriterProperties::builder()
         .set_compression(Compression::SNAPPY)
-        .set_max_row_group_row_count(Some(GROUP_ROWS))
+        .set_max_row_group_row_count(Some(PART_ROWS))
         .set_dictionary_enabled(false)
         .set_key_value_metadata(Some(pairs.into()));
     for name in ["tick", "time_s", "robot", "degree", "value", "outcome"] {
@@ -130,16 +155,34 @@ mod tests {
     #[test]
     fn row_groups_are_bounded_and_lose_nothing() {
         let (record, mut file) = (short_run(), Vec::new());
-        write_groups(&record, &Metadata::default(), &mut file, 10).unwrap();
+        let writer = PartWriter::new(&record, &Metadata::default(), &mut file).unwrap();
+        writer.finish_in(&record, 2).unwrap();
         let reader = SerializedFileReader::new(bytes::Bytes::from(file)).unwrap();
         let groups = reader.metadata().row_groups().iter().map(RowGroupMetaData::num_rows);
-        assert_eq!(groups.collect::<Vec<_>>(), [10, 10, 10, 3]);
+        assert_eq!(groups.collect::<Vec<_>>(), [22, 11]);
         let inputs =
             |row: ::parquet::record::Row| row.get_column_iter().nth(6).map(|(_, field)| field.to_string());
         let inputs: Vec<_> =
             reader.get_row_iter(None).unwrap().map(|row| inputs(row.unwrap()).unwrap()).collect();
         assert_eq!(inputs.iter().filter(|input| *input == "null").count(), 11);
         assert!(inputs[22..].iter().all(|input| input == "null"), "{inputs:?}");
+    }
+
+    /// A long run is written while it goes on; whoever reads it sees no difference.
+    #[test]
+    fn parts_and_the_whole_are_the_same_file() {
+        let (record, [mut whole, mut parts]) = (short_run(), [Vec::new(), Vec::new()]);
+        let writer = PartWriter::new(&record, &Metadata::default(), &mut whole).unwrap();
+        writer.finish_in(&record, 2).unwrap();
+        let mut part = Record { ..record.clone() };
+        part.clear();
+        let mut writer = PartWriter::new(&part, &Metadata::default(), &mut parts).unwrap();
+        (0..2).for_each(|place| part.copy(&record, place));
+        writer.write(&part).unwrap();
+        part.clear();
+        part.copy(&record, 2);
+        writer.finish(&part).unwrap();
+        assert!(whole == parts);
     }
 
     #[test]

@@ -34,7 +34,7 @@ impl Liars {
         Self {
             level: LevelLiar::new(scenario.attack.level, seed, robots, tick_s),
             value: ValueLiar::new(scenario.attack.value, seed, robots),
-            motion: MotionLiar::new(scenario.attack.motion, seed, robots),
+            motion: MotionLiar::new(scenario.attack.motion.clone(), seed, robots, tick_s),
             faces: Random::new(seed, Stream::Faces),
             malicious: scenario.malicious_mask(),
             given_levels: None,

@@ -12,10 +12,11 @@ pub use motion::MotionAttack;
 pub use value::ValueAttack;
 
 use crate::parse::reader::{Reader, Section};
+use crate::scenario::Scenario;
 
 /// What all malicious robots of a run do. By default they do what the paper's nominal scenario says: true levels, random
 /// values, obedient motion.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct Attack {
     /// What they tell of their level.
     pub level: LevelAttack,
@@ -27,11 +28,11 @@ pub struct Attack {
 
 impl Attack {
     /// Reads the table `attack` of a scenario text.
-    pub(crate) fn read(reader: &mut Reader, section: &mut Section<'_>) -> Self {
+    pub(crate) fn read(reader: &mut Reader, section: &mut Section<'_>, scenario: &Scenario) -> Self {
         Self {
             level: reader.table(section, "level", LevelAttack::read),
             value: reader.table(section, "value", ValueAttack::read),
-            motion: MotionAttack::read(reader, section),
+            motion: MotionAttack::read(reader, section, scenario),
         }
     }
 

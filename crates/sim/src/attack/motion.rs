@@ -5,12 +5,14 @@ use closeranks_core::program::InputBox;
 
 use crate::parse::reader::{Reader, Section};
 use crate::random::{Random, Stream};
+use crate::scenario::Scenario;
+use crate::scenario::route::{KINDS, Route};
 
 /// Ticks for which a wandering robot keeps its way.
 const WANDER_TICKS: u32 = 20;
 
 /// Where malicious robots go.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub enum MotionAttack {
     /// Where their controller lets them (Assumption 1).
     #[default]
@@ -19,16 +21,50 @@ pub enum MotionAttack {
     Flee,
     /// Somewhere else every 20 ticks, as fast as they can.
     Wander,
+    /// As is listed for each; one that is not listed obeys.
+    Listed(Route),
 }
 
-/// Every kind by its name in scenario files.
-const KINDS: [(&str, MotionAttack); 3] =
-    [("obedient", MotionAttack::Obedient), ("flee", MotionAttack::Flee), ("wander", MotionAttack::Wander)];
+/// A kind that is one word.
+type Word = fn() -> MotionAttack;
+
+/// Every kind by its name in scenario files; those with lists are tables.
+const WORDS: [(&str, Option<Word>); 6] = [
+    ("obedient", Some(|| MotionAttack::Obedient)),
+    ("flee", Some(|| MotionAttack::Flee)),
+    ("wander", Some(|| MotionAttack::Wander)),
+    (KINDS[0].0, None),
+    (KINDS[1].0, None),
+    (KINDS[2].0, None),
+];
 
 impl MotionAttack {
-    /// Reads the field `attack.motion` of a scenario text.
-    pub(crate) fn read(reader: &mut Reader, section: &mut Section<'_>) -> Self {
-        reader.word(section, "motion", &KINDS).unwrap_or_default()
+    /// Reads the field `attack.motion` of a scenario text: a word, or a table with a list.
+    pub(crate) fn read(reader: &mut Reader, section: &mut Section<'_>, scenario: &Scenario) -> Self {
+        if section.has_table("motion") {
+            return reader
+                .table(section, "motion", |reader, section| Self::listed(reader, section, scenario));
+        }
+        match reader.word(section, "motion", &WORDS) {
+            Some(Some(motion)) => motion(),
+            Some(None) => {
+                let allowed = "for lists a table, such as { kind = \"goals\", file = \"liars.csv\" }";
+                reader.refuse("attack.motion", "a word without a list", allowed);
+                Self::Obedient
+            }
+            None => Self::Obedient,
+        }
+    }
+
+    fn listed(reader: &mut Reader, section: &mut Section<'_>, scenario: &Scenario) -> Self {
+        let Some(kind) = reader.kind(section, &KINDS) else {
+            if !section.has("kind") {
+                let allowed = "`goals`, `waypoints`, `velocities`";
+                reader.refuse_in(section, "attack.motion.kind", "not there", allowed);
+            }
+            return Self::Obedient;
+        };
+        Self::Listed(Route::read(reader, section, kind, scenario, Some(&scenario.malicious)))
     }
 }
 
@@ -37,14 +73,15 @@ impl MotionAttack {
 pub(crate) struct MotionLiar {
     attack: MotionAttack,
     random: Random,
+    tick_s: f64,
     /// Where each wandering robot goes, of length 1 at most.
     ways: Vec<Vec<f64>>,
 }
 
 impl MotionLiar {
     /// The malicious robots of a team of so many robots.
-    pub(crate) fn new(attack: MotionAttack, seed: u64, robots: usize) -> Self {
-        Self { attack, random: Random::new(seed, Stream::Motion), ways: vec![Vec::new(); robots] }
+    pub(crate) fn new(attack: MotionAttack, seed: u64, robots: usize, tick_s: f64) -> Self {
+        Self { attack, random: Random::new(seed, Stream::Motion), tick_s, ways: vec![Vec::new(); robots] }
     }
 
     /// Where the malicious robot `index` goes in `tick`, m/s; `None` if it obeys its controller.
@@ -55,10 +92,14 @@ impl MotionLiar {
         positions_m: &[Vector<D>],
         input: &InputBox<D>,
     ) -> Option<Vector<D>> {
-        let way = match self.attack {
+        let way = match &self.attack {
             MotionAttack::Obedient => return None,
             MotionAttack::Flee => away(index, positions_m),
             MotionAttack::Wander => self.wander(index, tick),
+            MotionAttack::Listed(route) => {
+                let time_s = f64::from(tick) * self.tick_s;
+                return Some(input.clip(&route.velocity(index, time_s, self.tick_s, &positions_m[index])?));
+            }
         };
         let fastest = (0..D).map(|d| input.max_m_s[d].max(-input.min_m_s[d])).fold(0.0, f64::max);
         Some(input.clip(&way.map(|component| 2.0 * fastest * component)))

@@ -1,4 +1,5 @@
-//! What a run leaves behind: every tick in columns, and one row of a table.
+//! What a run leaves behind: every tick in columns, whole or part by part, and one row of a table.
 
+pub mod parts;
 pub mod record;
 pub mod summary;

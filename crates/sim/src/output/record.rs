@@ -4,9 +4,11 @@ use closeranks_core::equations::barrier::degree_barrier;
 use closeranks_core::program::Outcome;
 
 use crate::frame::Frame;
+use crate::output::parts::PART_ROWS;
 use crate::scenario::Scenario;
 
-/// Columns of a run. Row `tick·n + index` belongs to robot `index + 1`. Ticks go from 0 to the last, both included.
+/// Columns of a run, or of a part of one. Row `place·n + index` belongs to robot `index + 1` at the tick `ticks[place]`. In the
+/// record of a whole run ticks go from 0 to the last, both included, and each is its own place.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Record {
     /// n.
@@ -19,6 +21,8 @@ pub struct Record {
     pub tick_s: f64,
     /// Which robots are malicious, by index.
     pub malicious: Vec<bool>,
+    /// The tick of every place, ascending.
+    pub ticks: Vec<u32>,
     /// One column a dimension, m.
     pub positions_m: Vec<Vec<f64>>,
     /// One column a dimension, m/s: the input held from this tick on. Rows of the last tick hold what would come next.
@@ -40,10 +44,11 @@ pub struct Record {
 }
 
 impl Record {
-    /// An empty record with room for the whole run.
+    /// An empty record with room for the whole run, or for a part of it if the run is long.
     #[must_use]
     pub fn new(scenario: &Scenario, required_degree: u16) -> Self {
         let rows = (scenario.ticks() as usize + 1) * usize::from(scenario.team.robots);
+        let rows = rows.min(PART_ROWS);
         let column = || Vec::with_capacity(rows);
         Self {
             robots: scenario.team.robots,
@@ -51,6 +56,7 @@ impl Record {
             dimension: scenario.dimension,
             tick_s: scenario.tick_s(),
             malicious: scenario.malicious_mask(),
+            ticks: Vec::new(),
             positions_m: vec![column(); scenario.dimension],
             inputs_m_s: vec![column(); scenario.dimension],
             degree: Vec::with_capacity(rows),
@@ -64,7 +70,8 @@ impl Record {
     }
 
     /// Adds a tick.
-    pub fn push<const D: usize>(&mut self, frame: &Frame<D>) {
+    pub fn push<const D: usize>(&mut self, tick: u32, frame: &Frame<D>) {
+        self.ticks.push(tick);
         for d in 0..D {
             self.positions_m[d].extend(frame.positions_m.iter().map(|position| position[d]));
             self.inputs_m_s[d].extend(frame.velocities_m_s.iter().map(|velocity| velocity[d]));
@@ -78,45 +85,73 @@ impl Record {
         self.outcome.extend(&frame.outcomes);
     }
 
+    /// Adds what `other`, a record of the same team, has at `place`.
+    pub fn copy(&mut self, other: &Self, place: usize) {
+        let rows = other.row(place, 0)..other.row(place + 1, 0);
+        self.ticks.push(other.ticks[place]);
+        for (column, from) in self.numbers_mut().into_iter().zip(other.numbers()) {
+            column.extend_from_slice(&from[rows.clone()]);
+        }
+        self.degree.extend_from_slice(&other.degree[rows.clone()]);
+        self.outcome.extend_from_slice(&other.outcome[rows]);
+    }
+
+    /// Forgets all ticks and keeps the room for others.
+    pub fn clear(&mut self) {
+        self.ticks.clear();
+        self.numbers_mut().into_iter().for_each(Vec::clear);
+        self.degree.clear();
+        self.outcome.clear();
+    }
+
+    /// Every column of numbers: positions, inputs, and then those that each robot has one of.
+    #[must_use]
+    pub fn numbers(&self) -> Vec<&Vec<f64>> {
+        let single = [&self.level, &self.told, &self.h, &self.phi, &self.value];
+        self.positions_m.iter().chain(&self.inputs_m_s).chain(single).collect()
+    }
+
+    /// Every column of numbers, in the order of [`Record::numbers`].
+    pub fn numbers_mut(&mut self) -> Vec<&mut Vec<f64>> {
+        let single = [&mut self.level, &mut self.told, &mut self.h, &mut self.phi, &mut self.value];
+        self.positions_m.iter_mut().chain(&mut self.inputs_m_s).chain(single).collect()
+    }
+
     /// Number of rows.
     #[must_use]
     pub fn rows(&self) -> usize {
         self.degree.len()
     }
 
-    /// The last tick.
+    /// The place of the last tick; in the record of a whole run that tick itself.
     #[must_use]
     pub fn last_tick(&self) -> usize {
         (self.rows() / usize::from(self.robots).max(1)).saturating_sub(1)
     }
 
-    /// Row of robot `index` at `tick`.
+    /// Row of robot `index` at `place`.
     #[must_use]
-    pub fn row(&self, tick: usize, index: usize) -> usize {
-        tick * usize::from(self.robots) + index
+    pub fn row(&self, place: usize, index: usize) -> usize {
+        place * usize::from(self.robots) + index
     }
 
-    /// Time of a tick, s.
+    /// Time of the tick at `place`, s; 0 where there is none.
     #[must_use]
-    pub fn time_s(&self, tick: usize) -> f64 {
-        #[expect(clippy::cast_precision_loss, reason = "ticks are far below 2^53")]
-        let ticks = tick as f64;
-        ticks * self.tick_s
+    pub fn time_s(&self, place: usize) -> f64 {
+        self.ticks.get(place).map_or(0.0, |tick| f64::from(*tick) * self.tick_s)
     }
 
-    /// Position of robot `index` at `tick` in the plane of the first two axes, m.
+    /// Position of robot `index` at `place` in the plane of the first two axes, m.
     #[must_use]
-    pub fn point(&self, tick: usize, index: usize) -> [f64; 2] {
-        let row = self.row(tick, index);
+    pub fn point(&self, place: usize, index: usize) -> [f64; 2] {
+        let row = self.row(place, index);
         core::array::from_fn(|d| self.positions_m[d][row])
     }
 
     /// A digest of every bit of every column (FNV-1a, 64 bits): equal digests mean equal runs.
     #[must_use]
     pub fn digest(&self) -> u64 {
-        let numbers = [&self.level, &self.told, &self.h, &self.phi, &self.value];
-        let columns = self.positions_m.iter().chain(&self.inputs_m_s).chain(numbers);
-        let bits = columns.flatten().map(|number| number.to_bits());
+        let bits = self.numbers().into_iter().flatten().map(|number| number.to_bits());
         let small = self.degree.iter().map(|degree| u64::from(*degree));
         let outcomes = self.outcome.iter().map(|outcome| *outcome as u64);
         bits.chain(small).chain(outcomes).fold(0xcbf2_9ce4_8422_2325, |hash, word| {

@@ -7,7 +7,7 @@ use closeranks_core::settings::range::{Allowed, ParamsError};
 use super::reader::Reader;
 use crate::geometry::squared_distance;
 use crate::scenario::start::{Start, StartError};
-use crate::scenario::{Scenario, Values};
+use crate::scenario::{Limits, Scenario, Values};
 
 /// How many rows (ticks × robots) a run may have at most.
 pub const ROWS_MAX: u64 = 20_000_000;
@@ -41,7 +41,8 @@ fn parameters<const D: usize>(reader: &mut Reader, scenario: &Scenario) {
 fn team(reader: &mut Reader, scenario: &Scenario) {
     let mut pairs = scenario.malicious.iter().zip(scenario.malicious.iter().skip(1));
     if let Some((robot, _)) = pairs.find(|(first, second)| first == second) {
-        reader.refuse("team.malicious", format!("robot {robot} twice"), "each robot once");
+        let place = reader.second("team.malicious", f64::from(*robot));
+        reader.refuse(&place, format!("robot {robot} twice"), "each robot once");
     }
 }
 
@@ -101,7 +102,31 @@ fn values(reader: &mut Reader, scenario: &Scenario) {
     }
 }
 
+/// True if two robots can pass each other by within a tick: then no distance between them can be kept.
+fn is_too_fast(reader: &mut Reader, scenario: &Scenario) -> bool {
+    let Limits { input_min_m_s: low, input_max_m_s: high, .. } = &scenario.limits;
+    let fastest = low.iter().zip(high).map(|(low, high)| low.abs().max(high.abs()));
+    let speed = fastest.map(|speed| speed * speed).sum::<f64>().sqrt();
+    let (hold_s, radius_m) = (scenario.clock.hold_max().as_secs_f64(), scenario.link.radius_m);
+    if 2.0 * speed * hold_s < radius_m {
+        return false;
+    }
+    let fields =
+        ["controller.input_max_m_s", "controller.input_min_m_s", "clock.hold_max_s", "clock.tau_1_s"];
+    let field = fields.into_iter().find(|field| reader.was_given(field)).unwrap_or("link.radius_m");
+    let found =
+        format!("too much: at up to {speed:.4} m/s a robot moves {:.4} m in {hold_s} s", speed * hold_s);
+    reader.refuse(field, found, format!("such a move below half of link.radius_m = {radius_m}"));
+    true
+}
+
 fn refuse_parameter(reader: &mut Reader, scenario: &Scenario, error: &ParamsError) {
+    if error.field == Field::DistanceMinM
+        && error.allowed != Allowed::Open(0.0, scenario.link.radius_m)
+        && is_too_fast(reader, scenario)
+    {
+        return;
+    }
     let why = match error.field {
         Field::Faults => format!(" (2F + 1 <= n = {})", scenario.team.robots),
         Field::Epsilon => format!(" (below 1/(n-1), n = {})", scenario.team.robots),
@@ -127,7 +152,11 @@ fn start<const D: usize>(reader: &mut Reader, scenario: &Scenario) {
                 Start::Random { half_side_m, .. } => ("start.half_side_m", half_side_m),
                 _ => {
                     let found = format!("{pair} at one point {x:?}");
-                    reader.refuse("start.positions_m", found, "a different point for each robot");
+                    reader.refuse(
+                        &format!("start.positions_m[{second}]"),
+                        found,
+                        "a different point for each robot",
+                    );
                     continue;
                 }
             };

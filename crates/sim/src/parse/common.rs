@@ -4,6 +4,7 @@ use closeranks_core::message::VALUE_MAX;
 use closeranks_core::settings::params::MAGNITUDE_MAX;
 use closeranks_core::settings::range::Allowed;
 
+use super::column::Column;
 use super::reader::{Reader, Section};
 
 /// Any number that fits.
@@ -20,6 +21,10 @@ pub(crate) const DELAY: Allowed = Allowed::Closed(0.0, 60.0);
 pub(crate) const PERIOD: Allowed = Allowed::Closed(1e-3, MAGNITUDE_MAX);
 /// A value y_i that a message can hold.
 pub(crate) const VALUE: Allowed = Allowed::Closed(-VALUE_MAX, VALUE_MAX);
+
+/// Columns of a position, m.
+pub(crate) const POSITION: [Column; 3] =
+    [Column::new("x_m", ANY), Column::new("y_m", ANY), Column::new("z_m", ANY)];
 
 /// One kind of something: the word that the field `kind` holds, and what reads the other fields of that kind.
 pub(crate) type Kind<T> = (&'static str, fn(&mut Reader, &mut Section<'_>) -> T);

@@ -7,13 +7,14 @@ use closeranks_core::settings::params::{MAGNITUDE_MAX, ROBOTS_MAX};
 use closeranks_core::settings::range::Allowed;
 use toml::de::{DeTable, DeValue};
 
-use super::common::{POSITIVE, interval, set, small};
+use super::common::{ANY, POSITION, POSITIVE, interval, set, small};
 use super::reader::{Reader, Section, number, whole};
 use crate::attack::Attack;
 use crate::faults::{Faults, Outages};
 use crate::law::Law;
 use crate::plant::Plant;
 use crate::scenario::desired::Desired;
+use crate::scenario::route::{KINDS, Route};
 use crate::scenario::start::Start;
 use crate::scenario::{Controller, Scenario, Values};
 
@@ -37,7 +38,8 @@ pub(super) fn read(reader: &mut Reader, table: &DeTable<'_>) -> Scenario {
     for (key, fill) in tables {
         reader.table(&mut root, key, |reader, section| fill(reader, section, &mut scenario));
     }
-    scenario.attack = reader.table(&mut root, "attack", Attack::read);
+    scenario.attack =
+        reader.table(&mut root, "attack", |reader, section| Attack::read(reader, section, &scenario));
     scenario.faults = Faults::read(reader, &mut root, scenario.team.robots);
     reader.table(&mut root, "plant", |reader, section| {
         scenario.plant = Plant::read(reader, section);
@@ -100,8 +102,9 @@ fn controller(reader: &mut Reader, section: &mut Section<'_>, scenario: &mut Sce
     let assumptions = [("obedient", Assume::Obedient), ("free", Assume::Free)];
     set(&mut scenario.budget.assume, reader.word(section, "assume", &assumptions));
     let limits = &mut scenario.limits;
-    set(&mut limits.input_min_m_s, reader.list(section, "input_min_m_s", "a speed in m/s", number));
-    set(&mut limits.input_max_m_s, reader.list(section, "input_max_m_s", "a speed in m/s", number));
+    let speed = format!("a finite number (m/s), {ANY}");
+    set(&mut limits.input_min_m_s, reader.list(section, "input_min_m_s", &speed, inside));
+    set(&mut limits.input_max_m_s, reader.list(section, "input_max_m_s", &speed, inside));
 }
 
 fn clock(reader: &mut Reader, section: &mut Section<'_>, scenario: &mut Scenario) {
@@ -131,45 +134,44 @@ fn start(reader: &mut Reader, section: &mut Section<'_>, scenario: &mut Scenario
             set(distance_min_m, reader.number(section, "distance_min_m", POSITIVE));
         }
         Start::Listed(positions) => {
-            let dimension = scenario.dimension;
-            let allowed = format!("a list of {dimension} numbers (m)");
-            set(positions, reader.list(section, "positions_m", &allowed, |value| position(value, dimension)));
+            set(positions, reader.rows(section, "positions_m", &POSITION[..scenario.dimension]));
         }
         Start::Inside | Start::Published => {}
     }
 }
 
-/// A position of `dimension` numbers.
-fn position(value: &DeValue<'_>, dimension: usize) -> Option<Vec<f64>> {
-    let inside = |number: &f64| number.abs() <= MAGNITUDE_MAX;
-    let numbers = value.as_array()?.iter().map(|item| number(item.get_ref()).filter(inside));
-    numbers.collect::<Option<Vec<f64>>>().filter(|numbers| numbers.len() == dimension)
-}
-
 fn values(reader: &mut Reader, section: &mut Section<'_>, scenario: &mut Scenario) {
     let listed = reader.kind(section, &[("random", false), ("listed", true)]) == Some(true);
     if listed {
-        let value = |value: &DeValue<'_>| number(value).filter(|value| value.abs() <= MAGNITUDE_MAX);
+        let allowed = format!("a finite number, {ANY}");
         scenario.values =
-            Values::Listed(reader.list(section, "values", "a number", value).unwrap_or_default());
+            Values::Listed(reader.list(section, "values", &allowed, inside).unwrap_or_default());
         return;
     }
     let [min, max] = interval(reader, section, [-500.0, 500.0]);
     scenario.values = Values::Random { min, max };
 }
 
+/// A number that fits.
+fn inside(value: &DeValue<'_>) -> Option<f64> {
+    number(value).filter(|number| ANY.holds(*number))
+}
+
 fn motion(reader: &mut Reader, section: &mut Section<'_>, scenario: &mut Scenario) {
-    set(
-        &mut scenario.desired,
-        reader.word(
-            section,
-            "kind",
-            &[
-                ("paper", Desired::Paper),
-                ("hold", Desired::Hold),
-                ("gather", Desired::Gather),
-                ("wander", Desired::Wander),
-            ],
-        ),
-    );
+    let simple = [
+        ("paper", Some(Desired::Paper)),
+        ("hold", Some(Desired::Hold)),
+        ("gather", Some(Desired::Gather)),
+        ("wander", Some(Desired::Wander)),
+    ];
+    let words = simple.iter().map(|(name, _)| *name).chain(KINDS.map(|(name, _)| name));
+    let kinds: Vec<(&str, usize)> = words.enumerate().map(|(index, name)| (name, index)).collect();
+    let Some(kind) = reader.kind(section, &kinds) else { return };
+    scenario.desired = match simple.into_iter().nth(kind).and_then(|(_, desired)| desired) {
+        Some(desired) => desired,
+        None => {
+            let listed = KINDS[kind - (kinds.len() - KINDS.len())].1;
+            Desired::Listed(Route::read(reader, section, listed, scenario, None))
+        }
+    };
 }

@@ -1,12 +1,15 @@
 //! Scenarios written in TOML. Every field has a default, and what is not understood is refused with its place.
 
 mod checks;
+pub(crate) mod column;
 pub(crate) mod common;
 mod fields;
+pub(crate) mod files;
 mod problem;
 pub(crate) mod reader;
 
 pub use checks::ROWS_MAX;
+pub use files::{FILE_MAX, Files, inlined, named};
 pub use problem::Problem;
 
 use toml::Spanned;
@@ -22,8 +25,13 @@ pub const TEXT_MAX: usize = 1 << 20;
 /// A scenario that comes back can be run: parameters are in their ranges, the start exists and no two robots stand at
 /// one point.
 pub fn scenario(text: &str) -> Result<Scenario, Vec<Problem>> {
+    scenario_with(text, &Files::default())
+}
+
+/// The scenario of a text that names `files` beside it ([`named`]).
+pub fn scenario_with(text: &str, files: &Files) -> Result<Scenario, Vec<Problem>> {
     let table = table(text)?;
-    let mut reader = reader::Reader::default();
+    let mut reader = reader::Reader::new(files);
     let scenario = fields::read(&mut reader, table.get_ref());
     if reader.is_clean() {
         checks::check(&mut reader, &scenario);

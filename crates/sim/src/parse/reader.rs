@@ -7,6 +7,8 @@ use closeranks_core::settings::range::Allowed;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
+use super::column::{Column, names};
+use super::files::Files;
 use super::problem::Problem;
 
 /// Collects problems and the places of fields while a text is read.
@@ -14,6 +16,9 @@ use super::problem::Problem;
 pub(crate) struct Reader {
     problems: Vec<Problem>,
     places: BTreeMap<String, Range<usize>>,
+    /// Items of lists that are numbers.
+    items: BTreeMap<String, f64>,
+    files: Files,
 }
 
 /// A table of the text, or one that is not there and has only defaults.
@@ -33,7 +38,8 @@ impl<'text> Section<'text> {
         Self { path: String::new(), place: 0..0, entries: Some(entries), known: Vec::new(), unclear: false }
     }
 
-    fn name(&self, key: &str) -> String {
+    /// Full name of a field.
+    pub(crate) fn name(&self, key: &str) -> String {
         if self.path.is_empty() { key.to_owned() } else { format!("{}.{key}", self.path) }
     }
 
@@ -49,6 +55,11 @@ impl<'text> Section<'text> {
         self.entries.is_some_and(|entries| entries.contains_key(key))
     }
 
+    /// True if the text has a table by this name.
+    pub(crate) fn has_table(&self, key: &str) -> bool {
+        self.entries.and_then(|entries| entries.get(key)).is_some_and(|value| value.get_ref().is_table())
+    }
+
     fn take(&mut self, key: &'static str) -> Option<&'text Spanned<DeValue<'text>>> {
         self.know(key);
         self.entries.and_then(|entries| entries.get(key))
@@ -56,6 +67,28 @@ impl<'text> Section<'text> {
 }
 
 impl Reader {
+    /// Reads a text that names `files`.
+    pub(crate) fn new(files: &Files) -> Self {
+        Self { files: files.clone(), ..Self::default() }
+    }
+
+    /// The files beside the text.
+    pub(crate) fn files(&self) -> Files {
+        self.files.clone()
+    }
+
+    /// Notes something wrong with a field that was not read, at its table.
+    pub(crate) fn refuse_in(
+        &mut self,
+        section: &Section<'_>,
+        field: &str,
+        found: &str,
+        allowed: impl Into<String>,
+    ) {
+        let (span, found) = (section.place.clone(), found.to_owned());
+        self.problems.push(Problem { span, field: field.to_owned(), found, allowed: allowed.into() });
+    }
+
     /// What was wrong, in the order of the text.
     pub(crate) fn finish(mut self) -> Vec<Problem> {
         self.problems.sort_by_key(|problem| problem.span.start);
@@ -199,7 +232,11 @@ impl Reader {
             |text: &&str| (1..=length).contains(&text.chars().count()) && !text.chars().any(char::is_control);
         let text = value.get_ref().as_str().filter(good).map(str::to_owned);
         if text.is_none() {
-            self.wrong(field, value, format!("a text of 1 to {length} characters"));
+            self.wrong(
+                field,
+                value,
+                format!("a text of 1 to {length} characters, without control characters"),
+            );
         }
         text
     }
@@ -219,12 +256,68 @@ impl Reader {
         };
         let mut read = Vec::with_capacity(items.len());
         for (index, value) in items.iter().enumerate() {
+            let name = format!("{field}[{index}]");
             match item(value.get_ref()) {
                 Some(good) => read.push(good),
-                None => self.wrong(format!("{field}[{index}]"), value, allowed),
+                None => self.wrong(name.clone(), value, allowed),
             }
+            self.items.extend(number(value.get_ref()).map(|number| (name.clone(), number)));
+            self.places.insert(name, value.span());
         }
         (read.len() == items.len()).then_some(read)
+    }
+
+    /// A list of lists with a number for each of `columns`; a bad number is named with its place in both.
+    pub(crate) fn rows(
+        &mut self,
+        section: &mut Section<'_>,
+        key: &'static str,
+        columns: &[Column],
+    ) -> Option<Vec<Vec<f64>>> {
+        let allowed = format!("a list of {} numbers, {}", columns.len(), names(columns));
+        let (field, value) = self.take(section, key)?;
+        let Some(items) = value.get_ref().as_array() else {
+            self.wrong(field, value, format!("a list, each item {allowed}"));
+            return None;
+        };
+        let mut rows = Vec::with_capacity(items.len());
+        for (index, value) in items.iter().enumerate() {
+            let field = format!("{field}[{index}]");
+            self.places.insert(field.clone(), value.span());
+            match value.get_ref().as_array().filter(|numbers| numbers.len() == columns.len()) {
+                Some(numbers) => rows.extend(self.row(&field, numbers.iter(), columns)),
+                None => self.wrong(field, value, allowed.as_str()),
+            }
+        }
+        (rows.len() == items.len()).then_some(rows)
+    }
+
+    fn row<'text>(
+        &mut self,
+        field: &str,
+        values: impl Iterator<Item = &'text Spanned<DeValue<'text>>>,
+        columns: &[Column],
+    ) -> Option<Vec<f64>> {
+        let mut row = Vec::with_capacity(columns.len());
+        for (index, (value, column)) in values.zip(columns).enumerate() {
+            match number(value.get_ref()).filter(|number| column.holds(*number)) {
+                Some(number) => row.push(number),
+                None => self.wrong(format!("{field}[{index}]"), value, column.to_string()),
+            }
+        }
+        (row.len() == columns.len()).then_some(row)
+    }
+
+    /// The name of the second item of a list that is `number`, or of the list itself if nobody knows where that stands.
+    pub(crate) fn second(&self, list: &str, number: f64) -> String {
+        let is_it = |place: &usize| self.items.get(&format!("{list}[{place}]")) == Some(&number);
+        let place = (0..self.items.len()).filter(is_it).nth(1);
+        place.map_or(list.to_owned(), |place| format!("{list}[{place}]"))
+    }
+
+    /// True if the text has this field.
+    pub(crate) fn was_given(&self, field: &str) -> bool {
+        self.places.contains_key(field)
     }
 
     /// Notes every field of `section` that nobody asked for.

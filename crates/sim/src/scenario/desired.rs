@@ -3,9 +3,10 @@
 use closeranks_core::num::{Vector, length};
 
 use crate::random::{Random, Stream};
+use crate::scenario::route::Route;
 
 /// Desired motion u_{i,des}(x_i).
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq)]
 pub enum Desired {
     /// The paper's section V: unit speed in four directions (six in 3D), which would break the network.
     Paper,
@@ -15,6 +16,8 @@ pub enum Desired {
     Gather,
     /// Somewhere else every half second, at up to 1.5 times unit speed, each robot for itself.
     Wander,
+    /// As is listed for each robot; one that is not listed stays where it is.
+    Listed(Route),
 }
 
 impl Desired {
@@ -27,10 +30,10 @@ impl Desired {
     /// with axis d = 1 for the first ⌊n/D⌋ robots, d = 2 for the next, and so on: for n = 11, D = 2 as printed.
     //= paper sec:sim
     #[must_use]
-    pub fn desired<const D: usize>(self, number: u16, robots: u16, position: &Vector<D>) -> Vector<D> {
+    pub fn desired<const D: usize>(&self, number: u16, robots: u16, position: &Vector<D>) -> Vector<D> {
         match self {
             Self::Paper => {}
-            Self::Hold | Self::Wander => return [0.0; D],
+            Self::Hold | Self::Wander | Self::Listed(_) => return [0.0; D],
             Self::Gather => return unit(&position.map(|component| -component)),
         }
         let axis = (1..D).filter(|d| usize::from(number) > d * usize::from(robots) / D).count();

@@ -28,7 +28,7 @@ use toml::Value;
 use toml::de::{DeTable, DeValue};
 
 use crate::parse::reader::one_of;
-use crate::parse::{self, Problem};
+use crate::parse::{self, Files, Problem};
 use crate::random::Random;
 use crate::scenario::{Controller, Scenario};
 use drawing::Drawer;
@@ -50,6 +50,7 @@ pub struct Plan {
     controllers: Vec<Controller>,
     places: BTreeMap<String, Range<usize>>,
     fields: Vec<Field>,
+    files: Files,
 }
 
 /// A drawn run.
@@ -86,6 +87,11 @@ pub fn is_drawn(text: &str) -> bool {
 impl Plan {
     /// Reads a text with draws, or says everything that is malformed in them.
     pub fn read(text: &str) -> Result<Self, Vec<Problem>> {
+        Self::read_with(text, &Files::default())
+    }
+
+    /// Reads a text with draws that names `files` beside it. Scenarios that are drawn have their rows in their own texts.
+    pub fn read_with(text: &str, files: &Files) -> Result<Self, Vec<Problem>> {
         let table = parse::table(text)?;
         let mut reading = Reading::default();
         let mut entries = reading.entries("", table.get_ref());
@@ -101,7 +107,8 @@ impl Plan {
         if !reading.problems.is_empty() {
             return Err(reading.problems);
         }
-        Ok(Self { entries, controllers, places: reading.places, fields: fields.into_values().collect() })
+        let (fields, files) = (fields.into_values().collect(), files.clone());
+        Ok(Self { entries, controllers, places: reading.places, fields, files })
     }
 
     /// Every drawn field, in alphabetical order.
@@ -149,7 +156,8 @@ impl Plan {
     fn scenarios(&self, values: &toml::Table) -> Result<Vec<(Scenario, String)>, Vec<Problem>> {
         let read = |values: &toml::Table| {
             let text = values.to_string();
-            parse::scenario(&text).map(|scenario| (scenario, text))
+            let scenario = parse::scenario_with(&text, &self.files)?;
+            Ok((scenario, parse::inlined(&text, &self.files)))
         };
         if self.controllers.is_empty() {
             return Ok(vec![read(values)?]);

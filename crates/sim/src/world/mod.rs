@@ -230,7 +230,7 @@ impl<const D: usize> World<D> {
         self.monitors.watch(tick, &self.frame);
         self.collector.watch(&self.scenario, &self.frame, &self.monitors);
         if let Some(record) = &mut self.record {
-            record.push(&self.frame);
+            record.push(tick, &self.frame);
         }
         self.watch_round(tick);
         self.done = self.done.saturating_add(1);
@@ -251,6 +251,11 @@ impl<const D: usize> World<D> {
         for (asked, answer) in asked_m_s.iter_mut().zip(&self.answers) {
             *asked = answer.velocity_m_s;
         }
+    }
+
+    /// What was recorded, if anything was asked for.
+    pub(crate) fn record_mut(&mut self) -> Option<&mut Record> {
+        self.record.as_mut()
     }
 
     fn watch_round(&mut self, tick: u32) {
@@ -274,8 +279,11 @@ pub fn want<const D: usize>(scenario: &Scenario, tick: u32, frame: &mut Frame<D>
     let time_s = f64::from(tick) * scenario.tick_s();
     for (index, (desired, position)) in frame.desired_m_s.iter_mut().zip(&frame.positions_m).enumerate() {
         let number = u16::try_from(index + 1).unwrap_or(u16::MAX);
-        *desired = match scenario.desired {
+        *desired = match &scenario.desired {
             Desired::Wander => Desired::wandering(scenario.seed, number, time_s),
+            Desired::Listed(route) => {
+                route.velocity(index, time_s, scenario.tick_s(), position).unwrap_or([0.0; D])
+            }
             motion => motion.desired(number, scenario.team.robots, position),
         };
     }

@@ -1,0 +1,85 @@
+//! Long runs, recorded part by part: what is held in memory does not grow with the length of the run.
+
+use crate::output::record::Record;
+use crate::scenario::Scenario;
+use crate::world::{Options, Run, RunError, World};
+
+/// Rows (ticks × robots) of a part at most, unless a single tick has more.
+pub const PART_ROWS: usize = 1 << 18;
+
+/// Ticks of a full part of a team of so many robots.
+#[must_use]
+pub fn part_ticks(robots: u16) -> usize {
+    (PART_ROWS / usize::from(robots).max(1)).max(1)
+}
+
+/// Runs `scenario` from the first tick to the last and hands every full part of the record to `part`, which may end the run
+/// with an error. What remains, at least the last tick, is the record of the run that comes back.
+pub fn run<E: From<RunError>>(
+    scenario: &Scenario,
+    options: Options,
+    progress: &mut dyn FnMut(u32),
+    part: &mut dyn FnMut(&Record) -> Result<(), E>,
+) -> Result<Run, E> {
+    match scenario.dimension {
+        2 => run_in::<2, E>(scenario, options, progress, part),
+        3 => run_in::<3, E>(scenario, options, progress, part),
+        other => Err(RunError::Dimension(other).into()),
+    }
+}
+
+fn run_in<const D: usize, E: From<RunError>>(
+    scenario: &Scenario,
+    options: Options,
+    progress: &mut dyn FnMut(u32),
+    part: &mut dyn FnMut(&Record) -> Result<(), E>,
+) -> Result<Run, E> {
+    let full = part_ticks(scenario.team.robots);
+    let mut world = World::<D>::new(scenario, options)?;
+    while !world.is_over() {
+        progress(world.ticks_done());
+        if let Some(record) = world.record_mut().filter(|record| record.ticks.len() >= full) {
+            part(record)?;
+            record.clear();
+        }
+        world.step();
+    }
+    Ok(world.finish())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn parts_are_the_record_of_the_whole_run() {
+        let scenario = Scenario { duration_s: 0.03, ..Scenario::default() };
+        let options = Options { record: true, ..Options::default() };
+        let whole = crate::world::run(&scenario, options, &mut |_| ()).unwrap();
+        let mut world = World::<2>::new(&scenario, options).unwrap();
+        let mut pieces = Record::new(&scenario, 7);
+        while !world.is_over() {
+            if let Some(record) = world.record_mut().filter(|record| record.ticks.len() >= 3) {
+                (0..3).for_each(|place| pieces.copy(record, place));
+                record.clear();
+            }
+            world.step();
+        }
+        let rest = world.finish().record.unwrap();
+        (0..rest.ticks.len()).for_each(|place| pieces.copy(&rest, place));
+        assert_eq!(pieces.ticks, (0..=6).collect::<Vec<u32>>());
+        assert_eq!(pieces, Record { ..whole.record.clone().unwrap() });
+        let parts = run::<RunError>(&scenario, options, &mut |_| (), &mut |_| panic!("the run is one part"));
+        assert_eq!(parts, Ok(whole));
+    }
+
+    #[test]
+    fn a_part_that_cannot_be_taken_ends_the_run() {
+        let scenario = Scenario { duration_s: 200.0, ..Scenario::default() };
+        let options = Options { record: true, ..Options::default() };
+        let mut ticks = 0;
+        let full = RunError::Dimension(0);
+        let run = run(&scenario, options, &mut |tick| ticks = tick, &mut |_| Err(full.clone()));
+        assert_eq!((run, ticks as usize), (Err(full), part_ticks(11)));
+    }
+}
