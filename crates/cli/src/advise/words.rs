@@ -5,7 +5,7 @@ use closeranks_sim::advice::{Advice, Fit};
 use closeranks_sim::scenario::Scenario;
 use closeranks_sim::scenario::start::Start;
 
-use super::numbers::{down, plain, up};
+use super::numbers::{down, given, plain, up};
 use super::{Asked, tables};
 
 /// Everything, in lines that a terminal has room for.
@@ -35,9 +35,9 @@ fn team(asked: &Asked) -> String {
         scenario.team.faults,
         scenario.dimension,
         scenario.controller.name(),
-        scenario.link.radius_m,
-        scenario.limits.distance_min_m,
-        question.axis_speed_m_s(),
+        given(scenario.link.radius_m),
+        given(scenario.limits.distance_min_m),
+        given(question.axis_speed_m_s()),
         plain(question.speed_m_s()),
         scenario.tick_s(),
         errors(&scenario),
@@ -107,10 +107,10 @@ fn spacings(asked: &Asked, fit: &Fit) -> String {
         ),
         _ => format!(
             "Under {assume} there is NO start: even with all robots at one point h is {}, because a link of R = {} m and q2 = {} \
-             weighs too little. A larger --q2 or --radius helps.",
+             weighs too little with what is stated of errors. A larger --q2 or --radius, or smaller errors, help.",
             plain(counts.h_most),
-            link.radius_m,
-            link.q2,
+            given(link.radius_m),
+            given(link.q2),
         ),
     }
 }
