@@ -6,6 +6,7 @@ use closeranks_sim::scenario::Scenario;
 use closeranks_sim::scenario::start::Start;
 
 use super::numbers::{down, given, plain, up};
+use super::wrap::wrapped;
 use super::{Asked, tables};
 
 /// Everything, in lines that a terminal has room for.
@@ -240,26 +241,4 @@ fn costs(advice: &Advice) -> Vec<String> {
         advice.costs.first().map_or("-".to_owned(), |cost| plain(cost.h)),
     );
     vec![wrapped(&text), tables::costs(&advice.costs)]
-}
-
-/// What every terminal, mail and README has room for.
-const WIDTH: usize = 80;
-
-/// The words in lines.
-fn wrapped(text: &str) -> String {
-    let (mut out, mut width) = (String::new(), 0);
-    for word in text.split_whitespace() {
-        let length = word.chars().count();
-        if width > 0 && width + 1 + length > WIDTH {
-            out.push('\n');
-            width = 0;
-        } else if width > 0 {
-            out.push(' ');
-            width += 1;
-        }
-        out.push_str(word);
-        width += length;
-    }
-    out.push('\n');
-    out
 }
