@@ -5,6 +5,7 @@ mod numbers;
 mod options;
 mod tables;
 mod words;
+mod wrap;
 
 use std::path::PathBuf;
 

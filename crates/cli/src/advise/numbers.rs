@@ -8,6 +8,12 @@ pub(super) fn plain(value: f64) -> String {
     shown(value, f64::round)
 }
 
+/// As it was given, unless that is long.
+pub(super) fn given(value: f64) -> String {
+    let text = value.to_string();
+    if text.len() <= 12 { text } else { plain(value) }
+}
+
 /// Not more than the value: a largest allowed number that is copied is allowed.
 pub(super) fn down(value: f64) -> String {
     shown(value, f64::floor)
@@ -42,6 +48,7 @@ mod tests {
         assert_eq!([plain(0.123_45), down(0.123_45), up(0.123_41)], ["0.1235", "0.1234", "0.1235"]);
         assert_eq!([plain(-1.5), down(269.99), up(0.3)], ["-1.5", "269.9", "0.3"]);
         assert_eq!([plain(0.0), plain(f64::NAN), plain(1e-20)], ["0", "-", "1.0e-20"]);
+        assert_eq!([given(2.345_67), given(1e-300), given(1e6)], ["2.34567", "1.0e-300", "1000000"]);
         assert_eq!([down(123_456.7), up(2e6)], ["123456", "2000000"]);
     }
 }

@@ -5,7 +5,8 @@ use closeranks_sim::advice::{Advice, Fit};
 use closeranks_sim::scenario::Scenario;
 use closeranks_sim::scenario::start::Start;
 
-use super::numbers::{down, plain, up};
+use super::numbers::{down, given, plain, up};
+use super::wrap::wrapped;
 use super::{Asked, tables};
 
 /// Everything, in lines that a terminal has room for.
@@ -35,9 +36,9 @@ fn team(asked: &Asked) -> String {
         scenario.team.faults,
         scenario.dimension,
         scenario.controller.name(),
-        scenario.link.radius_m,
-        scenario.limits.distance_min_m,
-        question.axis_speed_m_s(),
+        given(scenario.link.radius_m),
+        given(scenario.limits.distance_min_m),
+        given(question.axis_speed_m_s()),
         plain(question.speed_m_s()),
         scenario.tick_s(),
         errors(&scenario),
@@ -107,10 +108,10 @@ fn spacings(asked: &Asked, fit: &Fit) -> String {
         ),
         _ => format!(
             "Under {assume} there is NO start: even with all robots at one point h is {}, because a link of R = {} m and q2 = {} \
-             weighs too little. A larger --q2 or --radius helps.",
+             weighs too little with what is stated of errors. A larger --q2 or --radius, or smaller errors, help.",
             plain(counts.h_most),
-            link.radius_m,
-            link.q2,
+            given(link.radius_m),
+            given(link.q2),
         ),
     }
 }
@@ -240,26 +241,4 @@ fn costs(advice: &Advice) -> Vec<String> {
         advice.costs.first().map_or("-".to_owned(), |cost| plain(cost.h)),
     );
     vec![wrapped(&text), tables::costs(&advice.costs)]
-}
-
-/// What every terminal, mail and README has room for.
-const WIDTH: usize = 80;
-
-/// The words in lines.
-fn wrapped(text: &str) -> String {
-    let (mut out, mut width) = (String::new(), 0);
-    for word in text.split_whitespace() {
-        let length = word.chars().count();
-        if width > 0 && width + 1 + length > WIDTH {
-            out.push('\n');
-            width = 0;
-        } else if width > 0 {
-            out.push(' ');
-            width += 1;
-        }
-        out.push_str(word);
-        width += length;
-    }
-    out.push('\n');
-    out
 }
