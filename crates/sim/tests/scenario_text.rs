@@ -1,11 +1,9 @@
 //! Scenario texts: what is refused, and how it is said.
 
 use closeranks_core::settings::LinkSettings;
-use closeranks_sim::parse::{Problem, inlined, named, scenario, scenario_with};
+use closeranks_sim::parse::{Problem, scenario};
 use closeranks_sim::scenario::Scenario;
-use closeranks_sim::scenario::desired::Desired;
 use closeranks_sim::scenario::start::Start;
-use closeranks_sim::world::{Options, run};
 
 fn problems(text: &str) -> Vec<Problem> {
     scenario(text).expect_err("must be refused")
@@ -190,7 +188,7 @@ fn impossible_numbers_are_refused() {
     refused(
         "duration_s = 100000",
         "100000",
-        "`duration_s` is 100000, allowed is at most 9090.9 with 11 robots and this tick",
+        "`duration_s` is 100000, allowed is at most 90909.1 with 11 robots and this clock",
     );
 }
 
@@ -255,8 +253,8 @@ fn impossible_teams_and_starts_are_refused() {
     );
     refused(
         &two("[[1, 2], [nan, 0]]"),
-        "[nan, 0]",
-        "`start.positions_m[1]` is a list of 2, allowed is a list of 2 numbers (m)",
+        "nan",
+        "`start.positions_m[1][0]` is nan, allowed is a finite number (x_m), -1000000 to 1000000",
     );
     refused(
         "[team]\nrobots = 5\n[start]\nkind = \"inside\"",
