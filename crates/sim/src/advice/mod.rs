@@ -6,7 +6,7 @@
 //! | question | where |
 //! | --- | --- |
 //! | what is asked, and the settings of it | [`question`] |
-//! | h of the robots of a start | [`level`] |
+//! | h of the robots of a start | `level` |
 //! | the least, the largest and the best spacing of a patch | [`patch`] |
 //! | which F for n, which n for F | [`team`] |
 //! | the fastest speed and the longest tick | [`limits`] |
