@@ -1,10 +1,30 @@
 #!/usr/bin/env bash
-# All that CI runs, and what a developer runs before a commit. From the root of the repository, with Rust and a C compiler.
+# What CI runs, and what a developer runs before a commit. From the root of the repository, with Rust and a C compiler.
+#
+#     ./ci.sh              all that needs nothing else
+#     ./ci.sh writers      graphs from every writer of networkx and igraph, read back (Python 3 and PyPI)
+#     ./ci.sh bare-metal   the core on a microcontroller, emulated (Debian's packages; scripts/bare-metal.sh)
 set -euo pipefail
 cd "$(dirname "$0")"
 export RUST_BACKTRACE=1
 
 step() { printf '\n== %s\n' "$1"; }
+
+case "${1:-}" in
+  "") ;;
+  writers)
+    step "graphs written by other libraries"
+    exec crates/graph/tests/writers/run.sh
+    ;;
+  bare-metal)
+    step "the core on a microcontroller"
+    exec scripts/bare-metal.sh
+    ;;
+  *)
+    echo "no stage is called \`$1\`, allowed are writers, bare-metal, or none"
+    exit 2
+    ;;
+esac
 
 step "format"
 cargo fmt --all --check
@@ -36,6 +56,9 @@ CLOSERANKS=target/release/closeranks docs/pictures/make.sh --check
 step "a campaign of 2,000 runs, other ones for every commit"
 seed=$((16#$(git rev-parse --short=8 HEAD 2> /dev/null || echo 1)))
 cargo run --release --locked --quiet -- sweep scenarios/campaign.toml --runs 2000 --seed "$seed" -o "$out/campaign"
+
+step "packages of the libraries"
+cargo package -p closeranks-core -p closeranks-graph -p closeranks-sim -p closeranks-report --no-verify --allow-dirty --quiet
 
 step "benches are built, not timed"
 cargo test --release --locked --benches --quiet -p closeranks-core -p closeranks-sim

@@ -1,6 +1,6 @@
 //! Parquet files that say they are recorded runs.
 
-use closeranks_graph::set::NODE_LIMIT;
+use closeranks_graph::graph::set::NODE_LIMIT;
 use closeranks_report::recording::read;
 
 /// Any bytes are a recording of whole ticks, or an error that says why not.

@@ -2,6 +2,7 @@
 //!
 //! Exit codes: 0 fine, 1 a law that was expected to hold was broken, 2 bad input.
 
+mod advise;
 mod check;
 mod compare;
 mod folder;
@@ -73,6 +74,9 @@ enum Command {
     /// Run thousands of scenarios drawn from one file: one row a run, counts with confidence bounds.
     #[command(after_long_help = sweep::HELP, after_help = "Examples: closeranks sweep --help")]
     Sweep(sweep::Sweep),
+    /// Say what is possible for a team: starts, speeds, ticks, F, and what stated errors cost.
+    #[command(after_long_help = advise::HELP, after_help = "Examples: closeranks advise --help")]
+    Advise(advise::Advise),
     /// Say how many liars a network survives, exactly, with a witness.
     #[command(after_long_help = check::HELP)]
     Check(check::Check),
@@ -173,6 +177,7 @@ fn start(command: &Command) -> Result<bool> {
         Command::Run(arguments) => run::run(arguments),
         Command::Compare(arguments) => compare::compare(arguments),
         Command::Sweep(arguments) => sweep::sweep(arguments),
+        Command::Advise(arguments) => advise::advise(arguments),
         Command::Check(arguments) => check::check(arguments),
         Command::Graph(arguments) => maker::make(arguments),
     }

@@ -5,7 +5,7 @@ use core::ops::ControlFlow;
 use core::time::Duration;
 use std::time::Instant;
 
-use closeranks_graph::budget::Progress;
+use closeranks_graph::effort::Progress;
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressState, ProgressStyle};
 
 /// A bar of `length` steps; nothing is drawn when quiet or when standard error is not a terminal.

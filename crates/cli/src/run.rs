@@ -1,7 +1,7 @@
 //! `closeranks run FILE`.
 
 use anyhow::{Result, bail};
-use closeranks_graph::set::NODE_LIMIT;
+use closeranks_graph::graph::set::NODE_LIMIT;
 use closeranks_report::content::{Link, Page, Section};
 use closeranks_report::figure::{Case, overview};
 use closeranks_report::html::html;
@@ -13,7 +13,7 @@ use closeranks_sim::world::{self, Options, Run};
 use crate::as_run::as_run;
 use crate::folder::Folder;
 use crate::results::recorder::Recorder;
-use crate::{json, output, pages, progress, sentences, source};
+use crate::{invocation, json, output, pages, progress, sentences, source};
 
 /// Name of the file with every tick.
 const TICKS: &str = "run.parquet";
@@ -51,7 +51,7 @@ pub(crate) fn run(arguments: &crate::Run) -> Result<bool> {
     if arguments.speech.json {
         output::say(&json::text(&json::run(&done.scenario, &done.run, done.wall_s)));
     } else if !arguments.speech.quiet {
-        output::say(&told(&done.scenario, &done.run, done.wall_s));
+        output::say(&told(arguments, &done));
     }
     if let (Some(folder), Some(target)) = (folder, &arguments.output) {
         let files = save(folder, &done)?;
@@ -84,12 +84,17 @@ fn scenario(arguments: &crate::Run) -> Result<(Scenario, String)> {
     source::read(&name, drawn.under(controller))
 }
 
-fn told(scenario: &Scenario, run: &Run, wall_s: f64) -> String {
-    let line = Line { scenario, summary: &run.summary, rounds: &run.rounds, wall_s: Some(wall_s) };
+fn told(arguments: &crate::Run, Done { scenario, run, wall_s, .. }: &Done) -> String {
+    let line = Line { scenario, summary: &run.summary, rounds: &run.rounds, wall_s: Some(*wall_s) };
     let start = sentences::start(scenario, &run.summary);
     let laws = sentences::laws(scenario, &run.summary);
-    let warning = sentences::warning(scenario).map(|warning| warning + "\n").unwrap_or_default();
-    format!("{}\n{start}\n{warning}{laws}", text(&table(&[line])))
+    let mut notes: Vec<String> = sentences::warning(scenario).into_iter().collect();
+    if arguments.draw.is_none() {
+        let file = invocation::quoted(&arguments.file.display().to_string());
+        notes.extend(sentences::advice(scenario, &run.summary, &file));
+    }
+    let lines: Vec<&str> = [start.as_str()].into_iter().chain(notes.iter().map(String::as_str)).collect();
+    format!("{}\n{}\n{laws}", text(&table(&[line])), lines.join("\n"))
 }
 
 /// Writes everything; says which files.

@@ -93,6 +93,10 @@ fn sources() -> Vec<(String, String)> {
     sources
 }
 
+fn is_rust(path: &str) -> bool {
+    Path::new(path).extension().is_some_and(|ending| ending == "rs")
+}
+
 fn file_name(path: &str) -> &str {
     path.rsplit('/').next().unwrap_or(path)
 }
@@ -326,7 +330,7 @@ fn paths_in_pages_are_there() {
     let mut found = Vec::new();
     for (page, text) in texts(&["md"]).into_iter().filter(|(page, _)| page != "CHANGELOG.md") {
         for path in words(&text, "/._-*").map(|path| path.trim_end_matches(['.', '/'])) {
-            let inside = path.split_once('/').filter(|_| page == "NOTATION.md" && path.ends_with(".rs"));
+            let inside = path.split_once('/').filter(|_| page == "NOTATION.md" && is_rust(path));
             let full = match inside {
                 _ if path.starts_with("crates/") => path.to_owned(),
                 Some((name, rest)) => format!("crates/{name}/src/{rest}"),

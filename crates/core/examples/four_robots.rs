@@ -6,8 +6,8 @@
 //! bytes over a transport that knows who sent them. Robot 4 lies about its level and its value, to everybody in another way,
 //! but it moves as its own filter says (Assumption 1). `cargo test` checks what is promised here (tests/four_robots.rs).
 
+use core::error::Error;
 use core::time::Duration;
-use std::error::Error;
 
 use closeranks_core::{
     BudgetSettings, Clock, Controller, Errors, InputBox, Instant, Limits, LinkSettings, MESSAGE_BYTES,

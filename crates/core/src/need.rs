@@ -13,7 +13,8 @@ pub enum Keep {
 
 /// The rule of the paper: everybody counts for everybody, and all need the same number.
 ///
-/// Every controller and monitor asks this type, so that another rule (ranks) changes one file.
+/// Every controller asks this type, so that another rule, such as ranks, changes one file. The monitors of the simulator write
+/// the rule down a second time, so that they do not rest on what they watch.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Need {
     robots: u16,

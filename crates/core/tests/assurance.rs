@@ -100,7 +100,7 @@ fn with_a_tracking_error_a_robot_counts_itself_where_its_moves_took_it() {
     });
 }
 
-/// With a margin a state is certain, certainly broken, or carried on by the theorem.
+/// With stated errors a state is certainly safe, certainly broken, or carried on by the theorem.
 #[test]
 fn what_may_be_broken_is_uncertain_unless_it_was_certain_before() {
     let blurred = Settings { errors: Errors { position_m: 0.01, tracking_m: 0.0 }, ..settings() };

@@ -12,7 +12,7 @@ mod seeded;
 
 /// Enough numbers for all pairs of a dozen robots.
 const SCRATCH: usize = 144;
-/// Of sums of at most a dozen weights near 1.
+/// More than the rounding of a sum of at most a dozen weights near 1.
 const ROUNDING: f64 = 1e-13;
 
 fn teams(assume: Assume) -> impl Iterator<Item = Team<2>> {
@@ -27,7 +27,7 @@ struct Interval {
     degree: f64,
 }
 
-/// With so many numbers as scratch; `None` if these are too few, or a sighting is not finite.
+/// The interval from the formulas, with so many numbers as scratch; `None` if these are too few, or a sighting is not finite.
 fn interval(
     budget: &Budget,
     (own, index): (RobotId, usize),

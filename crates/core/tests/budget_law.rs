@@ -17,11 +17,11 @@ mod budget_team;
 mod seeded;
 
 const TEAMS: core::ops::Range<u64> = 0..80;
-/// So many, because where everybody sees everybody a stale claim is cut to the truth.
+/// Mutants need so many teams, because where everybody sees everybody a stale claim is cut to the truth.
 const TEAMS_FOR_MUTANTS: core::ops::Range<u64> = 0..240;
 const TICKS: usize = 25;
 
-/// Runs teams until one breaks the law; how many ticks went by.
+/// Runs teams until one breaks the law, and returns how many ticks went by.
 fn law<const D: usize>(
     assume: Assume,
     form: Form,
@@ -73,13 +73,13 @@ fn the_theorem_for_free_liars_holds_when_malicious_robots_move_as_they_like() {
 /// What may be wrong with a row.
 #[derive(Clone, Copy, Debug)]
 struct Mutant {
-    /// Of the budget of every row.
+    /// What the budget of every row is multiplied with.
     factor: f64,
-    /// Of the |v|² term.
+    /// What the |v|² term is multiplied with.
     square: f64,
-    /// Of the move that L or κ reckons with.
+    /// What the move that L or κ reckons with is multiplied with.
     moves: f64,
-    /// In place of δ⁺.
+    /// What stands in place of δ⁺, if anything does.
     degree: Option<f64>,
     discount: bool,
     near: f64,
@@ -207,7 +207,8 @@ fn the_rows_of_assumption_1_break_when_malicious_robots_move_as_they_like() {
     }
 }
 
-/// (far) bounds a link's loss by its distance, (far′) by the joint move: a pair with one of each is covered by neither.
+/// (far) bounds a link's loss by its distance, (far′) by the joint move. A pair whose ends have different forms is covered by
+/// neither.
 //= theory sec:mixing type=test
 #[test]
 fn robots_with_different_forms_break_the_law() {

@@ -1,4 +1,5 @@
-//! The theorem with every sensed position wrong by up to e, right at the bound as a rule; and what happens without the margin.
+//! The theorem where every sensed position is wrong by up to e, as a rule right at the bound, and what happens without the
+//! margin.
 
 use budget_team::{Team, crate_rows};
 use closeranks_core::controller::budget::curvature::Curvature;
@@ -14,7 +15,7 @@ mod seeded;
 const CASES: [(Assume, Form); 3] =
     [(Assume::Obedient, Form::Level), (Assume::Obedient, Form::Link), (Assume::Free, Form::Link)];
 
-/// Runs teams that sense with an error of up to `error_m` and reckon with `stated_m`; how many ticks held.
+/// Runs teams that sense with an error of up to `error_m` and reckon with `stated_m`, and returns how many ticks held.
 fn law<const D: usize>(assume: Assume, form: Form, error_m: f64, stated_m: f64) -> Result<usize, String> {
     let mut ticks = 0;
     for seed in 0..60 {

@@ -84,8 +84,8 @@ fn into<const D: usize>(case: &Case<D>, v: &Vector<D>) -> Vector<D> {
     v.map(|component| low * component)
 }
 
-/// From the answer itself, from close to it and from anywhere the answer is the same, up to rounding over the angle of two boundaries
-/// that decide; often it is found at once.
+/// The search may begin at the answer itself, close to it, or anywhere: the answer is the same up to rounding over the angle of
+/// the two boundaries that decide. Often it is found at once.
 //= theory sec:program type=test
 #[test]
 fn wherever_one_looks_first_the_answer_is_the_same() {
@@ -100,7 +100,7 @@ fn wherever_one_looks_first_the_answer_is_the_same() {
     assert!(met.iter().all(|met| *met > CASES / 20), "{met:?} of {CASES} were found at once");
 }
 
-/// 1 if the answer was found where it was looked for while the search would have looked at more rows.
+/// 1 if the answer was found where it was looked for first, while a search would have looked at more rows; else 0.
 fn check_guesses<const D: usize>(case: &Case<D>, seed: u64, allowed: f64) -> u64 {
     let cold = case.solve();
     let mut random = Seeded(!seed);

@@ -22,8 +22,8 @@ const LIES: [f64; 9] = [-1e9, -1.0, 0.0, 0.5, 1.0, 2.0, 2.5, 3.0, 1e9];
 
 /// Every graph of 3 to 6 robots, every malicious set, every assignment of `TRUTHS` and `LIES`.
 ///
-/// Reduced without loss by renumbering (malicious robots last); assignments without a 0 or without a 3 are left out,
-/// since the round moves and scales with its values (wmsr.rs).
+/// Nothing is lost by numbering malicious robots last, nor by leaving out assignments without a 0 or without a 3, since the
+/// round moves and scales with its values (wmsr.rs).
 //= paper thm:rs_robust type=test
 //= theory thm:contraction type=test
 #[test]
@@ -66,7 +66,8 @@ fn a_changing_network_with_a_greedy_liar_contracts_in_every_round() {
     assert!(worst > 0.82, "the liar is not harmless: {worst}");
 }
 
-/// S and T complete, every robot of S linked to F of T, spread cyclically: 1 on S and 0 on T stay, though nobody lies.
+/// S and T are complete, and every robot of S is linked to F of T, spread cyclically. Values of 1 on S and 0 on T stay, though
+/// nobody lies.
 //= paper thm:rs_robust type=test
 //= theory sec:tight type=test
 #[test]

@@ -219,7 +219,7 @@ fn a_restated_level_is_told_and_obeyed_until_the_next_update() {
         robot.restate(honest.level - 2.5);
         robot.restate(f64::NAN);
         assert_eq!(robot.told_level(), honest.level - 2.5);
-        let lying = robot.tick(scene.desired).report;
+        let lying = scene.play(&mut robot, 0).report;
         assert_eq!((lying.level, lying.h), (honest.level, honest.h));
         let term = |level| params.composed().unwrap().degree_term::<f64>(level);
         let [honest_phi, lying_phi] = [honest, lying].map(|report| report.phi.unwrap());
@@ -233,7 +233,7 @@ fn a_restated_level_is_told_and_obeyed_until_the_next_update() {
 #[test]
 fn the_gravest_reason_is_named() {
     lend_with(Settings::<2> { team: Team { robots: 3, faults: 0 }, ..Settings::default() }, |params| {
-        let mut robot = new_robot(params);
+        let mut robot = TestRobot::new(params, RobotId(3), 1.0).unwrap();
         let mut mode = |ms: u64, near: &[f64], told: Option<f64>| {
             robot.sense(at(ms), [0.0; 2]).unwrap();
             for (id, &x) in (1..).zip(near) {

@@ -148,7 +148,7 @@ fn call<const D: usize>() -> impl Strategy<Value = Call<D>> {
     ]
 }
 
-/// Near each other as a rule; anything otherwise.
+/// Positions that are near each other as a rule, and any numbers otherwise.
 fn position<const D: usize>() -> impl Strategy<Value = Vector<D>> {
     prop_oneof![3 => [(); D].map(|()| -2.0..2.0), 1 => [(); D].map(|()| number())]
 }

@@ -13,7 +13,7 @@ use seeded::Seeded;
 mod cluster;
 mod seeded;
 
-/// Exponents saturate here (`math::exp_scaled`).
+/// Exponents saturate at this (`num::exponential::exp_scaled`).
 const EXPONENT_LIMIT: f64 = 1e8;
 /// Logarithms up to 10⁸ are known to 2⁻²⁷ each; a term multiplies four of them.
 const ROUNDING: f64 = 4.0 / 134_217_728.0;

@@ -1,7 +1,7 @@
 //! Plain `f64` and free exponents give the same bits wherever `f64` neither overflows nor underflows.
 //!
-//! That is what lets a robot sum its row in `f64` first and with free exponents only if it must, and whoever computes a
-//! whole team at once do the same. Scaling by a power of two rounds nothing, so shrinking all offsets by 2⁻⁷⁴⁰ forces
+//! So a robot can sum its row in `f64` first, and with free exponents only if it must, and whoever computes a whole team at
+//! once can do the same. Scaling by a power of two rounds nothing, so shrinking all offsets by 2⁻⁷⁴⁰ forces
 //! the second way upon a row of which the first is known.
 
 use closeranks_core::equations::composition::{Composed, PhiSplit, Sum};
@@ -14,7 +14,7 @@ use seeded::Seeded;
 mod cluster;
 mod seeded;
 
-/// 2⁻⁷⁴⁰.
+/// All offsets are multiplied with this, 2⁻⁷⁴⁰.
 const SHRINK: f64 = f64::from_bits((1023 - 740) << 52);
 
 //= paper eq:split type=test
@@ -29,7 +29,7 @@ fn a_row_has_the_same_bits_both_ways() {
     }
 }
 
-/// Neighbours added one by one in `f64`, from numbers that were never `Scaled`.
+/// Neighbours that are added one by one in `f64`, from numbers that were never `Scaled`, give the same bits.
 #[test]
 fn a_team_computed_at_once_has_the_bits_of_each_robot() {
     for seed in 0..300 {

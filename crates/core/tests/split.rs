@@ -23,7 +23,7 @@ const PAPER: Composed = Composed {
     required: 7,
     distance_min_m: 0.3,
 };
-/// A mean of eleven terms below 1 and one difference.
+/// More than the rounding of a mean of eleven terms below 1 and of one difference.
 const ROUNDING: f64 = 32.0 * f64::EPSILON;
 
 //= paper eq:phi_i type=test

@@ -71,7 +71,7 @@ fn without_faults_it_is_the_plain_mean() {
     }
 }
 
-/// The printed steps, literally: sort, cut, average.
+/// The steps as they are printed: sort, cut, average.
 #[test]
 fn it_is_the_printed_algorithm() {
     for (_, Case { own, told, faults }) in cases() {

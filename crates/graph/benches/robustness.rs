@@ -7,14 +7,14 @@ use core::fmt;
 use core::ops::ControlFlow;
 
 use closeranks_graph::analysis::largest;
-use closeranks_graph::budget::{Budget, Meter, Progress};
 use closeranks_graph::decide::Robustness;
 use closeranks_graph::definition;
+use closeranks_graph::effort::{Effort, Meter, Progress};
 use closeranks_graph::graph::Graph;
 use closeranks_graph::makers::random;
 use closeranks_graph::table;
 
-const NO_TABLE: Budget = Budget { nodes: u64::MAX, table_bytes: 0 };
+const NO_TABLE: Effort = Effort { nodes: u64::MAX, table_bytes: 0 };
 const SMALL: [Case; 4] = [er(8, 5), er(10, 5), er(11, 8), Case { family: Family::Paper, count: 11 }];
 const LARGE: [Case; 9] = [
     er(20, 5),

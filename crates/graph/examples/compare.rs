@@ -10,9 +10,9 @@ use core::ops::ControlFlow;
 use core::time::Duration;
 use std::time::Instant;
 
-use closeranks_graph::budget::{Budget, Meter, Progress};
 use closeranks_graph::decide::Robustness;
 use closeranks_graph::definition;
+use closeranks_graph::effort::{Effort, Meter, Progress};
 use closeranks_graph::formats::{self, Format, Named, Options};
 use closeranks_graph::graph::Graph;
 use closeranks_graph::makers::{MakerError, random};
@@ -96,7 +96,7 @@ fn answer_by(method: &str, question: &str) -> Result<fn(&Graph) -> i32, Failure>
 fn ask<'g>(graph: &'g Graph, question: fn(&mut Robustness<'g>, &mut Meter<'_>) -> Interval) -> i32 {
     let mut go_on = |_: &Progress| ControlFlow::Continue(());
     let mut meter = Meter::new(u64::MAX, &mut go_on);
-    question(&mut Robustness::new(graph, &Budget::UNLIMITED), &mut meter)
+    question(&mut Robustness::new(graph, &Effort::UNLIMITED), &mut meter)
         .exactly()
         .expect("without a limit the answer is exact")
 }

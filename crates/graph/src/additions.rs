@@ -2,11 +2,11 @@
 
 use alloc::vec::Vec;
 
-use crate::budget::{Budget, Meter, Stopped};
 use crate::decide::Robustness;
 use crate::definition::Witness;
+use crate::effort::{Effort, Meter, Stopped};
 use crate::graph::Graph;
-use crate::set::NodeSet;
+use crate::graph::set::NodeSet;
 use crate::verdict::Verdict;
 
 /// Edges that make a graph (r,s)-robust.
@@ -37,14 +37,14 @@ pub fn additions(
     graph: &Graph,
     r: usize,
     s: usize,
-    budget: &Budget,
+    effort: &Effort,
     meter: &mut Meter<'_>,
 ) -> Result<Option<Additions>, Stopped> {
     let count = graph.node_count();
     if s > 0 && count > 1 && r > count.div_ceil(2) {
         return Ok(None);
     }
-    let question = Question { r, s, budget };
+    let question = Question { r, s, effort };
     let mut edges = question.greedy(graph, meter)?;
     let mut least = 0;
     while least < edges.len() {
@@ -62,12 +62,12 @@ type Edge = (usize, usize);
 struct Question<'b> {
     r: usize,
     s: usize,
-    budget: &'b Budget,
+    effort: &'b Effort,
 }
 
 impl Question<'_> {
     fn witness(&self, graph: &Graph, meter: &mut Meter<'_>) -> Result<Option<Witness>, Stopped> {
-        match Robustness::new(graph, self.budget).decide(self.r, self.s, meter) {
+        match Robustness::new(graph, self.effort).decide(self.r, self.s, meter) {
             Verdict::Robust(_) => Ok(None),
             Verdict::NotRobust(witness) => Ok(Some(witness)),
             Verdict::Unknown => Err(Stopped),

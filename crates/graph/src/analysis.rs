@@ -4,10 +4,10 @@ use alloc::vec::Vec;
 use core::ops::ControlFlow;
 
 use crate::bounds;
-use crate::budget::{Budget, Meter, Progress};
 use crate::connectivity;
 use crate::decide::Robustness;
 use crate::definition::Witness;
+use crate::effort::{Effort, Meter, Progress};
 use crate::graph::Graph;
 use crate::verdict::{Certificate, Interval};
 
@@ -57,17 +57,17 @@ impl Analysis {
     }
 }
 
-/// Computes r_max, then F_max, then the table of s_max, until `budget` is spent or `report` answers `Break`.
+/// Computes r_max, then F_max, then the table of s_max, until `effort` is spent or `report` answers `Break`.
 ///
 /// `report` is called every few thousand nodes. What was proved by then is kept, as intervals.
 //= paper def:robustness
 pub fn analyze(
     graph: &Graph,
-    budget: &Budget,
+    effort: &Effort,
     report: &mut dyn FnMut(&Progress) -> ControlFlow<()>,
 ) -> Analysis {
-    let mut meter = Meter::new(budget.nodes, report);
-    let mut robustness = Robustness::new(graph, budget);
+    let mut meter = Meter::new(effort.nodes, report);
+    let mut robustness = Robustness::new(graph, effort);
     robustness.r_max(&mut meter);
     robustness.f_max(&mut meter);
     for r in 1..=graph.node_count().div_ceil(2) {
@@ -81,7 +81,7 @@ pub fn analyze(
 pub fn largest(graph: &Graph) -> (Interval, Interval) {
     let mut go_on = |_: &Progress| ControlFlow::Continue(());
     let mut meter = Meter::new(u64::MAX, &mut go_on);
-    let mut robustness = Robustness::new(graph, &Budget::UNLIMITED);
+    let mut robustness = Robustness::new(graph, &Effort::UNLIMITED);
     (robustness.r_max(&mut meter), robustness.f_max(&mut meter))
 }
 

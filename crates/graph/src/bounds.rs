@@ -2,7 +2,7 @@
 
 use crate::definition::Witness;
 use crate::graph::Graph;
-use crate::set::NodeSet;
+use crate::graph::set::NodeSet;
 
 /// Largest r that the least degree δ alone guarantees, for every s; 0 if it guarantees nothing.
 ///

@@ -4,7 +4,7 @@ use alloc::vec;
 use alloc::vec::Vec;
 
 use crate::graph::Graph;
-use crate::set::NodeSet;
+use crate::graph::set::NodeSet;
 
 /// Least number κ of nodes whose removal leaves some pair without a path; n − 1 for a complete graph.
 ///

@@ -1,9 +1,9 @@
 //! Questions about one graph, each answered once.
 
-use crate::budget::{Budget, Meter, Stopped};
 use crate::definition::Witness;
+use crate::effort::{Effort, Meter, Stopped};
 use crate::graph::Graph;
-use crate::ledger::{Ledger, number};
+use crate::search::ledger::{Ledger, number};
 use crate::search::{self, Orbits};
 use crate::table;
 use crate::verdict::{Certificate, Interval, Verdict};
@@ -26,10 +26,10 @@ pub struct Robustness<'g> {
 }
 
 impl<'g> Robustness<'g> {
-    /// Nothing is computed here but the bounds of [`crate::bounds`]. Of `budget` only the memory is used here.
+    /// Nothing is computed here but the bounds of [`crate::bounds`]. Of `effort` only the memory is used here.
     #[must_use]
-    pub fn new(graph: &'g Graph, budget: &Budget) -> Self {
-        Self { ledger: Ledger::new(graph), orbits: Orbits::new(), table_bytes: budget.table_bytes }
+    pub fn new(graph: &'g Graph, effort: &Effort) -> Self {
+        Self { ledger: Ledger::new(graph), orbits: Orbits::new(), table_bytes: effort.table_bytes }
     }
 
     /// Is the graph (r,s)-robust? An s above n asks the same as n.
@@ -79,7 +79,7 @@ impl<'g> Robustness<'g> {
             return Interval { least: number(count), most: number(count) };
         }
         let row = r.min(self.ledger.r_count());
-        // From below: a small budget of exempt nodes is a small tree.
+        // From below: a small effort of exempt nodes is a small tree.
         while self.ledger.least(row) < self.ledger.most(row) {
             if self.settle(row, self.ledger.least(row) + 1, meter).is_err() {
                 break;
@@ -114,7 +114,7 @@ impl<'g> Robustness<'g> {
         Interval { least: number(least) - 1, most: number(most) - 1 }
     }
 
-    /// Asks about (r, s(r)) until `known`, the largest r for which it holds, is exact or the budget is spent.
+    /// Asks about (r, s(r)) until `known`, the largest r for which it holds, is exact or the effort is spent.
     ///
     /// From above, since a witness settles several r at once. If that is long, everything short from below first, so that
     /// whoever stops has a lower end too.

@@ -1,7 +1,7 @@
 //! The definitions, word for word: the oracle of every algorithm of this crate.
 
 use crate::graph::Graph;
-use crate::set::NodeSet;
+use crate::graph::set::NodeSet;
 
 /// X^r_S, the members of `set` that hear at least `r` nodes outside of it.
 ///

@@ -3,7 +3,7 @@
 //! A network whose leaders agree can pull everyone along, past malicious nodes, if no set of followers closes itself off.
 
 use crate::graph::Graph;
-use crate::set::NodeSet;
+use crate::graph::set::NodeSet;
 
 /// The nodes that follow `leaders`: whoever hears r or more of them follows too, and so on.
 ///
@@ -28,7 +28,7 @@ pub fn followers(graph: &Graph, leaders: NodeSet, r: usize) -> NodeSet {
 
 /// Whether `graph` is strongly r-robust with respect to `leaders`: every nonempty set of other nodes is r-reachable.
 ///
-/// Same as: all nodes follow. With no node but leaders it holds for every r.
+/// It holds exactly if all nodes follow. With no node but leaders it holds for every r.
 //= paper reachability
 #[must_use]
 pub fn is_strongly_robust(graph: &Graph, leaders: NodeSet, r: usize) -> bool {

@@ -14,20 +14,20 @@
 //!
 //! | question | module |
 //! | --- | --- |
-//! | everything about one graph, within a budget | [`analysis`] |
+//! | everything about one graph, within an effort | [`analysis`] |
 //! | one (r, s), with a witness or a certificate | [`decide`], [`verdict`] |
 //! | the definitions word for word | [`definition`] |
 //! | what degrees and pairs of nodes say | [`bounds`] |
 //! | branch and bound (algorithm B) | [`search`] |
 //! | the table of all subsets (algorithm A) | [`table`] |
-//! | which nodes look alike | [`symmetry`] |
+//! | which nodes look alike | [`search::symmetry`] |
 //! | leaders, and adversaries few in every neighbourhood | [`leaders`], [`local`] |
 //! | which edges to add | [`additions`] |
 //! | graphs by name, graphs as text | [`makers`], [`formats`] |
 //!
 //! ```
 //! use closeranks_graph::analysis::{analyze, largest};
-//! use closeranks_graph::budget::Budget;
+//! use closeranks_graph::effort::Effort;
 //! use closeranks_graph::makers::fixed::wheel;
 //! use core::ops::ControlFlow;
 //!
@@ -35,7 +35,7 @@
 //! let (r_max, f_max) = largest(&wheel);
 //! assert_eq!((r_max.exactly(), f_max.exactly()), (Some(2), Some(1)));
 //!
-//! let analysis = analyze(&wheel, &Budget::UNLIMITED, &mut |_| ControlFlow::Continue(()));
+//! let analysis = analyze(&wheel, &Effort::UNLIMITED, &mut |_| ControlFlow::Continue(()));
 //! let witness = analysis.witness_r.expect("no graph of nine nodes is 6-robust");
 //! assert!(witness.holds(&wheel) && witness.r == 3);
 //! # Ok::<(), closeranks_graph::makers::MakerError>(())
@@ -47,20 +47,15 @@ extern crate alloc;
 pub mod additions;
 pub mod analysis;
 pub mod bounds;
-pub mod budget;
 pub mod connectivity;
 pub mod decide;
 pub mod definition;
+pub mod effort;
 pub mod formats;
 pub mod graph;
 pub mod leaders;
-mod ledger;
 pub mod local;
 pub mod makers;
-mod rows;
 pub mod search;
-pub mod set;
-pub mod symmetry;
 pub mod table;
 pub mod verdict;
-mod word;

@@ -1,9 +1,9 @@
 //! Adversaries that are few in every neighbourhood (F-local) instead of few in all (F-total).
 
-use crate::budget::{Meter, Stopped};
+use crate::effort::{Meter, Stopped};
 use crate::graph::Graph;
+use crate::graph::set::NodeSet;
 use crate::search::peel::Needs;
-use crate::set::NodeSet;
 
 /// Whether `malicious` is an F-total set: at most F nodes.
 //= paper ftotal

@@ -113,6 +113,6 @@ pub enum Verdict {
     Robust(Certificate),
     /// It is not: two sets that violate the definition.
     NotRobust(Witness),
-    /// The budget was spent, or the callback said stop, before the answer.
+    /// The effort was spent, or the callback said stop, before the answer.
     Unknown,
 }

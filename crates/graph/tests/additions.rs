@@ -6,9 +6,9 @@ mod common;
 use core::ops::ControlFlow;
 
 use closeranks_graph::additions::additions;
-use closeranks_graph::budget::{Budget, Meter, Progress};
 use closeranks_graph::decide::Robustness;
 use closeranks_graph::definition;
+use closeranks_graph::effort::{Effort, Meter, Progress};
 use closeranks_graph::graph::Graph;
 use closeranks_graph::makers::{fixed, random};
 use closeranks_graph::verdict::Verdict;
@@ -47,9 +47,9 @@ fn greedy_additions_do_and_none_is_idle() {
     for seed in 0..30_u64 {
         let graph = random::erdos_renyi(11, 0.4, seed.is_multiple_of(2), seed).unwrap();
         let mut go_on = |_: &Progress| ControlFlow::Continue(());
-        let budget = Budget { nodes: 20_000, ..NO_TABLE };
-        let mut meter = Meter::new(budget.nodes, &mut go_on);
-        let found = additions(&graph, 3, 3, &budget, &mut meter).unwrap().unwrap();
+        let effort = Effort { nodes: 20_000, ..NO_TABLE };
+        let mut meter = Meter::new(effort.nodes, &mut go_on);
+        let found = additions(&graph, 3, 3, &effort, &mut meter).unwrap().unwrap();
         let enough = with(&graph, &found.edges);
         assert!(is_robust(&enough, 3));
         assert!(found.least <= found.edges.len());

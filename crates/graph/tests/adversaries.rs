@@ -7,10 +7,10 @@ use closeranks_graph::analysis::largest;
 use closeranks_graph::connectivity::node_connectivity;
 use closeranks_graph::definition::is_reachable;
 use closeranks_graph::graph::Graph;
+use closeranks_graph::graph::set::NodeSet;
 use closeranks_graph::leaders::{closed_set, followers, is_strongly_robust, strong_r_max};
 use closeranks_graph::local;
 use closeranks_graph::makers::random;
-use closeranks_graph::set::NodeSet;
 use common::with_meter;
 
 fn sample(seed: u64, count: usize) -> Graph {

@@ -5,7 +5,7 @@ use std::fs;
 use std::path::Path;
 
 use closeranks_graph::analysis::analyze;
-use closeranks_graph::budget::Budget;
+use closeranks_graph::effort::Effort;
 use closeranks_graph::formats::{Options, Reading, read};
 use core::ops::ControlFlow;
 
@@ -32,7 +32,7 @@ impl Case<'_> {
 /// `directed robots r_max f_max s_max`, as the columns of the table have them.
 fn answer(reading: &Reading) -> [String; 5] {
     let graph = &reading.named.graph;
-    let analysis = analyze(graph, &Budget::UNLIMITED, &mut |_| ControlFlow::Continue(()));
+    let analysis = analyze(graph, &Effort::UNLIMITED, &mut |_| ControlFlow::Continue(()));
     let mut s_max = Vec::new();
     for (index, (s, _)) in analysis.s_max.iter().enumerate() {
         s_max.push(format!("{}:{}", index + 1, s.exactly().unwrap()));

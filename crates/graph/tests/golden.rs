@@ -5,8 +5,8 @@ mod common;
 
 use closeranks_graph::definition::Witness;
 use closeranks_graph::graph::Graph;
+use closeranks_graph::graph::set::NodeSet;
 use closeranks_graph::makers::{fixed, random};
-use closeranks_graph::set::NodeSet;
 use closeranks_graph::table;
 use common::{NO_TABLE, full_analysis, with_meter};
 use serde_json::Value;

@@ -7,8 +7,8 @@ use core::ops::ControlFlow;
 
 use closeranks_graph::analysis::{analyze, largest};
 use closeranks_graph::bounds;
-use closeranks_graph::budget::Budget;
 use closeranks_graph::decide::Robustness;
+use closeranks_graph::effort::Effort;
 use closeranks_graph::graph::Graph;
 use closeranks_graph::makers::{fixed, random};
 use closeranks_graph::search;
@@ -65,8 +65,8 @@ fn what_a_small_budget_proves_is_true() {
         let graph = random::erdos_renyi(16, 0.7, false, seed).unwrap();
         let exact = full_analysis(&graph, &NO_TABLE);
         for nodes in [0, 3, 30, 300, 3000] {
-            let budget = Budget { nodes, table_bytes: 0 };
-            let part = analyze(&graph, &budget, &mut |_| ControlFlow::Continue(()));
+            let effort = Effort { nodes, table_bytes: 0 };
+            let part = analyze(&graph, &effort, &mut |_| ControlFlow::Continue(()));
             assert!(part.nodes <= nodes);
             let pairs = part.s_max.iter().zip(&exact.s_max).map(|(p, e)| (p.0, e.0));
             for (known, true_value) in pairs.chain([(part.r_max, exact.r_max), (part.f_max, exact.f_max)]) {
@@ -86,8 +86,8 @@ fn what_a_small_budget_proves_is_true() {
 fn a_short_search_has_a_lower_end_too() {
     for seed in 0..4 {
         let graph = random::erdos_renyi(44, 0.8, false, seed).unwrap();
-        let budget = Budget { nodes: 60_000, table_bytes: 0 };
-        let part = analyze(&graph, &budget, &mut |_| ControlFlow::Continue(()));
+        let effort = Effort { nodes: 60_000, table_bytes: 0 };
+        let part = analyze(&graph, &effort, &mut |_| ControlFlow::Continue(()));
         let by_degree = i32::try_from(bounds::r_least(&graph)).unwrap();
         assert!(part.r_max.least > by_degree && part.r_max.least >= 10, "{:?}", part.r_max);
         assert!(part.f_max.least >= (part.r_max.least - 1) / 2);
@@ -134,7 +134,7 @@ fn a_table_that_is_too_large_is_refused() {
 /// Branch and bound alone, with the table's help, and the table alone.
 fn agree(graph: &Graph) {
     let search = full_analysis(graph, &NO_TABLE);
-    let both = full_analysis(graph, &Budget::UNLIMITED);
+    let both = full_analysis(graph, &Effort::UNLIMITED);
     let values = |analysis: &closeranks_graph::analysis::Analysis| {
         let s_max: Vec<_> = analysis.s_max.iter().map(|(s, _)| s.exactly().unwrap()).collect();
         (analysis.r_max.exactly().unwrap(), analysis.f_max.exactly().unwrap(), s_max)

@@ -196,6 +196,8 @@ fn formats_of_programs() {
             ("c d\np tw 3 2\n1 2\n2 3\n", "dimacs: 1 2 3 | 1-2 2-3"),
             ("p sp 2 1\na 1 2 7\n", "dimacs: 1 2 | 1>2"),
             ("p edge 3 4\ne 1 2\n", "4 links promised, 1 found: is the text cut off?"),
+            ("1: 2 3\n2: 1 3\n3: 1 2\n", "adjacency: 1 2 3 | 1-2 1-3 2-3"),
+            ("edges:\n1: 2 3\n2: 1 3\n3: 1 2\n", "line 2: 3 columns, but 1 in line 1"),
             ("*Vertices 2\n1 \"a b\"\n2 c\n*Arcs\n*Edges\n1 2 1.5\n", "pajek: a b c | a b-c"),
             (
                 "*Vertices 3\n*Arcs\n1 2\n*Edges\n2 3\n",

@@ -1,7 +1,7 @@
 //! Pictures of graphs, and recordings read back.
 
+use closeranks_graph::graph::set::NodeSet;
 use closeranks_graph::makers::fixed::{k_circulant, tight};
-use closeranks_graph::set::NodeSet;
 use closeranks_report::network::{Network, network};
 use closeranks_report::parquet::{Metadata, write};
 use closeranks_report::png::png;

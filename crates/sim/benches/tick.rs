@@ -60,7 +60,7 @@ fn tick_of_a_team(bencher: Bencher<'_, '_>, robots: u16) {
     assert!(frame.links * 10 > links * 9, "nearly all in range: {} of {links}", frame.links);
 }
 
-/// The same with every robot on its own and every message as bytes.
+/// A tick with every robot on its own and every message as bytes.
 #[divan::bench(args = [11, 100])]
 fn tick_of_single_robots(bencher: Bencher<'_, '_>, robots: u16) {
     let scenario = scenario(robots);
@@ -82,7 +82,7 @@ fn paper_run(bencher: Bencher<'_, '_>) {
     bencher.bench(|| run(&scenario, Options::default(), &mut |_| ()).expect("runs"));
 }
 
-/// The same with every tick kept.
+/// Ten seconds of section V, monitors on, with every tick kept.
 #[divan::bench]
 fn paper_run_recorded(bencher: Bencher<'_, '_>) {
     let scenario = Scenario::default();

@@ -15,17 +15,18 @@
 //! | what goes wrong with messages, clocks, sensors and the robots themselves | [`faults`] |
 //! | how bodies follow velocities | [`plant`] |
 //! | what carries messages | [`transport`] |
+//! | what is possible for a team: starts, speeds, F | [`advice`] |
 //! | all robots of a tick, one by one or as a team | [`engine`] |
 //! | the theorems as code, and exact robustness round by round | [`law`], [`monitors`] |
 //! | the run, its record and its table row | [`world`], [`output`] |
 
+pub mod advice;
 pub mod attack;
 pub mod controllers;
 pub mod engine;
 pub mod faults;
 pub mod frame;
 pub mod geometry;
-pub mod given;
 pub mod law;
 pub mod monitors;
 pub mod output;

@@ -123,7 +123,7 @@ fn a_start_outside_the_set_is_recovered_from() {
     assert!(run.summary.extremes.safe_from.is_some_and(|tick| tick > 0 && tick < 20));
 }
 
-/// The same lie and tick break `composed`: what the runs above survive is not nothing.
+/// `composed` breaks under the same lie and tick, so what the runs above survive is something.
 #[test]
 fn the_papers_controller_does_not_survive_these() {
     let slow = Scenario {
@@ -136,7 +136,7 @@ fn the_papers_controller_does_not_survive_these() {
     assert!(summary.broken(Law::Degree) + summary.broken(Law::Distance) > 0);
 }
 
-/// Two hours are more ticks of a microsecond than 32 bits count; what never was is longer ago.
+/// Two hours are more ticks of a microsecond than 32 bits count. Something that never was is longer ago than that.
 #[test]
 fn ages_of_more_ticks_than_32_bits_count() {
     let hour = Duration::from_hours(1);

@@ -12,7 +12,8 @@ use closeranks_sim::scenario::start::Start;
 use closeranks_sim::scenario::{Controller, Scenario};
 use closeranks_sim::world::{Options, run};
 
-/// Random start, wide enough that links break and form, an attack on levels and on values, the own share.
+/// A scenario with a random start, wide enough that links break and form, with attacks on levels and on values, and with the
+/// split `own`.
 fn mixed() -> Scenario {
     Scenario {
         name: "mixed".into(),
@@ -41,7 +42,8 @@ fn the_mixed_run_has_the_committed_digest() {
     assert_eq!(format!("{:016x}", digest(&mixed())), "3fc43a887b78c84c");
 }
 
-/// Many short runs of `budget`, one digest: trusts, assumptions, dimensions, ticks, teams, lies, starts.
+/// Many short runs of `budget` for one digest, with all kinds of trust, assumptions, dimensions, ticks, teams, lies and
+/// starts.
 fn budgets() -> Vec<Scenario> {
     let plain = Scenario { controller: Controller::Budget, duration_s: 2.0, ..Scenario::default() };
     let mut runs = Vec::new();
@@ -88,7 +90,7 @@ fn budgets() -> Vec<Scenario> {
     runs
 }
 
-/// As above, for our own controller.
+/// If this changes, every recorded run of our own controller changes: say so in CHANGELOG.md, with the reason.
 #[test]
 fn runs_of_budget_have_the_committed_digest() {
     let digests = budgets().iter().map(digest).fold(0, |all: u64, one| all.rotate_left(7) ^ one);

@@ -241,3 +241,27 @@ fn budget_far_from_the_origin_is_not_computed_at_once() {
         same_bits(&Scenario { start: Start::Listed(far(x).collect()), ..budget("far") });
     }
 }
+
+/// Teams so wide that hardly anybody sees everybody: what is known of a neighbour is then told from counts where that is certain,
+/// and summed up where it is not. Liars that tell too little, too much and nonsense need the sums.
+#[test]
+fn budget_in_wide_teams() {
+    for (robots, radius_m, spacing_m) in [(90, 4.0, 0.6), (150, 4.5, 0.55), (150, 2.5, 0.7)] {
+        for (bias, trust) in
+            [(0.0, Trust::ToldOrSeen), (-6.0, Trust::Told), (4.0, Trust::ToldOrSeen), (2.0, Trust::Seen)]
+        {
+            let team = Team { robots, faults: 3 };
+            let link = LinkSettings { radius_m, ..LinkSettings::default() };
+            same_bits(&Scenario {
+                team,
+                malicious: vec![1, 40, 77],
+                link,
+                start: Start::Hexagon { spacing_m },
+                attack: LevelAttack::Bias(bias).into(),
+                budget: BudgetSettings { trust, ..BudgetSettings::default() },
+                duration_s: 0.02,
+                ..budget("wide")
+            });
+        }
+    }
+}

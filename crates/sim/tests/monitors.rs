@@ -67,7 +67,7 @@ fn an_understated_level_beyond_reach_makes_programs_infeasible() {
     assert!(!summary(&scenario).start.inside);
 }
 
-/// Robot 4 has no solution when it crashes: what it found last is not found again in every tick.
+/// The program of robot 4 has no solution when it crashes. That does not count again in every tick in which it is down.
 #[test]
 fn a_robot_that_is_down_breaks_nothing_again_and_again() {
     let mut scenario = Scenario { attack: LevelAttack::Bias(-6.0).into(), ..Scenario::default() };

@@ -135,7 +135,7 @@ const MUTANTS: [Mutant; 20] = [
         name: "no margin for distances",
         law: "distance",
         lines: &[
-            (TICK, "self.spare_m2(&neighbor.pair, -error_m)", "self.spare_m2(&neighbor.pair, 0.0)"),
+            (TICK, "self.spare_m2(neighbor.pair, -error_m)", "self.spare_m2(neighbor.pair, 0.0)"),
             (INEQUALITY, "self.spare_m2(&pair, -error_m)", "self.spare_m2(&pair, 0.0)"),
         ],
     },

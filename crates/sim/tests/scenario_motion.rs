@@ -5,6 +5,19 @@ use closeranks_sim::scenario::Scenario;
 use closeranks_sim::scenario::desired::Desired;
 use closeranks_sim::world::{Options, run};
 
+fn problems(text: &str) -> Vec<Problem> {
+    scenario(text).expect_err("must be refused")
+}
+
+/// The text has one mistake, said as `expected`, and the underlined part is `marked`.
+#[track_caller]
+fn refused(text: &str, marked: &str, expected: &str) {
+    let problems = problems(text);
+    assert_eq!(problems.len(), 1, "{problems:?}");
+    assert_eq!(problems[0].to_string(), expected);
+    assert_eq!(&text[problems[0].span.clone()], marked, "{expected}");
+}
+
 fn with_file(text: &str, csv: &str) -> Result<Scenario, Vec<Problem>> {
     let files = [("motion.csv".to_owned(), Ok(csv.to_owned()))].into_iter().collect();
     scenario_with(text, &files)

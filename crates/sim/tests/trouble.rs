@@ -1,4 +1,4 @@
-//! Everything that can go wrong, with `budget`: nothing is broken where its assumptions hold.
+//! Everything that can go wrong, under `budget`: nothing is broken where its assumptions hold.
 #![expect(clippy::unwrap_used, reason = "helpers of tests")]
 
 use closeranks_sim::output::summary::Summary;

@@ -3,8 +3,8 @@
 use core::ops::ControlFlow;
 
 use closeranks_graph::analysis::{Analysis, analyze};
-use closeranks_graph::budget::{Budget, Progress};
 use closeranks_graph::connectivity::node_connectivity;
+use closeranks_graph::effort::{Effort, Progress};
 use closeranks_graph::formats::Named;
 use closeranks_graph::graph::Graph;
 use closeranks_graph::verdict::{Certificate, Interval};
@@ -27,7 +27,7 @@ pub(super) fn everything(
     limit: &str,
     look: &mut dyn FnMut(&Progress) -> ControlFlow<()>,
 ) -> Answer {
-    let analysis = analyze(&named.graph, &Budget::UNLIMITED, look);
+    let analysis = analyze(&named.graph, &Effort::UNLIMITED, look);
     let sentence = verdict(&analysis, limit);
     let answer = Answer {
         holds: analysis.is_exact(),

@@ -1,10 +1,10 @@
 //! What can be asked, and what every answer has.
 
 use anyhow::{Result, bail};
-use closeranks_graph::budget::{Meter, Progress};
 use closeranks_graph::definition::Witness;
+use closeranks_graph::effort::{Meter, Progress};
 use closeranks_graph::formats::{Named, Reading};
-use closeranks_graph::set::NodeSet;
+use closeranks_graph::graph::set::NodeSet;
 use closeranks_report::content::Table;
 use closeranks_report::table;
 use serde_json::{Map, Value, json};

@@ -1,7 +1,7 @@
 //! Which edges to add to a graph.
 
 use closeranks_graph::additions::{self, Additions};
-use closeranks_graph::budget::{Budget, Meter};
+use closeranks_graph::effort::{Effort, Meter};
 use closeranks_graph::formats::Named;
 use serde_json::{Value, json};
 
@@ -12,7 +12,7 @@ use super::words;
 /// Which edges to add until it is (r,s)-robust.
 pub(super) fn additions(named: &Named, (r, s): (usize, usize), limit: &str, meter: &mut Meter<'_>) -> Answer {
     let question = json!({ "additions": true, "r": r, "s": s });
-    match additions::additions(&named.graph, r, s, &Budget::UNLIMITED, meter) {
+    match additions::additions(&named.graph, r, s, &Effort::UNLIMITED, meter) {
         Ok(Some(found)) => Answer {
             holds: true,
             sentence: added(named, (r, s), &found, limit),

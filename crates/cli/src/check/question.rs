@@ -1,11 +1,11 @@
 //! Single questions, each answered in one sentence.
 
-use closeranks_graph::budget::{Budget, Meter};
 use closeranks_graph::decide::Robustness;
+use closeranks_graph::effort::{Effort, Meter};
 use closeranks_graph::formats::Named;
+use closeranks_graph::graph::set::NodeSet;
 use closeranks_graph::leaders;
 use closeranks_graph::local::{self, LocalWitness};
-use closeranks_graph::set::NodeSet;
 use closeranks_graph::verdict::{Interval, Verdict};
 use serde_json::{Value, json};
 
@@ -22,7 +22,7 @@ pub(super) fn robust(
 ) -> Answer {
     let question = json!({ "r": r, "s": s });
     let survives = faults.map_or(String::new(), |faults| format!("any {}: ", words::liars(faults)));
-    match Robustness::new(&named.graph, &Budget::UNLIMITED).decide(r, s, meter) {
+    match Robustness::new(&named.graph, &Effort::UNLIMITED).decide(r, s, meter) {
         Verdict::Robust(certificate) => {
             let proof = words::proof(certificate);
             let survives = if faults.is_some() { format!("survives {survives}") } else { survives };
@@ -143,7 +143,7 @@ enum Known {
 
 /// Bounds first: (2F+1)-robust is enough. Else every F-local set.
 fn local_witness(named: &Named, faults: usize, meter: &mut Meter<'_>) -> Known {
-    let mut robustness = Robustness::new(&named.graph, &Budget::UNLIMITED);
+    let mut robustness = Robustness::new(&named.graph, &Effort::UNLIMITED);
     if let Verdict::Robust(_) = robustness.decide(2 * faults + 1, 1, meter) {
         return Known::Yes("(2F+1)-robustness");
     }
@@ -156,7 +156,7 @@ fn local_witness(named: &Named, faults: usize, meter: &mut Meter<'_>) -> Known {
 
 /// The largest F for which it survives F-local liars.
 pub(super) fn local_largest(named: &Named, limit: &str, meter: &mut Meter<'_>) -> Answer {
-    let mut robustness = Robustness::new(&named.graph, &Budget::UNLIMITED);
+    let mut robustness = Robustness::new(&named.graph, &Effort::UNLIMITED);
     let (r_max, f_max) = (robustness.r_max(meter), robustness.f_max(meter));
     let mut known = Interval { least: (r_max.least - 1).div_euclid(2), most: f_max.most };
     let mut found = None;

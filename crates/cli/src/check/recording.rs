@@ -3,8 +3,8 @@
 use core::fmt::Write as _;
 
 use anyhow::{Context, Result, anyhow, bail};
-use closeranks_graph::budget::{Budget, Meter, Progress};
 use closeranks_graph::decide::Robustness;
+use closeranks_graph::effort::{Effort, Meter, Progress};
 use closeranks_graph::graph::Graph;
 use closeranks_graph::makers::random::geometric;
 use closeranks_graph::verdict::Interval;
@@ -119,7 +119,7 @@ fn rounds(recording: &Recording, setting: &Setting, every: usize, watch: &mut Wa
 fn largest(graph: &Graph, watch: &mut Watch) -> (Interval, Interval) {
     let mut look = |progress: &Progress| watch.look(progress);
     let mut meter = Meter::new(u64::MAX, &mut look);
-    let mut robustness = Robustness::new(graph, &Budget::UNLIMITED);
+    let mut robustness = Robustness::new(graph, &Effort::UNLIMITED);
     (robustness.r_max(&mut meter), robustness.f_max(&mut meter))
 }
 

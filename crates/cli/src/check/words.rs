@@ -3,7 +3,7 @@
 use closeranks_graph::definition::Witness;
 use closeranks_graph::formats::{Named, Note, Reading, ToldBy};
 use closeranks_graph::graph::Graph;
-use closeranks_graph::set::NodeSet;
+use closeranks_graph::graph::set::NodeSet;
 use closeranks_graph::verdict::Certificate;
 use serde_json::{Value, json};
 

@@ -22,7 +22,7 @@ pub(crate) fn start(scenario: &Scenario, summary: &Summary) -> String {
         start.degree_min,
         number(start.distance_min_m, 3)
     );
-    if !row.promises.contains(&Law::Degree) || row.counted == Counted::All {
+    if !keeps_degrees(scenario) {
         return format!("start: {place}; {} keeps no degrees", row.name);
     }
     if start.inside {
@@ -38,6 +38,19 @@ pub(crate) fn start(scenario: &Scenario, summary: &Summary) -> String {
         None => "degrees and distances do not hold at the end".to_owned(),
     };
     format!("start: OUTSIDE the safe set ({place}): no theorem covers this run; {came}; {safe}")
+}
+
+/// True if the controller promises to keep degrees.
+fn keeps_degrees(scenario: &Scenario) -> bool {
+    let row = scenario.controller.row();
+    row.promises.contains(&Law::Degree) && row.counted != Counted::All
+}
+
+/// Where to ask what is possible, if the start of `file` lies outside the safe set.
+pub(crate) fn advice(scenario: &Scenario, summary: &Summary, file: &str) -> Option<String> {
+    let is_outside = keeps_degrees(scenario) && !summary.start.inside;
+    is_outside
+        .then(|| format!("note: `closeranks advise {file}` says which starts, speeds and F are possible"))
 }
 
 /// A warning when more robots lie than the team is prepared for.

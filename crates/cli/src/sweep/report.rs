@@ -7,6 +7,7 @@ use closeranks_report::sweep::confidence::upper_95;
 use closeranks_report::sweep::tables::{controllers, values};
 use closeranks_report::sweep::tally::{Share, Tally, Violating, promises};
 use closeranks_report::table::{number, telling, text};
+use closeranks_sim::controllers::Controller;
 use closeranks_sim::law::Law;
 use serde_json::{Map, Value, json};
 
@@ -33,12 +34,19 @@ pub(crate) fn laws(tally: &Tally) -> Vec<&'static str> {
 }
 
 impl Outcome<'_> {
-    /// False if a promised law was violated under `budget`, or under any controller where there is no `budget`.
+    /// False if a promised law was violated under a controller that guarantees its promises, or, where there is none, under any.
     pub(crate) fn is_good(&self) -> bool {
         let shares = &self.tally.controllers;
+        let guarantees =
+            |name: &str| Controller::named(name).is_some_and(|controller| controller.row().guarantees);
         let judged: Vec<&Share> =
-            shares.get("budget").map_or_else(|| shares.values().collect(), |share| vec![share]);
-        judged.iter().all(|share| share.violating == 0)
+            shares.iter().filter(|(name, _)| guarantees(name)).map(|(_, share)| share).collect();
+        let all_good = |mut shares: core::slice::Iter<'_, &Share>| shares.all(|share| share.violating == 0);
+        if judged.is_empty() {
+            shares.values().all(|share| share.violating == 0)
+        } else {
+            all_good(judged.iter())
+        }
     }
 
     /// How many runs of what.

@@ -8,12 +8,11 @@ use crate::equations::link::LinkShape;
 use crate::need::Need;
 use crate::num::Vector;
 use crate::robot::report::Mode;
-use crate::robot::scratch::Scratch;
+use crate::robot::scratch::{Needs, Scratch};
 use crate::settings::{Controller, Settings};
 
 /// A controller of any kind, with its parameters.
 #[derive(Clone, Copy, Debug, PartialEq)]
-#[expect(clippy::large_enum_variant, reason = "there is one a robot, and it is copied once")]
 pub enum AnyController<const D: usize> {
     /// The paper's controller.
     Composed(ComposedController<D>),
@@ -59,6 +58,12 @@ impl<const D: usize> AnyController<D> {
     #[must_use]
     pub fn promises(&self) -> bool {
         dispatch!(self, controller => controller.promises())
+    }
+
+    /// How much scratch a robot needs ([`Control::needs`]).
+    #[must_use]
+    pub fn needs(&self, neighbors: usize) -> Needs {
+        dispatch!(self, controller => controller.needs(neighbors))
     }
 
     /// True if a whole team can be computed at once ([`Control::can_be_computed_at_once`]).

@@ -60,10 +60,10 @@ impl<const D: usize> ComposedController<D> {
 
     /// Row and φ_i from all neighbours, with free exponents. This is for robots whose plain sums overflow or vanish.
     #[cold]
-    fn careful<Known>(
+    fn careful<'a>(
         &self,
         own: &Own,
-        neighbors: impl Iterator<Item = Neighbor<D, Known, Option<f64>>> + Clone,
+        neighbors: impl Iterator<Item = Neighbor<'a, D, Pair, Option<f64>>> + Clone,
     ) -> Composition<D> {
         let terms = neighbors.filter_map(|neighbor| {
             let distance_m2 = dot(&neighbor.offset_m, &neighbor.offset_m);
@@ -147,11 +147,11 @@ impl<const D: usize> Control<D> for ComposedController<D> {
 
     //= paper seq:qp
     #[inline]
-    fn decide(
+    fn decide<'a>(
         &self,
         own: &Own,
         sums: &Sums<D>,
-        neighbors: impl Iterator<Item = Neighbor<D, Pair, Option<f64>>> + Clone,
+        neighbors: impl Iterator<Item = Neighbor<'a, D, Pair, Option<f64>>> + Clone,
         motion: &Motion<D>,
         _scratch: &mut Scratch<'_, D>,
     ) -> Decision<D> {

@@ -23,7 +23,7 @@ use crate::num::{Vector, subtract};
 use crate::program::Outcome;
 use crate::robot::neighbor::{RobotId, Slot};
 use crate::robot::report::{Mode, Reason};
-use crate::robot::scratch::Scratch;
+use crate::robot::scratch::{Needs, Scratch};
 use crate::time::Instant;
 
 /// A robot itself, as its neighbours do not know it.
@@ -41,13 +41,13 @@ pub struct Own {
 
 /// A neighbour as a controller needs it.
 #[derive(Clone, Copy, Debug)]
-pub struct Neighbor<const D: usize, Pair, Known> {
+pub struct Neighbor<'a, const D: usize, Pair, Known> {
     /// Its number.
     pub id: RobotId,
     /// x_i − x_j, m.
     pub offset_m: Vector<D>,
     /// What both ends share; `None` where the pair bounds the move of neither.
-    pub pair: Option<Pair>,
+    pub pair: Option<&'a Pair>,
     /// What the robot knows of it.
     pub known: Known,
 }
@@ -123,9 +123,17 @@ pub struct Glimpse<'a, Told> {
     pub unseen_near: usize,
     /// Distance of i and j, m.
     pub distance_m: f64,
-    /// The sum of the weights of j with i and with whomever i sees, in order of numbers. To compute it costs a walk over the
-    /// neighbours.
-    pub low: &'a dyn Fn() -> f64,
+    /// The sum of the weights of j with i and with whomever i sees, in order of numbers.
+    pub low: Low<'a>,
+}
+
+/// A sum that is there, or that costs a walk over neighbours.
+#[derive(Clone, Copy)]
+pub enum Low<'a> {
+    /// It is there.
+    Known(f64),
+    /// It is added up when it is asked for.
+    Asked(&'a dyn Fn() -> f64),
 }
 
 /// What a controller decided.
@@ -163,7 +171,7 @@ pub struct Standing {
 /// A controller of one robot.
 pub trait Control<const D: usize> {
     /// What both ends of a link share. Two robots of which [`pair`](Self::pair) makes nothing do not bound each other.
-    type Pair: Copy + core::fmt::Debug;
+    type Pair: Copy + core::fmt::Debug + 'static;
     /// What others make of a level that a robot told.
     type Told: Copy + core::fmt::Debug;
     /// What a robot adds up over its neighbours.
@@ -189,6 +197,11 @@ pub trait Control<const D: usize> {
     /// True if the controller promises something that rests on what the robot can watch: its moves, its clock.
     fn promises(&self) -> bool {
         false
+    }
+
+    /// How much scratch a robot needs for up to so many neighbours: at least a number for the value of each.
+    fn needs(&self, neighbors: usize) -> Needs {
+        Needs { values: neighbors, sightings: 0, rows: 0 }
     }
 
     /// True if a whole team can be computed at once where nothing goes wrong: decisions rest on levels and links alone.
@@ -245,11 +258,11 @@ pub trait Control<const D: usize> {
 
     /// The velocity closest to `desired` (m/s) that the controller allows. `neighbors` come in order of their numbers;
     /// `before_m_s` is the velocity of the tick before.
-    fn decide(
+    fn decide<'a>(
         &self,
         own: &Own,
         sums: &Self::Sums,
-        neighbors: impl Iterator<Item = Neighbor<D, Self::Pair, Self::Known>> + Clone,
+        neighbors: impl Iterator<Item = Neighbor<'a, D, Self::Pair, Self::Known>> + Clone,
         motion: &Motion<D>,
         scratch: &mut Scratch<'_, D>,
     ) -> Decision<D>;

@@ -56,11 +56,11 @@ impl<const D: usize> Control<D> for Unfiltered<D> {
 
     fn know(&self, _glimpse: &Glimpse<'_, ()>) {}
 
-    fn decide(
+    fn decide<'a>(
         &self,
         _own: &Own,
         (): &(),
-        _neighbors: impl Iterator<Item = Neighbor<D, (), ()>> + Clone,
+        _neighbors: impl Iterator<Item = Neighbor<'a, D, (), ()>> + Clone,
         motion: &Motion<D>,
         _scratch: &mut Scratch<'_, D>,
     ) -> Decision<D> {

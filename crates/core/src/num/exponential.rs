@@ -12,7 +12,7 @@ pub fn exp(x: f64) -> f64 {
     Number::exp(x)
 }
 
-/// `eˣ` of several numbers at once: the bits of [`exp`], with fewer instructions where all are ordinary.
+/// `eˣ` of several numbers at once, with the bits of [`exp`], and with fewer instructions where all are ordinary.
 #[inline]
 #[must_use]
 pub(crate) fn exps<const L: usize>(x: [f64; L]) -> [f64; L] {
@@ -43,7 +43,7 @@ pub fn exp_scaled(x: f64) -> Scaled {
     Scaled { mantissa: root + root * tail, exponent }
 }
 
-/// `eˣ` for |x| up to [`ORDINARY`]: the bits of [`exp_scaled`], with the exponent added to that of the root.
+/// `eˣ` for |x| up to [`ORDINARY`], with the bits of [`exp_scaled`]: the exponent is added to that of the root.
 #[inline]
 pub(crate) fn exp_ordinary(x: f64) -> f64 {
     let (steps, tail) = split(x);

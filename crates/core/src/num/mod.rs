@@ -37,8 +37,8 @@ pub fn larger(x: f64, least: f64) -> f64 {
     if x > least { x } else { least }
 }
 
-/// `x` in `[least, most]`, a border where it is outside; `least` if `x` is NaN. Of 0 and −0 it is always the same
-/// one that comes out, which [`f64::max`] leaves open.
+/// `x` cut to `[least, most]`; `least` if `x` is NaN. Which of 0 and −0 comes out is always the same, which [`f64::max`] leaves
+/// open.
 #[inline]
 #[must_use]
 pub fn cut(x: f64, least: f64, most: f64) -> f64 {

@@ -10,7 +10,7 @@ use crate::num::exponential::{ORDINARY, exp_ordinary, exp_scaled};
 pub struct Scaled {
     /// Finite; 0 means the number is 0.
     pub mantissa: f64,
-    /// Binary exponent; saturating.
+    /// The binary exponent, which saturates.
     pub exponent: i32,
 }
 
@@ -23,10 +23,10 @@ pub trait Number: Copy {
     /// `eˣ`.
     #[must_use]
     fn exp(x: f64) -> Self;
-    /// As `f64`; 0 or infinity where that is out of range.
+    /// The number as `f64`; 0 or infinity where that is out of range.
     #[must_use]
     fn to_f64(self) -> f64;
-    /// From mantissa and exponent; `f64` flushes to 0 or overflows to infinity.
+    /// The number with this mantissa and exponent. As `f64` it becomes 0 or infinity where that is out of range.
     #[must_use]
     fn from_scaled(number: Scaled) -> Self;
     /// Sum.
@@ -54,7 +54,7 @@ impl Scaled {
     /// 0.
     pub const ZERO: Self = Self { mantissa: 0.0, exponent: 0 };
 
-    /// From a finite `f64`, with the mantissa in [1, 2) up to sign. Subnormal numbers count as 0.
+    /// The number of a finite `f64`, with the mantissa in [1, 2) up to sign. Subnormal numbers count as 0.
     #[must_use]
     pub fn new(value: f64) -> Self {
         let biased = i32::try_from((value.to_bits() >> 52) & 0x7ff).unwrap_or(0);
@@ -73,7 +73,7 @@ impl Scaled {
         Self { mantissa: inner.mantissa, exponent: self.exponent.saturating_add(inner.exponent) }
     }
 
-    /// As `f64`: 0 below 2⁻¹⁰²¹, ±infinity above the largest.
+    /// The number as `f64`: 0 below 2⁻¹⁰²¹, ±infinity above the largest.
     #[inline]
     #[must_use]
     pub fn value(self) -> f64 {
@@ -95,7 +95,7 @@ impl Scaled {
         }
     }
 
-    /// Sum, aligned to the larger exponent; what lies 2¹⁰²¹ below it is lost.
+    /// The sum, aligned to the larger exponent. What lies 2¹⁰²¹ below it is lost.
     #[must_use]
     pub fn plus(self, other: Self) -> Self {
         if self.mantissa == 0.0 {

@@ -32,14 +32,37 @@ impl<const D: usize, S: AsRef<[Slot<D>]> + AsMut<[Slot<D>]>> Slots<D> for S {}
 /// 1. [`sense`](Self::sense): the time and the robot's own position;
 /// 2. [`observe`](Self::observe): the position of every robot it senses (trusted);
 /// 3. [`share`](Self::share): what is to be told now, if anything is due;
-/// 4. [`receive`](Self::receive): messages of neighbours (not trusted);
+/// 4. [`receive`](Self::receive): messages of neighbours (not trusted), with the number of who sent them;
 /// 5. [`tick`](Self::tick): desired velocity in, safe velocity out.
 ///
-/// A level shared before the others' `receive` is used in the same tick (eq:continuous_a); one that comes later is
-/// held until the next (eq:connectivity). `now` must never fall. A robot that is not observed in a tick is not a
-/// neighbour and what it told is forgotten. Any order of calls with any numbers is safe: no panic, and every velocity
-/// is finite and in its box. The answer does not depend on the order of `observe` or `receive`, unless
-/// there are more neighbours than slots: then the first observed are kept.
+/// A level shared before the others' `receive` is used in the same tick (eq:continuous_a). One that comes later is held until
+/// the next (eq:connectivity). A robot that is not observed in a tick is not a neighbour, and what it told is forgotten.
+///
+/// *Time.* `now` is the robot's own clock, which must never fall. Nothing is read between two calls of `tick`, so the velocity of
+/// the first is held until the second: for `hold_max` at most, as [`Clock`](crate::settings::Clock) says.
+///
+/// *Frame.* All positions given to one robot are in m and in one frame that stands still in the world. Velocities are along the axes
+/// of that frame. The robot uses differences of positions within a tick, and how far it went itself since the last one. Nothing
+/// that it tells has a direction, so every robot may have a frame of its own, with another origin and other axes. If a frame drifts,
+/// as odometry does, the drift is an error of the own position and belongs in [`Errors`](crate::settings::Errors).
+///
+/// *Misuse.* Any order of calls with any numbers is safe: there is no panic, and every velocity is finite and in its box. What
+/// can be noticed is said:
+///
+/// | what was done | what is said |
+/// | --- | --- |
+/// | a number that is not one of 1 to n, or the own number, is observed | [`ObserveError::UnknownId`], [`ObserveError::OwnId`] |
+/// | a robot is made with such a number | [`RobotError::Id`] |
+/// | a message comes from such a number, or from one that was not observed | [`ReceiveError::NotNeighbor`] |
+/// | more neighbours are observed than there are slots | [`ObserveError::Full`]; those observed first are kept |
+/// | a position or a time is not usable | [`SenseError`], [`ObserveError::NotFinite`], then [`Mode::Stopped`] |
+/// | `tick` without `sense` | [`Reason::NotSensed`]; the robot stands still |
+/// | `tick` without `share` when something was due | [`Reason::NotShared`] |
+/// | `tick` later than `hold_max` after the last one | [`Reason::Late`], under `budget` |
+/// | scratch that is too short | [`RobotError::Scratch`], [`Reason::Scratch`]; the robot stands still |
+///
+/// Numbers from 1 to n without the own one are n − 1, so there can be no more neighbours. The answer does not depend on the order
+/// of `observe` or `receive`, unless there are more neighbours than slots.
 #[derive(Debug)]
 pub struct Robot<const D: usize, S> {
     pub(crate) params: Params<D>,
@@ -140,13 +163,13 @@ impl<const D: usize, S: Slots<D>> Robot<D, S> {
 
     /// Takes the sensed position of another robot, m.
     pub fn observe(&mut self, id: RobotId, position: Vector<D>) -> Result<Observed, ObserveError> {
-        let own = self.position.ok_or(ObserveError::NoPosition)?;
         if id == self.id {
             return Err(ObserveError::OwnId);
         }
         if !(1..=self.params.settings().team.robots).contains(&id.0) {
             return Err(ObserveError::UnknownId);
         }
+        let own = self.position.ok_or(ObserveError::NoPosition)?;
         if !is_finite(&position) {
             return Err(ObserveError::NotFinite);
         }
@@ -239,7 +262,7 @@ impl<const D: usize, S: Slots<D>> Robot<D, S> {
             return self
                 .stand(if unknown { Mode::Stopped } else { Mode::Degraded(Reason::NotSensed) }, round);
         };
-        let known = is_finite(&desired);
+        let (known, unshared) = (is_finite(&desired), self.now >= self.poll_at());
         let desired = if known { desired } else { [0.0; D] };
         let decision = self.params.controller().alone(&self.view(), &desired, scratch);
         self.before = decision.velocity_m_s;
@@ -247,6 +270,8 @@ impl<const D: usize, S: Slots<D>> Robot<D, S> {
         let mut report = self.report(Some(&decision), round);
         if !known {
             report.mode = Mode::Hold;
+        } else if unshared {
+            report.mode = Mode::Degraded(Reason::NotShared);
         }
         self.assurance.moved(self.now, position, decision.velocity_m_s);
         Output { velocity_m_s: decision.velocity_m_s, report }

@@ -94,6 +94,9 @@ pub enum Reason {
     Unfiltered,
     /// `tick` was called again without `sense`: the robot stands still, because it does not know where it is by now.
     NotSensed,
+    /// Something was due to be told in this tick and `share` was not called. The level in this report, and whatever others know
+    /// of it, is old, and no consensus round can begin.
+    NotShared,
     /// The scratch handed to the call is too short for the robot; it stands still.
     Scratch,
     /// thm:cbf-qp needs continuous time and a constant bias; a robot that ticks cannot have the first.

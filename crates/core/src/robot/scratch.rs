@@ -1,10 +1,8 @@
 //! Memory that a robot needs during a call and not between calls: one piece for any number of robots that take turns.
 
 use crate::controller::budget::knowledge::Sighting;
-use crate::controller::budget::settings::Budget;
 use crate::program::balls::row::Row;
 use crate::robot::error::RobotError;
-use crate::settings::Controller;
 use crate::settings::params::Params;
 
 /// Scratch for the calls of a robot. It is enough for robots with the parameters and the number of slots that it was made
@@ -36,22 +34,8 @@ impl Needs {
     /// What a robot with these `params` needs for up to `neighbors` neighbours.
     #[must_use]
     pub fn new<const D: usize>(params: &Params<D>, neighbors: usize) -> Self {
-        match &params.settings().controller {
-            Controller::Composed(_) | Controller::None => Self { values: neighbors, sightings: 0, rows: 0 },
-            Controller::Budget(budget) => Self {
-                values: Budget::survey_len(budget.assume, neighbors),
-                sightings: neighbors,
-                rows: rows(D, params.settings().error_bounds().offset_m > 0.0, neighbors),
-            },
-        }
+        params.controller().needs(neighbors)
     }
-}
-
-/// How many rows there can be: two for each axis, two for each neighbour, and one of the robot's own. With stated errors
-/// each row but those of the axes is there once for every corner of a cube.
-fn rows(dimension: usize, blurred: bool, neighbors: usize) -> usize {
-    let corners = if blurred { 1 << dimension.min(8) } else { 1 };
-    neighbors.saturating_mul(2).saturating_add(1).saturating_mul(corners).saturating_add(2 * dimension)
 }
 
 impl<'memory, const D: usize> Scratch<'memory, D> {

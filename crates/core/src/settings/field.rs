@@ -83,7 +83,6 @@ pub type Limit = fn(&Parts<'_>) -> Allowed;
 const POSITIVE: Allowed = Allowed::LeftOpen(0.0, MAGNITUDE_MAX);
 const NOT_NEGATIVE: Allowed = Allowed::Closed(0.0, MAGNITUDE_MAX);
 const FRACTION: Allowed = Allowed::LeftOpen(0.0, 1.0);
-#[expect(clippy::cast_lossless, reason = "`f64::from` is not const")]
 const TEAM_MAX: f64 = ROBOTS_MAX as f64;
 /// A time between two events, s.
 const SECONDS: Allowed = Allowed::Closed(1e-6, 3_600.0);

@@ -197,6 +197,8 @@ impl<const D: usize> Settings<D> {
 
 #[cfg(test)]
 mod tests {
+    extern crate std;
+
     use core::time::Duration;
 
     use super::*;
@@ -261,7 +263,6 @@ mod tests {
         let mut settings = Settings::<2>::default();
         settings.team.faults = 6;
         let error = Params::new(settings).unwrap_err();
-        extern crate std;
         assert_eq!(std::format!("{error}"), "team.faults is 6, allowed is 0 to 5 (2F + 1 <= n)");
     }
 

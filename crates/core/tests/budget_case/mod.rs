@@ -97,8 +97,8 @@ impl<const D: usize> Case<D> {
         self.input.contains(v) && self.rows.iter().all(|row| row.holds(v))
     }
 
-    /// A length that no admissible point is closer to the desired one by, from duality: for any multipliers λ ≥ 0,
-    /// `min_v |v − p|² + Σ λ_j (n_j·v + c_j|v|² − b_j)` is below the squared distance of every admissible v.
+    /// No admissible point is closer to the desired one than v by more than this. It follows from duality: for any
+    /// multipliers λ ≥ 0, `min_v |v − p|² + Σ λ_j (n_j·v + c_j|v|² − b_j)` is below the squared distance of every admissible v.
     pub(crate) fn gap(&self, v: &Vector<D>) -> f64 {
         let distance = length(&subtract(v, &self.desired));
         let mut tight: Vec<Row<D>> = self.with_sides();
@@ -123,7 +123,7 @@ impl<const D: usize> Case<D> {
         self.rows.iter().copied().chain(low).chain(high).collect()
     }
 
-    /// The distance below which duality with these rows lets no admissible point be.
+    /// A distance, from duality with these rows: no admissible point is closer to the desired one.
     fn bound(&self, v: &Vector<D>, rows: &[Row<D>]) -> f64 {
         let pull = subtract(&self.desired, v);
         let gradients: Vec<Vector<D>> =

@@ -54,7 +54,7 @@ fn interval<const D: usize>(
     let mut others: Vec<(RobotId, Vector<D>)> =
         sightings.iter().map(|other| (other.id, subtract(&other.position_m, &position_m))).collect();
     others[index] = (own, offset_m);
-    // the sum is in order of numbers, the robot itself among the others
+    // The sum is in order of numbers, with the robot itself among the others.
     others.sort_by_key(|(other, _)| other.0);
     let weights: Vec<f64> =
         others.iter().map(|(other, offset)| counted(budget, id, *other, offset)).collect();
@@ -84,7 +84,7 @@ fn counted<const D: usize>(budget: &Budget, robot: RobotId, other: RobotId, offs
     if distance_m <= radius_m + error_m { weight(budget, distance_m + error_m).max(0.0) } else { -1.0 }
 }
 
-/// −1 without a link.
+/// The weight of a link; −1 without one.
 fn weight(budget: &Budget, distance_m: f64) -> f64 {
     budget.curvature.link().link_at::<f64>(distance_m * distance_m).map_or(-1.0, |link| link.weight)
 }

@@ -34,7 +34,7 @@ pub(crate) fn crate_rows<const D: usize>(
     sightings: &[Sighting<D>],
     reach: Reach<D>,
 ) -> Vec<Row<D>> {
-    // every other time with so little memory that trimmed sums compute each weight twice: the answer must be the same
+    // Every other time there is so little memory that trimmed sums compute each weight twice. The answer must be the same.
     let scratch = if sightings.len().is_multiple_of(2) { 144 } else { 3 * sightings.len() };
     let memory = Memory { rows: &mut [Row::default(); ROWS_MAX], weights: &mut vec![0.0; scratch] };
     budget.rows(own, sightings, &[0.0; D], reach, memory).program.rows().to_vec()
@@ -126,7 +126,7 @@ impl<const D: usize> Team<D> {
         self.honest().map(|k| self.h(&self.positions, k)).fold(f64::INFINITY, f64::min)
     }
 
-    /// eq:adjacency, literally.
+    /// a_ij of eq:adjacency, written as it is printed.
     fn weight(&self, x: &[Vector<D>], i: usize, j: usize) -> f64 {
         let LinkShape { radius_m, q1, q2 } = *self.budget.curvature.link();
         let offset = subtract(&x[i], &x[j]);
@@ -134,7 +134,7 @@ impl<const D: usize> Team<D> {
         if slack < 0.0 { 0.0 } else { q1 / (1.0 + libm::exp(-q2 * slack * slack)) - q1 / 2.0 }
     }
 
-    /// h_k at `x`: of the level, or of the trimmed one.
+    /// h_k at the positions `x`, from the level or, with free liars, from the trimmed one.
     pub(crate) fn h(&self, x: &[Vector<D>], k: usize) -> f64 {
         let mut weights: Vec<f64> =
             (0..self.count()).filter(|&j| j != k).map(|j| self.weight(x, k, j)).collect();

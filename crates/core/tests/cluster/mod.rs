@@ -55,14 +55,14 @@ impl<const D: usize> Cluster<D> {
         self.positions.len()
     }
 
-    /// eq:adjacency
+    /// a_ij of eq:adjacency.
     fn weight(&self, i: usize, j: usize) -> f64 {
         let LinkShape { radius_m, q1, q2 } = self.shape;
         let slack = radius_m * radius_m - square(&self.positions[i], &self.positions[j]);
         if slack < 0.0 { 0.0 } else { q1 / (1.0 + libm::exp(-q2 * slack * slack)) - q1 / 2.0 }
     }
 
-    /// `N_i`
+    /// The neighbours N_i.
     pub(crate) fn neighbors(&self, i: usize) -> impl Iterator<Item = usize> + Clone {
         let in_range = move |j: usize| {
             let radius = self.shape.radius_m;
@@ -71,23 +71,23 @@ impl<const D: usize> Cluster<D> {
         (0..self.count()).filter(move |&j| j != i && in_range(j))
     }
 
-    /// eq:continuous_a, of every robot: the honest claims
+    /// c_i of every robot (eq:continuous_a), which honest robots claim.
     pub(crate) fn levels(&self) -> Vec<f64> {
         (0..self.count()).map(|i| self.neighbors(i).map(|j| self.weight(i, j)).sum()).collect()
     }
 
-    /// `Ê_k` of eq:phi_i
+    /// Ê_k of eq:phi_i.
     pub(crate) fn told_term(&self, k: usize) -> f64 {
         libm::exp(-self.composed.w_r * (self.claims[k] - f64::from(self.composed.required)))
     }
 
-    /// `E^c_ij` of eq:composition
+    /// E^c_ij of eq:composition.
     pub(crate) fn collision_term(&self, i: usize, j: usize) -> f64 {
         let barrier = square(&self.positions[i], &self.positions[j]) - self.composed.distance_min_m.powi(2);
         libm::exp(-self.composed.w_c * barrier)
     }
 
-    /// eq:composition, with the claims in place of the levels
+    /// φ of eq:composition, with the claims in place of the levels.
     pub(crate) fn phi(&self) -> f64 {
         let degrees: f64 = (0..self.count()).map(|k| self.told_term(k)).sum();
         let pairs =
@@ -96,7 +96,7 @@ impl<const D: usize> Cluster<D> {
         1.0 - degrees - collisions
     }
 
-    /// What robot i knows of j, by the crate.
+    /// What robot i knows of j, in the types of the crate.
     pub(crate) fn term(&self, i: usize, j: usize) -> Term<D> {
         let offset_m = subtract(&self.positions[i], &self.positions[j]);
         let link = self.shape.link(&offset_m).unwrap_or(Link { weight: 0.0, slope: Scaled::ZERO });
@@ -104,7 +104,7 @@ impl<const D: usize> Cluster<D> {
         Term { offset_m, link, collision, told: self.composed.degree_term(self.claims[j]) }
     }
 
-    /// What the crate makes of it.
+    /// φ_i and the row of robot i, as the crate computes them.
     pub(crate) fn composition(&self, i: usize) -> Composition<D> {
         let terms = self.neighbors(i).map(|j| self.term(i, j));
         self.composed.compose(self.composed.degree_term(self.claims[i]), terms)

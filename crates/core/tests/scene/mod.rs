@@ -26,9 +26,9 @@ pub(crate) struct Scene<const D: usize> {
 }
 
 impl<const D: usize> Scene<D> {
-    /// Up to eleven robots around it, most in range, some claims false, values whole so that ties are frequent.
+    /// Up to ten robots around it, most in range, some claims false, values whole so that ties are frequent.
     pub(crate) fn random(random: &mut Seeded) -> Self {
-        let count = u16::try_from(3 + random.below(9)).unwrap_or(0);
+        let count = u16::try_from(3 + random.below(8)).unwrap_or(0);
         let mut place = |reach: f64| core::array::from_fn(|_| random.between(-reach, reach));
         let (own, desired) = (place(0.5), place(2.0));
         let places: Vec<Vector<D>> = (0..count).map(|_| place(2.2)).collect();
@@ -37,7 +37,7 @@ impl<const D: usize> Scene<D> {
                 let value = f64::from(u32::try_from(random.below(6)).unwrap_or(0));
                 let level = [random.between(6.8, 9.0), random.between(-3.0, 20.0)][usize::from(k == 0)];
                 (
-                    RobotId(if k < ME.0 { k } else { k + 1 }),
+                    RobotId(if k + 1 < ME.0 { k + 1 } else { k + 2 }),
                     places[usize::from(k)],
                     message(1, level, Some(value)),
                 )

@@ -8,7 +8,7 @@ use super::error::{FormatError, Problem};
 use super::note::Note;
 use super::{NAME_LIMIT, Named};
 use crate::graph::Graph;
-use crate::set::NODE_LIMIT;
+use crate::graph::set::NODE_LIMIT;
 
 /// What a reader has made of a text.
 pub(super) struct Draft {

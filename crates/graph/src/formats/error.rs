@@ -6,7 +6,7 @@ use core::fmt;
 
 use super::table::Format;
 use super::{NAME_LIMIT, TEXT_LIMIT};
-use crate::set::NODE_LIMIT;
+use crate::graph::set::NODE_LIMIT;
 
 /// What is wrong with a text and where.
 #[derive(Clone, Debug, PartialEq, Eq)]

@@ -2,7 +2,7 @@
 
 use super::{MakerError, require};
 use crate::graph::Graph;
-use crate::set::NODE_LIMIT;
+use crate::graph::set::NODE_LIMIT;
 
 /// All nodes joined: r_max = ceil(n/2), F_max = ceil(n/2) − 1.
 pub fn complete(node_count: usize) -> Result<Graph, MakerError> {

@@ -5,7 +5,7 @@ use alloc::vec::Vec;
 use super::generator::Generator;
 use super::{MakerError, fixed, require};
 use crate::graph::Graph;
-use crate::set::NodeSet;
+use crate::graph::set::NodeSet;
 
 /// Every edge is there with `probability`, `0.0 ..= 1.0`, independently of the others.
 pub fn erdos_renyi(

@@ -3,9 +3,9 @@
 use super::Orbits;
 use super::peel::Needs;
 use super::side::Side;
-use crate::budget::{Meter, Stopped};
+use crate::effort::{Meter, Stopped};
 use crate::graph::Graph;
-use crate::word::Word;
+use crate::graph::word::Word;
 
 /// Two disjoint sets.
 type Pair<W> = (W, W);
@@ -22,7 +22,7 @@ pub(super) struct Search<'m, 'a, W> {
 #[derive(Clone, Copy)]
 struct Room<W> {
     /// Exempt members that both sets may have together.
-    budget: i32,
+    effort: i32,
     /// Exempt members that the set itself may have.
     own: i32,
     /// Exempt members that the other set needs at least.
@@ -38,24 +38,24 @@ impl<'m, 'a, W: Word> Search<'m, 'a, W> {
         Self { needs: Needs::new(graph, r), meter, graph, orbits }
     }
 
-    /// Two disjoint sets, each with a content member, with at most `budget` exempt members together.
+    /// Two disjoint sets, each with a content member, with at most `effort` exempt members together.
     ///
-    /// S₁ is sought with no more exempt members than S₂, so with budget/2 or fewer; and if none may be exempt, with no more
+    /// S₁ is sought with no more exempt members than S₂, so with effort/2 or fewer; and if none may be exempt, with no more
     /// members, so with n/2 or fewer.
-    pub(super) fn pair(&mut self, budget: i32) -> Result<Option<Pair<W>>, Stopped> {
-        self.roots(Room { budget, own: budget / 2, other: 0, field: self.needs.all, pair: true })
+    pub(super) fn pair(&mut self, effort: i32) -> Result<Option<Pair<W>>, Stopped> {
+        self.roots(Room { effort, own: effort / 2, other: 0, field: self.needs.all, pair: true })
     }
 
-    /// A set within `field` with a content member and at most `budget` exempt ones.
-    fn single(&mut self, field: W, budget: i32) -> Result<Option<W>, Stopped> {
+    /// A set within `field` with a content member and at most `effort` exempt ones.
+    fn single(&mut self, field: W, effort: i32) -> Result<Option<W>, Stopped> {
         let core = self.needs.core(field);
         if !core.is_none() {
             return Ok(Some(core));
         }
-        if budget <= 0 {
+        if effort <= 0 {
             return Ok(None);
         }
-        let found = self.roots(Room { budget, own: budget, other: 0, field, pair: false })?;
+        let found = self.roots(Room { effort, own: effort, other: 0, field, pair: false })?;
         Ok(found.map(|(first, _)| first))
     }
 
@@ -95,12 +95,12 @@ impl<'m, 'a, W: Word> Search<'m, 'a, W> {
     fn extend(&mut self, side: Side<W>, mut room: Room<W>) -> Result<Option<Pair<W>>, Stopped> {
         self.meter.spend(1)?;
         let mut size = self.size(side, &mut room);
-        let Some(mut side) = side.conclude(&self.needs, room.own.min(room.budget - room.other), size) else {
+        let Some(mut side) = side.conclude(&self.needs, room.own.min(room.effort - room.other), size) else {
             return Ok(None);
         };
         if room.pair {
             size = self.size(side, &mut room);
-            match side.conclude(&self.needs, room.own.min(room.budget - room.other), size) {
+            match side.conclude(&self.needs, room.own.min(room.effort - room.other), size) {
                 Some(better) => side = better,
                 None => return Ok(None),
             }
@@ -108,7 +108,7 @@ impl<'m, 'a, W: Word> Search<'m, 'a, W> {
         let exempt = side.exempt();
         let done = self.needs.peel(side.members, side.members & side.able, exempt, 0);
         if !done.is_none() {
-            return self.finish(done | exempt, room.budget - exempt.count(), room);
+            return self.finish(done | exempt, room.effort - exempt.count(), room);
         }
         self.branch(side, room)
     }
@@ -119,7 +119,7 @@ impl<'m, 'a, W: Word> Search<'m, 'a, W> {
             return room.field.count();
         }
         let rest = room.field.without(side.members);
-        let most = room.budget - side.exempt().count();
+        let most = room.effort - side.exempt().count();
         let mut second = self.needs.peel(rest, rest, W::NONE, room.other);
         while second.is_none() && room.other <= most {
             room.other += 1;
@@ -131,15 +131,15 @@ impl<'m, 'a, W: Word> Search<'m, 'a, W> {
         let field = room.field.count();
         let other_size = self.needs.least_need(second).max(0) + 1;
         let rest = field - other_size;
-        if room.budget == 0 { rest.min(field / 2).min(second.count()) } else { rest }
+        if room.effort == 0 { rest.min(field / 2).min(second.count()) } else { rest }
     }
 
     /// The first set is found: any set around it has no fewer exempt members and leaves less to the other.
-    fn finish(&mut self, first: W, budget: i32, room: Room<W>) -> Result<Option<Pair<W>>, Stopped> {
+    fn finish(&mut self, first: W, effort: i32, room: Room<W>) -> Result<Option<Pair<W>>, Stopped> {
         if !room.pair {
             return Ok(Some((first, W::NONE)));
         }
-        let second = self.single(room.field.without(first), budget)?;
+        let second = self.single(room.field.without(first), effort)?;
         Ok(second.map(|second| (first, second)))
     }
 

@@ -7,28 +7,29 @@
 //! removes choices that no pair of sets makes, so an exhausted tree is a proof (docs/theory, `sec:cohesive`, `sec:bounds`,
 //! `sec:search`). Beyond the usual branch and bound there are:
 //!
-//! * **Half the budget**: S₁ has at most (s − 1)/2 exempt members, S₂ then what is left. With s = 1 it has at most n/2
+//! * **Half the effort**: S₁ has at most (s − 1)/2 exempt members, S₂ then what is left. With s = 1 it has at most n/2
 //!   members instead.
 //! * **Size**: S₁ has at most n − |S₂| members, so a node that would be content only in a larger set is
 //!   exempt, and a content node without room for a miss takes all further members from its neighbours.
-//! * **One budget**: the least number of exempt members that the other set needs in what is left to it is not there
+//! * **One effort**: the least number of exempt members that the other set needs in what is left to it is not there
 //!   for this one, and the other way round.
 //! * **Symmetry**: if no pair of sets has a node content in S₁, none has its image under an automorphism there.
 //! * **Late exemption**: a member is branched on as content or exempt only when nothing else is open.
 
 mod grow;
+pub(crate) mod ledger;
 pub(crate) mod peel;
 mod side;
+pub mod symmetry;
 
 use alloc::vec::Vec;
 use core::cell::OnceCell;
 
-use crate::budget::{Meter, Stopped};
 use crate::definition::Witness;
+use crate::effort::{Meter, Stopped};
 use crate::graph::Graph;
-use crate::set::NodeSet;
-use crate::symmetry;
-use crate::word::Word;
+use crate::graph::set::NodeSet;
+use crate::graph::word::Word;
 use grow::Search;
 
 /// A witness that `graph` is not (r,s)-robust, or `None` if it is, by exhaustive search and by nothing else.
@@ -104,8 +105,8 @@ mod tests {
     use core::ops::ControlFlow;
 
     use super::*;
-    use crate::budget::Progress;
     use crate::definition;
+    use crate::effort::Progress;
     use crate::makers::{fixed, random};
 
     fn agree(graph: &Graph) {

@@ -4,7 +4,7 @@ use alloc::vec::Vec;
 
 use super::count;
 use crate::graph::Graph;
-use crate::word::Word;
+use crate::graph::word::Word;
 
 /// The rows of a graph and what a content member needs at a given r.
 pub(crate) struct Needs<W> {

@@ -1,7 +1,7 @@
 //! What is known of one of the two sets, and what follows from it.
 
 use super::peel::Needs;
-use crate::word::Word;
+use crate::graph::word::Word;
 
 /// What is known of a set S with `content ⊆ members ⊆ S ⊆ allowed`.
 #[derive(Clone, Copy)]
@@ -22,12 +22,12 @@ impl<W: Word> Side<W> {
         self.members.without(self.able)
     }
 
-    /// Draws every conclusion, for at most `budget` exempt members and at most `size` members in all.
+    /// Draws every conclusion, for at most `effort` exempt members and at most `size` members in all.
     /// `None` if no such S is left.
-    pub(super) fn conclude(mut self, needs: &Needs<W>, budget: i32, size: i32) -> Option<Self> {
+    pub(super) fn conclude(mut self, needs: &Needs<W>, effort: i32, size: i32) -> Option<Self> {
         loop {
             let before = self;
-            let spare = budget - self.exempt().count();
+            let spare = effort - self.exempt().count();
             if spare < 0 {
                 return None;
             }

@@ -6,24 +6,24 @@ use core::ops::ControlFlow;
 
 use closeranks_graph::analysis::{Analysis, analyze, largest};
 use closeranks_graph::bounds;
-use closeranks_graph::budget::{Budget, Meter, Progress};
 use closeranks_graph::decide::Robustness;
 use closeranks_graph::definition;
+use closeranks_graph::effort::{Effort, Meter, Progress};
 use closeranks_graph::graph::Graph;
 use closeranks_graph::search;
 use closeranks_graph::table;
 use closeranks_graph::verdict::Verdict;
 
 /// Branch and bound only.
-pub(crate) const NO_TABLE: Budget = Budget { nodes: u64::MAX, table_bytes: 0 };
+pub(crate) const NO_TABLE: Effort = Effort { nodes: u64::MAX, table_bytes: 0 };
 
 pub(crate) fn with_meter<T>(work: impl FnOnce(&mut Meter<'_>) -> T) -> T {
     let mut go_on = |_: &Progress| ControlFlow::Continue(());
     work(&mut Meter::new(u64::MAX, &mut go_on))
 }
 
-pub(crate) fn full_analysis(graph: &Graph, budget: &Budget) -> Analysis {
-    analyze(graph, budget, &mut |_| ControlFlow::Continue(()))
+pub(crate) fn full_analysis(graph: &Graph, effort: &Effort) -> Analysis {
+    analyze(graph, effort, &mut |_| ControlFlow::Continue(()))
 }
 
 /// s_max for r = 1 ..= ceil(n/2) + 1 by the definition, word for word.
@@ -112,7 +112,7 @@ fn check_decisions(graph: &Graph, literal: &[usize]) {
                 match robustness.decide(r, s, meter) {
                     Verdict::Robust(_) => assert!(robust, "({r}, {s}), {graph:?}"),
                     Verdict::NotRobust(w) => assert!(!robust && w.holds(graph) && (w.r, w.s) == (r, s)),
-                    Verdict::Unknown => panic!("no budget was set"),
+                    Verdict::Unknown => panic!("no effort was set"),
                 }
             }
         }

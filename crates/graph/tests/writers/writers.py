@@ -168,8 +168,8 @@ def igraph_files(graph, stem):
     other.vs["name"] = [str(node) for node in graph]
     for name, facts in IGRAPH.items():
         path = stem.with_name(f"{stem.name}-ig-{name}.txt")
-        if name == "write_adjacency" and len(place) <= 3 and any(u == v for u, v in graph.edges()):
-            continue  # Two rows with counts of loops, such as `2 3` and `3 0`, are edges to anybody, and three with weights.
+        if name == "write_adjacency" and len(place) <= 3 and graph.is_multigraph():
+            continue  # Two rows of counts, such as `0 2` and `1 0`, are edges to anybody, and three rows with weights.
         with contextlib.suppress(igraph.InternalError):
             write = getattr(other, name)
             write(str(path), 0, len(place) - 1) if name == "write_dimacs" else write(str(path))

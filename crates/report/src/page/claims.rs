@@ -188,7 +188,7 @@ impl SectionFive<'_> {
                 "[thm:cbf-qp, part 1] The set of all phi_i >= 0 is never left.",
                 self.all(|run| run.broken(Law::Shares) == 0),
                 format!(
-                    "negative phi_i (per robot and tick, METHOD 2.2): {}",
+                    "negative phi_i (per robot and tick; docs/theory, sec:phi): {}",
                     self.each(|run| run.broken(Law::Shares).to_string())
                 ),
             ),

@@ -8,7 +8,7 @@
 
 use std::collections::BTreeSet;
 
-use closeranks_graph::set::NODE_LIMIT;
+use closeranks_graph::graph::set::NODE_LIMIT;
 
 use super::read::{ROWS_MAX, ReadError, Recording};
 

@@ -6,7 +6,7 @@ use ::parquet::errors::ParquetError;
 use ::parquet::file::metadata::RowGroupMetaData;
 use ::parquet::file::reader::{FileReader, RowGroupReader, SerializedFileReader};
 use bytes::Bytes;
-use closeranks_graph::set::NODE_LIMIT;
+use closeranks_graph::graph::set::NODE_LIMIT;
 
 use super::elsewhere::{COLUMNS, Cells, assemble};
 use crate::recording::columns::AXES;

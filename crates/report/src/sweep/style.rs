@@ -1,6 +1,8 @@
 //! What tells controllers apart in figures: colour, dashes and the shape of markers say the same.
 
-use crate::svg::palette::{INK, LABEL, MALICIOUS, NORMAL};
+use closeranks_sim::controllers::Controller;
+
+use crate::svg::palette::{CLOSE, INK, LABEL, MALICIOUS, NORMAL};
 use crate::svg::path::PathData;
 use crate::svg::text;
 use crate::svg::{Element, Piece, Svg};
@@ -14,13 +16,18 @@ pub(super) struct Style {
     sides: usize,
 }
 
-/// Look of the controller `name`; those that nobody knows look like none.
+/// Looks in the order of [`Controller::ALL`]; whoever comes later, and whoever nobody knows, has the last one.
+const STYLES: [Style; 4] = [
+    Style { colour: NORMAL, dashes: "none", width: 2.2, sides: 0 },
+    Style { colour: MALICIOUS, dashes: "7 3", width: 1.7, sides: 4 },
+    Style { colour: INK, dashes: "1.5 2.5", width: 1.4, sides: 3 },
+    Style { colour: CLOSE, dashes: "10 3 2 3", width: 1.5, sides: 5 },
+];
+
+/// Look of the controller `name`.
 pub(super) fn style(name: &str) -> Style {
-    match name {
-        "budget" => Style { colour: NORMAL, dashes: "none", width: 2.2, sides: 0 },
-        "composed" => Style { colour: MALICIOUS, dashes: "7 3", width: 1.7, sides: 4 },
-        _ => Style { colour: INK, dashes: "1.5 2.5", width: 1.4, sides: 3 },
-    }
+    let place = Controller::named(name).map_or(usize::MAX, |controller| controller as usize);
+    STYLES[place.min(STYLES.len() - 1)]
 }
 
 impl Style {
@@ -36,13 +43,14 @@ impl Style {
         path.element().text("fill", "none").text("stroke", self.colour).number("stroke-width", 1.6)
     }
 
-    /// As a marker: a disc, a square or a triangle; hollow for nothing seen.
+    /// As a marker: a disc, a square, or a triangle that points up or down; hollow for nothing seen.
     pub(super) fn marker(self, [x, y]: [f64; 2], hollow: bool) -> Element {
         const RADIUS: f64 = 4.2;
         let fill = if hollow { "#ffffff" } else { self.colour };
         let corners: &[[f64; 2]] = match self.sides {
             4 => &[[-0.9, -0.9], [0.9, -0.9], [0.9, 0.9], [-0.9, 0.9]],
             3 => &[[0.0, -1.15], [1.1, 0.8], [-1.1, 0.8]],
+            5 => &[[0.0, 1.15], [1.1, -0.8], [-1.1, -0.8]],
             _ => &[],
         };
         let shape = if corners.is_empty() {

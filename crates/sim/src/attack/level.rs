@@ -1,7 +1,7 @@
 //! Lies about the connectivity level c_i: what they are, how a scenario writes them, and how they are told.
 //!
-//! A new lie is a variant of [`LevelAttack`], its row in [`KINDS`], and its arm in [`LevelLiar::level`] or
-//! [`LevelLiar::to_one`].
+//! A new lie is a variant of [`LevelAttack`], its row in `KINDS`, and its arm in `LevelLiar::level` or
+//! `LevelLiar::to_one`.
 
 use closeranks_core::message::{MESSAGE_BYTES, Message, VALUE_MAX};
 use closeranks_core::time::Instant;

@@ -1,7 +1,7 @@
 //! Lies about the value y_i: what they are, how a scenario writes them, and how they are told.
 //!
-//! A new lie is a variant of [`ValueAttack`], its row in [`KINDS`], and its arm in [`ValueLiar::chosen`] or
-//! [`ValueLiar::to_one`].
+//! A new lie is a variant of [`ValueAttack`], its row in `KINDS`, and its arm in `ValueLiar::chosen` or
+//! `ValueLiar::to_one`.
 
 use closeranks_core::message::VALUE_MAX;
 

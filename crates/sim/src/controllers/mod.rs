@@ -88,6 +88,9 @@ pub struct Row {
     pub about: &'static str,
     /// How much it needs to know.
     pub knows: Knows,
+    /// Whether it guarantees in discrete time what it promises. Robots then watch what that rests on: their clocks, and
+    /// whether they are where their moves should have taken them.
+    pub guarantees: bool,
     /// Whether φ_i is part of its decisions.
     pub uses_phi: bool,
     /// The laws that sweeps hold it to.
@@ -150,6 +153,7 @@ controllers! {
             name: "budget",
             about: "ours: a guarantee in discrete time, for any lie and any loss of messages",
             knows: Knows::Local,
+            guarantees: true,
             uses_phi: false,
             promises: &Law::PROMISED,
             counted: Counted::Covered,
@@ -162,6 +166,7 @@ controllers! {
             name: "composed",
             about: "the paper's, as printed",
             knows: Knows::Local,
+            guarantees: false,
             uses_phi: true,
             promises: &Law::COMPOSED,
             counted: Counted::Covered,
@@ -174,6 +179,7 @@ controllers! {
             name: "none",
             about: "the desired velocity, cut to the input box",
             knows: Knows::Local,
+            guarantees: false,
             uses_phi: false,
             promises: &Law::EXPECTED,
             counted: Counted::All,
@@ -186,6 +192,7 @@ controllers! {
             name: "orca",
             about: "collision avoidance alone, by reciprocal half-planes",
             knows: Knows::Global,
+            guarantees: false,
             uses_phi: false,
             promises: &[Law::Interval, Law::Input],
             counted: Counted::Covered,

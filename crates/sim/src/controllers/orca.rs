@@ -213,7 +213,7 @@ mod tests {
             let to =
                 |k: usize| subtract(&goals[k], &world.frame().positions_m[k]).map(|x| x.clamp(-1.0, 1.0));
             let desired = [to(0), to(1)];
-            let given = crate::given::Given { desired_m_s: Some(&desired), ..Default::default() };
+            let given = crate::world::given::Given { desired_m_s: Some(&desired), ..Default::default() };
             world.step_with(&given).unwrap();
         }
         let [x, _] = world.frame().positions_m[0];

@@ -99,7 +99,7 @@ impl<Pair: Copy> Links<Pair> {
     }
 
     /// `a_ij` of each pair, under a controller that looks at neighbours one by one.
-    pub(crate) fn weights(&self) -> &[f64] {
+    pub(crate) fn pair_weights(&self) -> &[f64] {
         &self.scales.pair_weights
     }
 }

@@ -30,6 +30,10 @@ impl<const D: usize> Memory<D> {
     }
 
     /// The scratch to hand to a call.
+    ///
+    /// # Panics
+    ///
+    /// Never: what is lent was made for these parameters.
     pub fn lend(&mut self) -> Scratch<'_, D> {
         Scratch::new(&self.params, self.robots, &mut self.values, &mut self.sightings, &mut self.rows)
             .expect("made for these params")

@@ -1,6 +1,7 @@
 //! What computes the robots of a tick: one by one, or all at once with the same bits.
 
 mod consensus;
+mod dense;
 pub mod fleet;
 pub(crate) mod judge;
 mod links;

@@ -36,6 +36,10 @@ impl Sees {
     /// How many neighbours of `other` `robot` does not see, itself left aside.
     #[inline]
     pub(crate) fn unseen_near(&self, robot: usize, other: usize) -> usize {
+        if self.words == 1 {
+            let (own, its) = (self.bits[robot], self.bits[other]);
+            return (its & !own & !(1 << robot)).count_ones() as usize;
+        }
         let [own, its] = [robot, other].map(|of| &self.bits[of * self.words..][..self.words]);
         let beyond = own.iter().zip(its).map(|(own, its)| (its & !own).count_ones() as usize);
         beyond.sum::<usize>() - usize::from(self.linked(other, robot))

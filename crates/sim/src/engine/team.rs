@@ -4,7 +4,7 @@
 //! both ends. Sums are taken in order of robot numbers, as a robot takes them, and every robot decides by the same
 //! function of its controller.
 
-use closeranks_core::controller::{Control, Decision, Glimpse, Motion, Neighbor, Own, Standing};
+use closeranks_core::controller::{Control, Decision, Glimpse, Low, Motion, Neighbor, Own, Standing};
 use closeranks_core::equations::barrier::degree_barrier;
 use closeranks_core::equations::composition::{Composed, Sum};
 use closeranks_core::num::{dot, sqrt, subtract};
@@ -14,6 +14,7 @@ use closeranks_core::settings::params::Params;
 
 use crate::attack::liars::Liars;
 use crate::engine::consensus::Consensus;
+use crate::engine::dense::{DENSE_MAX, Dense};
 use crate::engine::links::{Linked, Links};
 use crate::engine::memory::Memory;
 use crate::engine::sees::{Around, Half, Sees};
@@ -40,6 +41,8 @@ struct Robots<const D: usize, C: Control<D>> {
     links: Links<C::Pair>,
     sees: Sees,
     around: Around,
+    /// Tables in place of `around`, in a small team.
+    dense: Option<Dense>,
     /// What others make of what each told, and what each adds up.
     told: Vec<C::Told>,
     sums: Vec<C::Sums>,
@@ -67,6 +70,7 @@ impl<const D: usize, C: Control<D> + Copy> Team<D, C> {
             links: Links::new(),
             sees: Sees::new(count),
             around: Around::default(),
+            dense: (C::LOOKS && count <= DENSE_MAX).then(|| Dense::new(count)),
             told: Vec::with_capacity(count),
             sums: Vec::with_capacity(count),
             known: Vec::with_capacity(count),
@@ -144,27 +148,59 @@ impl<const D: usize, C: Control<D> + Copy> Robots<D, C> {
     }
 
     fn control(&mut self, frame: &mut Frame<D>, scratch: &mut Scratch<'_, D>) {
-        if C::LOOKS {
-            self.around.fill(frame.positions_m.len(), self.links.pairs());
+        let mut dense = self.dense.take();
+        match &mut dense {
+            _ if !C::LOOKS => self.control_from_sums(frame, scratch),
+            Some(dense) => self.control_in_tables(dense, frame, scratch),
+            None => self.control_in_lists(frame, scratch),
         }
+        self.dense = dense;
+    }
+
+    /// Where sums say everything, neighbours are looked at only if sums fail.
+    fn control_from_sums(&self, frame: &mut Frame<D>, scratch: &mut Scratch<'_, D>) {
         for robot in 0..frame.positions_m.len() {
-            let decision = if C::LOOKS {
-                let neighbors = self.around.of(robot).iter().map(|half| self.neighbor(robot, half, frame));
-                self.decide(robot, neighbors, frame, scratch)
-            } else {
-                let others = (0..frame.positions_m.len()).filter(|other| *other != robot);
-                let neighbors = others.filter_map(|other| self.distant(robot, other, frame));
-                self.decide(robot, neighbors, frame, scratch)
-            };
+            let others = (0..frame.positions_m.len()).filter(|other| *other != robot);
+            let neighbors = others.filter_map(|other| self.distant(robot, other, frame));
+            let decision = self.decide(robot, neighbors, frame, scratch);
+            self.take(robot, &decision, frame);
+        }
+    }
+
+    /// In a small team sums over what a robot sees are taken for all others at once.
+    fn control_in_tables(&self, dense: &mut Dense, frame: &mut Frame<D>, scratch: &mut Scratch<'_, D>) {
+        dense.fill(self.links.pairs(), self.links.pair_weights());
+        for robot in 0..frame.positions_m.len() {
+            if usize::from(frame.degrees[robot]) + 1 < frame.positions_m.len() {
+                dense.look_around(robot);
+            }
+            let neighbors = dense
+                .neighbors(robot)
+                .map(|(other, pair)| self.neighbor(robot, other, pair, Low::Known(dense.low(other)), frame));
+            let decision = self.decide(robot, neighbors, frame, scratch);
+            self.take(robot, &decision, frame);
+        }
+    }
+
+    /// In a large team they are taken where they are asked for.
+    fn control_in_lists(&mut self, frame: &mut Frame<D>, scratch: &mut Scratch<'_, D>) {
+        self.around.fill(frame.positions_m.len(), self.links.pairs());
+        for robot in 0..frame.positions_m.len() {
+            let neighbors = self.around.of(robot).iter().map(|half| {
+                let other = usize::from(half.other);
+                let low = || self.seen_level(robot, other);
+                self.neighbor(robot, other, half.pair as usize, Low::Asked(&low), frame)
+            });
+            let decision = self.decide(robot, neighbors, frame, scratch);
             self.take(robot, &decision, frame);
         }
     }
 
     #[inline]
-    fn decide(
-        &self,
+    fn decide<'a>(
+        &'a self,
         robot: usize,
-        neighbors: impl Iterator<Item = Neighbor<D, C::Pair, C::Known>> + Clone,
+        neighbors: impl Iterator<Item = Neighbor<'a, D, C::Pair, C::Known>> + Clone,
         frame: &Frame<D>,
         scratch: &mut Scratch<'_, D>,
     ) -> Decision<D> {
@@ -188,11 +224,18 @@ impl<const D: usize, C: Control<D> + Copy> Robots<D, C> {
     }
 
     /// A neighbour as `robot` knows it.
-    #[inline]
-    fn neighbor(&self, robot: usize, half: &Half, frame: &Frame<D>) -> Neighbor<D, C::Pair, C::Known> {
-        let other = usize::from(half.other);
+    #[inline(always)]
+    #[expect(clippy::inline_always, reason = "asked of every neighbour in every tick")]
+    fn neighbor(
+        &self,
+        robot: usize,
+        other: usize,
+        pair: usize,
+        low: Low<'_>,
+        frame: &Frame<D>,
+    ) -> Neighbor<'_, D, C::Pair, C::Known> {
         let offset_m = subtract(&frame.positions_m[robot], &frame.positions_m[other]);
-        let linked = &self.links.pairs()[half.pair as usize];
+        let linked = &self.links.pairs()[pair];
         let unseen = frame.positions_m.len() - 1 - usize::from(frame.degrees[robot]);
         let known = if unseen == 0 {
             self.known[other]
@@ -201,11 +244,11 @@ impl<const D: usize, C: Control<D> + Copy> Robots<D, C> {
                 unseen,
                 unseen_near: self.sees.unseen_near(robot, other),
                 distance_m: sqrt(dot(&offset_m, &offset_m)),
-                low: &|| self.seen_level(robot, other),
+                low,
                 ..glimpse(frame, &self.told, other)
             })
         };
-        Neighbor { id: id(other), offset_m, pair: Some(linked.pair), known }
+        Neighbor { id: id(other), offset_m, pair: Some(&linked.pair), known }
     }
 
     /// Sum of the weights of `other` with `robot` and with whomever it sees, in order of numbers.
@@ -213,7 +256,7 @@ impl<const D: usize, C: Control<D> + Copy> Robots<D, C> {
         let seen =
             |of: &&Half| usize::from(of.other) == robot || self.sees.linked(robot, usize::from(of.other));
         let halves = self.around.of(other).iter().filter(seen);
-        halves.fold(0.0, |sum, half| sum + self.links.weights()[half.pair as usize])
+        halves.fold(0.0, |sum, half| sum + self.links.pair_weights()[half.pair as usize])
     }
 
     /// A neighbour of a controller that needs neighbours one by one only in rare cases.
@@ -222,7 +265,7 @@ impl<const D: usize, C: Control<D> + Copy> Robots<D, C> {
         robot: usize,
         other: usize,
         frame: &Frame<D>,
-    ) -> Option<Neighbor<D, C::Pair, C::Known>> {
+    ) -> Option<Neighbor<'_, D, C::Pair, C::Known>> {
         let offset_m = subtract(&frame.positions_m[robot], &frame.positions_m[other]);
         let radius_m = self.params.link().radius_m;
         let in_range = radius_m * radius_m - dot(&offset_m, &offset_m) >= 0.0;
@@ -242,7 +285,7 @@ fn glimpse<'a, const D: usize, Told>(frame: &Frame<D>, told: &'a [Told], other: 
         unseen: 0,
         unseen_near: 0,
         distance_m: 0.0,
-        low: &|| 0.0,
+        low: Low::Known(0.0),
     }
 }
 

@@ -17,9 +17,14 @@ pub(crate) struct Near {
     grid: Grid,
     /// Whether the grid is in use in this tick.
     sparse: bool,
-    /// Robots of lower numbers that may be near; without a grid all robots.
+    /// With a grid, robots of lower numbers that may be near.
     candidates: Vec<u16>,
-    /// Those that are near, and their squared distances, m².
+    found: Found,
+}
+
+/// Robots that are near, and their squared distances, m².
+#[derive(Clone, Debug, Default)]
+struct Found {
     firsts: Vec<u16>,
     distances_m2: Vec<f64>,
 }
@@ -39,12 +44,8 @@ struct Grid {
 impl Near {
     /// Gets ready for robots at `positions_m`; true if a grid of cells is in use.
     pub(crate) fn look<const D: usize>(&mut self, positions_m: &[Vector<D>], radius_m: f64) -> bool {
-        let sparse = positions_m.len() > FEW && self.grid.fill(positions_m, radius_m);
-        if sparse != self.sparse {
-            self.candidates.clear();
-        }
-        self.sparse = sparse;
-        sparse
+        self.sparse = positions_m.len() > FEW && self.grid.fill(positions_m, radius_m);
+        self.sparse
     }
 
     /// Robots before `second` within the radius, in order, and their squared distances, m².
@@ -55,27 +56,40 @@ impl Near {
         positions_m: &[Vector<D>],
         radius_m: f64,
     ) -> (&[u16], &[f64]) {
+        let own = &positions_m[second];
         if self.sparse {
             self.grid.around(second, &mut self.candidates);
+            let Self { candidates, found, .. } = self;
+            let near = candidates.iter().map(|first| (*first, &positions_m[usize::from(*first)]));
+            found.take(candidates.len(), near, own, radius_m)
         } else {
-            while self.candidates.len() < second {
-                self.candidates.push(small(self.candidates.len()));
-            }
+            self.found.take(second, (0..).zip(&positions_m[..second]), own, radius_m)
         }
-        let candidates = if self.sparse { &self.candidates[..] } else { &self.candidates[..second] };
-        self.firsts.resize(candidates.len(), 0);
-        self.distances_m2.resize(candidates.len(), 0.0);
-        let (firsts, distances_m2) =
-            (&mut self.firsts[..candidates.len()], &mut self.distances_m2[..candidates.len()]);
-        let (own, radius_m2) = (&positions_m[second], radius_m * radius_m);
-        let mut count = 0;
-        for first in candidates {
-            let distance_m2 = squared_distance(&positions_m[usize::from(*first)], own);
-            (firsts[count], distances_m2[count]) = (*first, distance_m2);
-            // Where it is out of range, the next one takes its place.
-            count += usize::from(radius_m2 - distance_m2 >= 0.0);
+    }
+}
+
+impl Found {
+    /// Keeps of at most `count` robots those within the radius of `own`.
+    #[inline]
+    fn take<'a, const D: usize>(
+        &mut self,
+        count: usize,
+        robots: impl Iterator<Item = (u16, &'a Vector<D>)>,
+        own: &Vector<D>,
+        radius_m: f64,
+    ) -> (&[u16], &[f64]) {
+        if self.firsts.len() < count {
+            self.firsts.resize(count, 0);
+            self.distances_m2.resize(count, 0.0);
         }
-        (&firsts[..count], &distances_m2[..count])
+        let (mut kept, radius_m2) = (0, radius_m * radius_m);
+        for (first, position_m) in robots {
+            let distance_m2 = squared_distance(position_m, own);
+            (self.firsts[kept], self.distances_m2[kept]) = (first, distance_m2);
+            // Where a robot is out of range, the next one takes its place.
+            kept += usize::from(radius_m2 - distance_m2 >= 0.0);
+        }
+        (&self.firsts[..kept], &self.distances_m2[..kept])
     }
 }
 

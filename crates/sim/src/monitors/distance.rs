@@ -260,8 +260,7 @@ mod tests {
             truth
         });
         let mut pairs = Distances::new(scenario, params);
-        let mut before = Before::default();
-        before.moves = random.chance(0.9);
+        let mut before = Before { moves: random.chance(0.9), ..Before::default() };
         pairs.carry(&was, &before, true, before.moves);
         (before.truth, before.positions_m) = (was, then.positions_m);
         let before = random.chance(0.9).then_some(&before);

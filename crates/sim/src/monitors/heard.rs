@@ -14,7 +14,7 @@ pub(crate) struct Heard {
     one_voice: bool,
     same_time: bool,
     steady: bool,
-    heard: Vec<[u16; 2]>,
+    values: Vec<[u16; 2]>,
     required: u16,
     required_normal: u16,
 }
@@ -37,7 +37,7 @@ impl Heard {
             one_voice: scenario.attack.has_one_voice(),
             same_time: scenario.faults.clocks == Clocks::default() && in_time(scenario),
             steady: false,
-            heard: Vec::new(),
+            values: Vec::new(),
             required: scenario.team.faults + scenario.team.robots / 2,
             required_normal: scenario.team.faults + scenario.team.robots.saturating_sub(malicious) / 2,
         }
@@ -46,7 +46,7 @@ impl Heard {
     /// Takes in a tick.
     pub(crate) fn hear<const D: usize>(&mut self, frame: &Frame<D>) {
         self.steady &= !frame.assumptions.unsteady;
-        self.heard.clone_from(&frame.heard);
+        self.values.clone_from(&frame.heard);
     }
 
     /// Ends a round with the tick in which the next one begins, and normal robots take up their new values. True when what
@@ -55,7 +55,7 @@ impl Heard {
         let enough = |&[all, normal]: &[u16; 2]| {
             (self.one_voice && all >= self.required) || normal >= self.required_normal
         };
-        let mut normal = self.heard.iter().zip(malicious).filter(|(_, malicious)| !**malicious);
+        let mut normal = self.values.iter().zip(malicious).filter(|(_, malicious)| !**malicious);
         let enough = normal.all(|(heard, _)| enough(heard));
         let steady = core::mem::replace(&mut self.steady, true) && !frame.assumptions.unsteady;
         self.same_time && steady && enough

@@ -6,7 +6,7 @@ use crate::geometry::near::{Near, small};
 use crate::geometry::{fill_pairs, squared_distance};
 
 /// Squared distances of pairs, second end after second end, and of each the first ends in order.
-#[derive(Clone, Debug, Default)]
+#[derive(Debug, Default)]
 pub(crate) struct Pairs {
     /// Ends of each pair, the lower number first; not filled if there are all pairs.
     ends: Vec<[u16; 2]>,
@@ -30,6 +30,22 @@ pub(crate) struct Places {
 
 /// In place of a place in a list that does not have the pair.
 const NOWHERE: u32 = u32::MAX;
+
+impl Clone for Pairs {
+    fn clone(&self) -> Self {
+        let mut clone = Self::default();
+        clone.clone_from(self);
+        clone
+    }
+
+    /// Copies into the memory that is there; what a look needs for itself is not copied.
+    fn clone_from(&mut self, other: &Self) {
+        self.ends.clone_from(&other.ends);
+        self.references_m2.clone_from(&other.references_m2);
+        self.positions_m2.clone_from(&other.positions_m2);
+        (self.sparse, self.robots) = (other.sparse, other.robots);
+    }
+}
 
 impl Pairs {
     /// Takes all pairs of which positions or references are at most `radius_m` apart; others may be there too.
@@ -95,18 +111,14 @@ impl Pairs {
     /// Calls `look` with the place and the two ends of every pair, in order.
     #[inline]
     pub(crate) fn each(&self, mut look: impl FnMut(usize, [usize; 2])) {
-        if self.sparse {
-            for (place, ends) in self.ends.iter().enumerate() {
-                look(place, ends.map(usize::from));
+        let (mut first, mut second) = (0, 1);
+        for place in 0..self.references_m2.len() {
+            let ends = if self.sparse { self.ends[place].map(usize::from) } else { [first, second] };
+            look(place, ends);
+            first += 1;
+            if first == second {
+                (first, second) = (0, second + 1);
             }
-            return;
-        }
-        let mut place = 0;
-        for second in 0..self.robots {
-            for first in 0..second {
-                look(place + first, [first, second]);
-            }
-            place += second;
         }
     }
 

@@ -2,8 +2,8 @@
 
 use core::ops::ControlFlow;
 
-use closeranks_graph::budget::{Budget, Meter};
 use closeranks_graph::decide::Robustness;
+use closeranks_graph::effort::{Effort, Meter};
 use closeranks_graph::graph::Graph;
 use closeranks_graph::makers::random::geometric;
 use closeranks_graph::verdict::Interval;
@@ -62,7 +62,7 @@ impl Watcher {
 fn largest(graph: &Graph) -> (Interval, Interval) {
     let mut go_on = |_: &_| ControlFlow::Continue(());
     let mut meter = Meter::new(NODES, &mut go_on);
-    let mut robustness = Robustness::new(graph, &Budget { nodes: NODES, table_bytes: 0 });
+    let mut robustness = Robustness::new(graph, &Effort { nodes: NODES, table_bytes: 0 });
     (robustness.r_max(&mut meter), robustness.f_max(&mut meter))
 }
 

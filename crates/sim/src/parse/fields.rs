@@ -159,19 +159,18 @@ fn inside(value: &DeValue<'_>) -> Option<f64> {
 
 fn motion(reader: &mut Reader, section: &mut Section<'_>, scenario: &mut Scenario) {
     let simple = [
-        ("paper", Some(Desired::Paper)),
-        ("hold", Some(Desired::Hold)),
-        ("gather", Some(Desired::Gather)),
-        ("wander", Some(Desired::Wander)),
+        ("paper", Desired::Paper),
+        ("hold", Desired::Hold),
+        ("gather", Desired::Gather),
+        ("wander", Desired::Wander),
     ];
     let words = simple.iter().map(|(name, _)| *name).chain(KINDS.map(|(name, _)| name));
     let kinds: Vec<(&str, usize)> = words.enumerate().map(|(index, name)| (name, index)).collect();
     let Some(kind) = reader.kind(section, &kinds) else { return };
-    scenario.desired = match simple.into_iter().nth(kind).and_then(|(_, desired)| desired) {
-        Some(desired) => desired,
-        None => {
-            let listed = KINDS[kind - (kinds.len() - KINDS.len())].1;
-            Desired::Listed(Route::read(reader, section, listed, scenario, None))
-        }
-    };
+    if let Some((_, desired)) = simple.into_iter().nth(kind) {
+        scenario.desired = desired;
+        return;
+    }
+    let listed = KINDS[kind - (kinds.len() - KINDS.len())].1;
+    scenario.desired = Desired::Listed(Route::read(reader, section, listed, scenario, None));
 }

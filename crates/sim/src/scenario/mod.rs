@@ -150,12 +150,12 @@ impl Scenario {
 
     /// True when nothing goes wrong and every liar tells all the same, so that robots may be computed at once.
     ///
-    /// Bodies that do not follow their velocities make no difference to `composed` and `none`, which know nothing but what
-    /// they sense in a tick. A robot of `budget` compares where it senses itself with where its last velocity should have
-    /// taken it and promises nothing where the two differ; only single robots keep that account.
+    /// Bodies that do not follow their velocities make no difference to robots that know nothing but what they sense in a tick.
+    /// A robot whose controller guarantees something compares where it senses itself with where its last velocity should have
+    /// taken it, and promises nothing where the two differ; only single robots keep that account.
     #[must_use]
     pub fn is_plain(&self) -> bool {
-        let followed = self.plant == Plant::Single || self.controller != Controller::Budget;
+        let followed = self.plant == Plant::Single || !self.controller.row().guarantees;
         self.faults.is_none() && self.attack.is_plain() && followed
     }
 

@@ -16,7 +16,7 @@ use crate::program::InputBox;
 use crate::program::balls::reach::Reach;
 use crate::robot::neighbor::{RobotId, Slot};
 use crate::robot::report::{Mode, Reason};
-use crate::robot::scratch::Scratch;
+use crate::robot::scratch::{Needs, Scratch};
 use crate::settings::{BudgetSettings, Clock, Settings};
 use crate::time::Instant;
 
@@ -125,6 +125,11 @@ impl<const D: usize> Control<D> for BudgetController<D> {
         true
     }
 
+    fn needs(&self, neighbors: usize) -> Needs {
+        let values = Budget::survey_len(self.budget.assume, neighbors);
+        Needs { values, sightings: neighbors, rows: rows(D, !self.budget.is_exact(), neighbors) }
+    }
+
     fn can_be_computed_at_once(&self) -> bool {
         self.budget.is_plain()
     }
@@ -168,16 +173,17 @@ impl<const D: usize> Control<D> for BudgetController<D> {
 
     fn add(&self, (): &mut (), _offset_m: &Vector<D>, _pair: &Pair, _told: [&f64; 2]) {}
 
+    #[inline]
     fn know(&self, glimpse: &Glimpse<'_, f64>) -> KnownMargin {
         self.budget.known_of(glimpse)
     }
 
     #[inline]
-    fn decide(
+    fn decide<'a>(
         &self,
         own: &Own,
         (): &(),
-        neighbors: impl Iterator<Item = Neighbor<D, Pair, KnownMargin>> + Clone,
+        neighbors: impl Iterator<Item = Neighbor<'a, D, Pair, KnownMargin>> + Clone,
         motion: &Motion<D>,
         scratch: &mut Scratch<'_, D>,
     ) -> Decision<D> {
@@ -210,6 +216,13 @@ impl<const D: usize> Control<D> for BudgetController<D> {
             None => Mode::Guaranteed,
         }
     }
+}
+
+/// How many rows there can be: two for each axis, two for each neighbour, and one of the robot's own. With stated errors
+/// each row but those of the axes is there once for every corner of a cube.
+fn rows(dimension: usize, blurred: bool, neighbors: usize) -> usize {
+    let corners = if blurred { 1 << dimension.min(8) } else { 1 };
+    neighbors.saturating_mul(2).saturating_add(1).saturating_mul(corners).saturating_add(2 * dimension)
 }
 
 /// `age` in periods, rounded up; a longer period than 64 bits hold counts as shorter, which makes the age greater.

@@ -30,13 +30,13 @@ pub struct Pair {
 
 /// A neighbour, with all that its rows need.
 #[derive(Clone, Copy, Debug)]
-pub struct Neighbor<const D: usize> {
+pub struct Neighbor<'a, const D: usize> {
     /// Which robot it is.
     pub id: RobotId,
     /// x_i − x_j, m.
     pub offset_m: Vector<D>,
     /// What both ends share, made with the reach that the rows are for.
-    pub pair: Pair,
+    pub pair: &'a Pair,
     /// What is known of its h_j.
     pub known: KnownMargin,
 }
@@ -161,7 +161,7 @@ impl Budget {
 
     /// β_ij for a neighbour, m². An end for which the other one does not count sets no bound.
     //= theory eq:far
-    pub(super) fn beta_of<const D: usize>(&self, own: &Own<D>, neighbor: &Neighbor<D>) -> f64 {
+    pub(super) fn beta_of<const D: usize>(&self, own: &Own<D>, neighbor: &Neighbor<'_, D>) -> f64 {
         let Neighbor { id, pair, known, .. } = neighbor;
         let (mut own_fraction, mut known_fraction) = (f64::INFINITY, f64::INFINITY);
         if self.need.counts(own.id, *id) {

@@ -3,8 +3,8 @@
 //! It has two sources. What it *sees*, positions alone, bounds the level of the neighbour from below and from above. What it
 //! is *told* is a claim, which may be a lie; it counts only up to the upper bound.
 
-use crate::controller::Glimpse;
 use crate::controller::budget::settings::Budget;
+use crate::controller::{Glimpse, Low};
 use crate::need::Keep;
 use crate::num::{Vector, larger};
 use crate::robot::neighbor::RobotId;
@@ -163,18 +163,22 @@ impl Budget {
     /// The first holds to the last bit, because `low` leaves terms of the same sum out that are not negative. The second is used
     /// with more room than rounding takes: each of the unseen near j is at least R − Δ_ij away from it.
     //= theory eq:known
+    #[inline]
     #[must_use]
     pub fn known_of(&self, glimpse: &Glimpse<'_, f64>) -> KnownMargin {
         let (discounted_claim, unseen) = (*glimpse.told, glimpse.unseen);
         let degree = f64::from(glimpse.degree) + count(unseen - glimpse.unseen_near);
         let seen = |low| Seen { robot: glimpse.id, low, degree, unseen, discounted_claim, weights: &[] };
-        if unseen == 0 {
-            return self.known(&seen(glimpse.level), 0.0);
-        }
-        if self.is_as_claimed(glimpse) {
-            return KnownMargin { budget: discounted_claim, deficit: 0.0, degree_max: larger(degree, 1.0) };
-        }
-        self.known(&seen((glimpse.low)()), glimpse.distance_m)
+        let low = match glimpse.low {
+            _ if unseen == 0 => glimpse.level,
+            Low::Known(low) => low,
+            Low::Asked(_) if self.is_as_claimed(glimpse) => {
+                let degree_max = larger(degree, 1.0);
+                return KnownMargin { budget: discounted_claim, deficit: 0.0, degree_max };
+            }
+            Low::Asked(low) => low(),
+        };
+        self.known(&seen(low), glimpse.distance_m)
     }
 
     /// True where [`known_of`](Self::known_of) surely is what the claim says.

@@ -107,7 +107,7 @@ impl Budget {
                 continue;
             }
             let slope = self.slope(index, sighting, &survey);
-            let pair = self.pair(&offset_m, slope, &rows.program.reach);
+            let pair = &self.pair(&offset_m, slope, &rows.program.reach);
             let Some(seen) = self.seen(index, sightings, &mut survey) else { continue };
             let known = self.known(&seen, pair.distance_m);
             self.push_neighbor(&mut own, &Neighbor { id, offset_m, pair, known }, &mut rows);
@@ -120,10 +120,10 @@ impl Budget {
     /// for whoever computes a whole team at once. The pairs must have been made with this `reach`, because which rows can bind
     /// depends on it.
     #[must_use]
-    pub fn rows_between<'memory, const D: usize>(
+    pub fn rows_between<'memory, 'a, const D: usize>(
         &self,
         (own, level, degree): (RobotId, f64, u16),
-        neighbors: impl Iterator<Item = Neighbor<D>>,
+        neighbors: impl Iterator<Item = Neighbor<'a, D>>,
         desired_m: &Vector<D>,
         reach: Reach<D>,
         memory: &'memory mut [Row<D>],
@@ -156,7 +156,7 @@ impl Budget {
     fn push_neighbor<const D: usize>(
         &self,
         own: &mut Own<D>,
-        neighbor: &Neighbor<D>,
+        neighbor: &Neighbor<'_, D>,
         rows: &mut Rows<'_, D>,
     ) {
         let Neighbor { id, offset_m, pair, known } = neighbor;
@@ -180,7 +180,7 @@ impl Budget {
     fn push_far<const D: usize>(
         &self,
         own: &Own<D>,
-        neighbor: &Neighbor<D>,
+        neighbor: &Neighbor<'_, D>,
         gradient: &Vector<D>,
         rows: &mut Rows<'_, D>,
     ) {
@@ -221,15 +221,15 @@ impl Budget {
 
     /// (near) for a neighbour, and recovery of the distance.
     #[inline(never)]
-    fn push_near<const D: usize>(&self, neighbor: &Neighbor<D>, rows: &mut Rows<'_, D>) {
+    fn push_near<const D: usize>(&self, neighbor: &Neighbor<'_, D>, rows: &mut Rows<'_, D>) {
         let (offset, error_m) = (&neighbor.offset_m, self.errors.offset_m);
-        let spare_m2 = self.spare_m2(&neighbor.pair, -error_m);
+        let spare_m2 = self.spare_m2(neighbor.pair, -error_m);
         let give_m2 = self.give_m2(spare_m2);
         if may_bind(rows.program.reach.lhs_max(offset, error_m, 0.0), 0.5 * give_m2) {
             rows.push(offset, error_m, |offset| Row::near(offset, give_m2));
         }
         if spare_m2 < 0.0 {
-            self.recover_distance(offset, &neighbor.pair, rows);
+            self.recover_distance(offset, neighbor.pair, rows);
         }
     }
 }

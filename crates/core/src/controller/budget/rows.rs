@@ -10,7 +10,7 @@ use crate::program::balls::{Closest, Program};
 pub struct Memory<'memory, const D: usize> {
     /// `2·D + 2·N + 1` rows are always enough for N neighbours. If positions have errors, `2·D + 2ᴰ (2·N + 1)` are.
     pub rows: &'memory mut [Row<D>],
-    /// Numbers for [`Budget::survey`].
+    /// Numbers for [`Budget::survey`](crate::controller::budget::settings::Budget::survey).
     pub weights: &'memory mut [f64],
 }
 

@@ -6,8 +6,8 @@ use crate::formats::error::FormatError;
 use crate::formats::text::{refuse_no_weight, refuse_strange};
 use crate::formats::words::{Line, Word, all_lines, words};
 
-/// Comments of one word that say what a file is, and are no node.
-const COMMENTS: [&str; 12] = [
+/// Single words that say what a file is, and are no node.
+pub(super) const COMMENTS: [&str; 12] = [
     "edges",
     "edgelist",
     "edge",

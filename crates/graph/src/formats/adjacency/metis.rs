@@ -7,7 +7,7 @@ use crate::formats::Options;
 use crate::formats::builder::{Builder, Draft};
 use crate::formats::error::{FormatError, Problem};
 use crate::formats::words::{Line, Word, all_lines, words};
-use crate::set::NODE_LIMIT;
+use crate::graph::set::NODE_LIMIT;
 
 /// Whether it reads as one with a link or more. The counts and that both ends name each other make that sure enough.
 pub(in crate::formats) fn looks_like(text: &str) -> bool {

@@ -17,7 +17,8 @@ pub(in crate::formats) fn looks_like(text: &str) -> bool {
     let neighbours = || rows.iter().flat_map(|row| row.iter().skip(1));
     let complete = heads.len() == rows.len() && neighbours().all(|word| heads.contains(word.text));
     let shape = rows.iter().any(|row| row.len() > 2) || super::is_of_networkx(text);
-    complete && shape && read(text, &Options::default()).is_ok()
+    let title = |row: &Vec<Word<'_>>| row.len() == 1 && super::lgl::COMMENTS.contains(&head(&row[0]));
+    complete && shape && !rows.iter().any(title) && read(text, &Options::default()).is_ok()
 }
 
 /// The head of a line may end with a colon.

@@ -8,7 +8,7 @@ use crate::formats::builder::Draft;
 use crate::formats::error::{FormatError, Problem};
 use crate::formats::text::Said;
 use crate::formats::words::{Line, Word, all_lines, words};
-use crate::set::NODE_LIMIT;
+use crate::graph::set::NODE_LIMIT;
 
 /// Whether it begins with the banner.
 pub(in crate::formats) fn looks_like(text: &str) -> bool {

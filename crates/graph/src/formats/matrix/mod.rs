@@ -12,7 +12,7 @@ use super::error::{FormatError, Problem};
 use super::text::{Said, refuse_strange};
 use super::words::{Line, Separator, Word, lines};
 use super::{Named, Options};
-use crate::set::NODE_LIMIT;
+use crate::graph::set::NODE_LIMIT;
 use entry::Entry;
 use layout::Layout;
 

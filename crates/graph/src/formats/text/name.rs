@@ -3,8 +3,7 @@
 use crate::formats::error::FormatError;
 use crate::formats::words::Word;
 
-const ALLOWED: &str =
-    "the name of a robot: it may not start with %, * or : nor hold ; | ( ) { } or a comma, except in quotes";
+const ALLOWED: &str = "the name of a robot: it may not start with %, * or :, nor end with :, nor hold ; | ( ) { } or a comma, except in quotes";
 
 /// Refuses a word that is no name: empty, or with signs that belong to another format.
 pub(in crate::formats) fn refuse_strange(word: &Word<'_>) -> Result<(), FormatError> {
@@ -22,7 +21,8 @@ pub(in crate::formats) fn plain(name: &str) -> bool {
         // U+2500 to U+257F draw boxes, as trees printed by networkx have them.
         matches!(c, ';' | '|' | '(' | ')' | '{' | '}' | ',' | '\u{2500}'..='\u{257f}')
     };
-    !name.is_empty() && !name.starts_with(['%', '*', ':', '"', '\'', '[']) && !name.contains(strange)
+    let signs = name.starts_with(['%', '*', ':', '"', '\'', '[']) || name.ends_with(':');
+    !name.is_empty() && !signs && !name.contains(strange)
 }
 
 /// `1 2`: two columns within one, so the separator was not what it seemed.

@@ -4,7 +4,7 @@
 //! to all others would like it. No chance and no order but that of the nodes: the same graph gives the same bits.
 
 use closeranks_graph::graph::Graph;
-use closeranks_graph::set::NodeSet;
+use closeranks_graph::graph::set::NodeSet;
 
 /// Rounds of moving every node once.
 const ROUNDS: usize = 300;

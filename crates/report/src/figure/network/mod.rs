@@ -4,7 +4,7 @@ mod layout;
 mod mark;
 
 use closeranks_graph::graph::Graph;
-use closeranks_graph::set::NodeSet;
+use closeranks_graph::graph::set::NodeSet;
 
 use self::layout::positions;
 use self::mark::{Kind, Mark};

@@ -1,10 +1,13 @@
 //! Graphs: who hears whom.
 
+pub mod set;
+pub(crate) mod word;
+
 use alloc::vec;
 use alloc::vec::Vec;
 use core::fmt;
 
-use crate::set::{NODE_LIMIT, NodeSet};
+use crate::graph::set::{NODE_LIMIT, NodeSet};
 
 /// A graph on the nodes `0 .. n`, without loops and without double edges.
 ///

@@ -5,7 +5,7 @@ use alloc::vec::Vec;
 use crate::bounds;
 use crate::definition::Witness;
 use crate::graph::Graph;
-use crate::set::NodeSet;
+use crate::graph::set::NodeSet;
 use crate::verdict::{Certificate, Interval};
 
 /// s_max at one r: (r,s)-robust for all s ≤ least, not for any s > most.

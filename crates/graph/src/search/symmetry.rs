@@ -6,7 +6,7 @@ use alloc::vec;
 use alloc::vec::Vec;
 
 use crate::graph::Graph;
-use crate::set::NodeSet;
+use crate::graph::set::NodeSet;
 
 /// Pairs of nodes that are told apart from all others, over all searches for automorphisms, before they are given up.
 const TRIES: usize = 400;

@@ -10,15 +10,17 @@
 //! A pair that violates the definition lies in some bipartition, and the least sets of a bipartition are such a pair.
 //! O(n 2ⁿ) bytewise operations in blocks that stay in the cache. See docs/theory, `sec:table`.
 
+mod rows;
+
 use alloc::vec;
 use alloc::vec::Vec;
 use core::fmt;
 
-use crate::budget::{Meter, Stopped};
 use crate::definition::Witness;
+use crate::effort::{Meter, Stopped};
 use crate::graph::Graph;
-use crate::rows::Rows;
-use crate::set::NodeSet;
+use crate::graph::set::NodeSet;
+use crate::table::rows::Rows;
 
 /// The table counts in bytes and indexes with 32 bits: no graph above this size, whatever the memory.
 pub const TABLE_NODE_LIMIT: usize = 30;
@@ -40,7 +42,7 @@ pub enum TableError {
         /// Bytes allowed.
         allowed: u64,
     },
-    /// The budget is spent, or the callback said stop.
+    /// The effort is spent, or the callback said stop.
     Stopped,
 }
 

@@ -7,7 +7,7 @@ const REPORT_EVERY: u64 = 1 << 12;
 
 /// How much work a question may cost. No clock: whoever has one may stop the work through the callback of [`Meter`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Budget {
+pub struct Effort {
     /// Nodes of the search tree that may be visited (of order one microsecond each).
     /// The table of subsets counts as one node per 256 subsets, which takes about as long.
     pub nodes: u64,
@@ -15,7 +15,7 @@ pub struct Budget {
     pub table_bytes: u64,
 }
 
-impl Budget {
+impl Effort {
     /// No limit on nodes, and a table of at most 64 MiB (n ≤ 26).
     pub const UNLIMITED: Self = Self { nodes: u64::MAX, table_bytes: 1 << 26 };
 }
@@ -31,7 +31,7 @@ pub struct Progress {
     pub nodes: u64,
 }
 
-/// The work was stopped before the answer, by the budget or by the callback.
+/// The work was stopped before the answer, by the effort or by the callback.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Stopped;
 
@@ -62,7 +62,7 @@ impl<'a> Meter<'a> {
         (self.progress.r, self.progress.s) = (r, s);
     }
 
-    /// Does `work` with at most `nodes` more nodes. `Ok(None)`: they were not enough, but the budget may be.
+    /// Does `work` with at most `nodes` more nodes. `Ok(None)`: they were not enough, but the effort may be.
     pub(crate) fn within<T>(
         &mut self,
         nodes: u64,

@@ -1,5 +1,8 @@
 //! The world: one tick after another, and a run as the loop over it.
 
+pub mod any;
+pub mod given;
+
 use closeranks_core::program::Outcome;
 use closeranks_core::robot::error::RobotError;
 use closeranks_core::settings::params::Params;
@@ -12,7 +15,6 @@ pub use crate::engine::Engine;
 use crate::engine::judge::Judge;
 use crate::engine::robots::Robots;
 use crate::frame::Frame;
-use crate::given::{Given, GivenError};
 use crate::monitors::Monitors;
 use crate::monitors::robustness::{Round, Watcher};
 use crate::output::record::Record;
@@ -22,6 +24,8 @@ use crate::random::{Random, Stream};
 use crate::scenario::desired::Desired;
 use crate::scenario::start::StartError;
 use crate::scenario::{Scenario, Values};
+use crate::world::any::AnyWorld;
+use crate::world::given::{Given, GivenError};
 
 /// What a run is to produce besides its summary.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -75,19 +79,7 @@ pub enum RunError {
 
 /// Runs `scenario` from the first tick to the last. `progress` is called before each tick with its number.
 pub fn run(scenario: &Scenario, options: Options, progress: &mut dyn FnMut(u32)) -> Result<Run, RunError> {
-    match scenario.dimension {
-        2 => run_in::<2>(scenario, options, progress),
-        3 => run_in::<3>(scenario, options, progress),
-        other => Err(RunError::Dimension(other)),
-    }
-}
-
-fn run_in<const D: usize>(
-    scenario: &Scenario,
-    options: Options,
-    progress: &mut dyn FnMut(u32),
-) -> Result<Run, RunError> {
-    let mut world = World::<D>::new(scenario, options)?;
+    let mut world = AnyWorld::new(scenario, options)?;
     while !world.is_over() {
         progress(world.ticks_done());
         world.step();

@@ -1,0 +1,130 @@
+//! A world of whichever dimension its scenario has: for bindings, and for whoever learns the dimension at run time.
+
+use closeranks_core::num::Vector;
+
+use crate::scenario::Scenario;
+use crate::world::given::{Given, GivenError};
+use crate::world::{Options, Run, RunError, World};
+
+/// A [`World`] in the plane or in space. Vectors of the team are flat: one robot after another, one number a dimension.
+#[expect(clippy::large_enum_variant, reason = "there is one a run")]
+pub enum AnyWorld {
+    /// Two dimensions.
+    Plane(World<2>),
+    /// Three dimensions.
+    Space(World<3>),
+}
+
+/// What is given from outside for a tick, as in [`Given`], with flat vectors.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct AnyGiven<'a> {
+    /// u_{i,des}, m/s, n times D numbers.
+    pub desired_m_s: Option<&'a [f64]>,
+    /// What malicious robots tell of their level.
+    pub levels: Option<&'a [f64]>,
+    /// What malicious robots tell of their value in a round.
+    pub values: Option<&'a [f64]>,
+}
+
+/// Calls the same method of whichever world it is.
+macro_rules! dispatch {
+    ($of:expr, $world:ident => $call:expr) => {
+        match $of {
+            AnyWorld::Plane($world) => $call,
+            AnyWorld::Space($world) => $call,
+        }
+    };
+}
+
+impl AnyWorld {
+    /// The world of `scenario` before its first tick.
+    pub fn new(scenario: &Scenario, options: Options) -> Result<Self, RunError> {
+        match scenario.dimension {
+            2 => Ok(Self::Plane(World::new(scenario, options)?)),
+            3 => Ok(Self::Space(World::new(scenario, options)?)),
+            other => Err(RunError::Dimension(other)),
+        }
+    }
+
+    /// D.
+    #[must_use]
+    pub fn dimension(&self) -> usize {
+        match self {
+            Self::Plane(_) => 2,
+            Self::Space(_) => 3,
+        }
+    }
+
+    /// How many ticks were computed.
+    #[must_use]
+    pub fn ticks_done(&self) -> u32 {
+        dispatch!(self, world => world.ticks_done())
+    }
+
+    /// True once the last tick of the scenario was computed.
+    #[must_use]
+    pub fn is_over(&self) -> bool {
+        dispatch!(self, world => world.is_over())
+    }
+
+    /// Computes the next tick.
+    pub fn step(&mut self) {
+        dispatch!(self, world => {
+            world.step();
+        });
+    }
+
+    /// Computes the next tick with what is `given` from outside; refused as [`World::step_with`] does.
+    pub fn step_with(&mut self, given: &AnyGiven<'_>) -> Result<(), GivenError> {
+        dispatch!(self, world => step_with(world, given))
+    }
+
+    /// x_i, m, flat.
+    #[must_use]
+    pub fn positions_m(&self) -> &[f64] {
+        dispatch!(self, world => world.frame().positions_m.as_flattened())
+    }
+
+    /// u_i, m/s, flat: held from the last tick on.
+    #[must_use]
+    pub fn velocities_m_s(&self) -> &[f64] {
+        dispatch!(self, world => world.frame().velocities_m_s.as_flattened())
+    }
+
+    /// h_i as the robot's controller has it.
+    #[must_use]
+    pub fn h(&self) -> &[f64] {
+        dispatch!(self, world => &world.frame().h)
+    }
+
+    /// δ_i.
+    #[must_use]
+    pub fn degrees(&self) -> &[u16] {
+        dispatch!(self, world => &world.frame().degrees)
+    }
+
+    /// y_i; of malicious robots what they tell.
+    #[must_use]
+    pub fn values(&self) -> &[f64] {
+        dispatch!(self, world => &world.frame().values)
+    }
+
+    /// Ends the run.
+    #[must_use]
+    pub fn finish(self) -> Run {
+        dispatch!(self, world => world.finish())
+    }
+}
+
+fn step_with<const D: usize>(world: &mut World<D>, given: &AnyGiven<'_>) -> Result<(), GivenError> {
+    let robots = world.frame().positions_m.len();
+    let desired_m_s = match given.desired_m_s.map(<[f64]>::as_chunks::<D>) {
+        Some((_, rest)) if !rest.is_empty() => {
+            let found = given.desired_m_s.map_or(0, <[f64]>::len);
+            return Err(GivenError::Length { array: "desired_m_s", found, robots: D * robots });
+        }
+        desired => desired.map(|(desired, _): (&[Vector<D>], _)| desired),
+    };
+    world.step_with(&Given { desired_m_s, levels: given.levels, values: given.values })?;
+    Ok(())
+}
