@@ -1,4 +1,4 @@
-//! Motion that a scenario lists, in its own text or in a file beside it.
+//! Motion that is listed in a scenario text or in a file beside it.
 
 use closeranks_sim::parse::{Problem, inlined, named, scenario, scenario_with};
 use closeranks_sim::scenario::Scenario;
@@ -69,7 +69,8 @@ fn files_are_refused_with_name_line_value_and_what_is_allowed() {
         "1,1,0,0\n\n1,1,0,0",
         "line 4: robot 1 at 1 s after 1 s, allowed is more than 1: times of a robot rise",
     );
-    let many = format!("{head}{}", (0..10_001).map(|t| format!("1,{t},0,0\n")).collect::<String>());
+    let rows: Vec<String> = (0..10_001).map(|t| format!("1,{t},0,0\n")).collect();
+    let many = format!("{head}{}", rows.concat());
     let problems = with_file(FILE, &many).unwrap_err();
     assert_eq!(problems[0].to_string(), "`motion.file` is 10001 rows, allowed is 1 to 10000 rows");
 }

@@ -52,11 +52,12 @@ fn play<const D: usize>(params: Params<D>, source: &mut Source<'_>) {
         Ok(scratch) => scratch,
         Err(error) => return assert!(error == RobotError::Scratch(needs) && given != needs),
     };
+    let fits = value.abs() <= VALUE_MAX;
     match Robot::new(params, own, value, vec![Slot::default(); slots]) {
         Ok(robot) => {
-            assert!(given == needs && value.abs() <= VALUE_MAX);
+            assert!(given == needs && fits);
             Play::new(params, robot, scratch, slots, value).all(source);
         }
-        Err(error) => assert!(error == RobotError::Value && !(value.abs() <= VALUE_MAX)),
+        Err(error) => assert!(error == RobotError::Value && !fits),
     }
 }

@@ -33,16 +33,13 @@ pub(super) fn settings<const D: usize>(source: &mut Source<'_>) -> Settings<D> {
 
 /// Any number of the table replaced by any number, or a side of the input box.
 fn replace<const D: usize>(settings: &mut Settings<D>, source: &mut Source<'_>) {
-    match TABLE.get(source.below(TABLE.len() + 1)) {
-        Some(row) => {
-            let number = size(source);
-            (row.set)(&mut settings.parts(f64::INFINITY), number);
-        }
-        None => {
-            let axis = source.below(D);
-            settings.limits.input.min_m_s[axis] = -size(source);
-            settings.limits.input.max_m_s[axis] = size(source);
-        }
+    if let Some(row) = TABLE.get(source.below(TABLE.len() + 1)) {
+        let number = size(source);
+        (row.set)(&mut settings.parts(f64::INFINITY), number);
+    } else {
+        let axis = source.below(D);
+        settings.limits.input.min_m_s[axis] = -size(source);
+        settings.limits.input.max_m_s[axis] = size(source);
     }
 }
 

@@ -80,8 +80,8 @@ impl Folder {
             fs::create_dir_all(parent).with_context(cannot)?;
             let _lock = lock(parent); // so that nobody takes it for leftovers before it is locked itself
             let folder = leftovers::beside(&self.target, leftovers::NEW).with_context(cannot)?;
-            let _lock = lock(folder.path());
-            self.fresh = Some(Fresh { folder, _lock });
+            let held = lock(folder.path());
+            self.fresh = Some(Fresh { folder, _lock: held });
         }
         let path = self.fresh.as_ref().map(|fresh| fresh.folder.path().to_owned());
         path.with_context(cannot)
