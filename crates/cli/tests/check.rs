@@ -273,7 +273,10 @@ fn a_recorded_run_has_its_robustness_over_time() {
     assert_eq!(output.status.code(), Some(1), "asked and not always so");
     let found: Value = serde_json::from_slice(&output.stdout).unwrap();
     assert_eq!(found["rounds"].as_array().unwrap().len(), 7);
-    assert_eq!(found["rounds"][0], json!({ "tick": 0, "time_s": 0.0, "r_max": 6, "f_max": 5 }));
+    assert_eq!(
+        found["rounds"][0],
+        json!({ "tick": 0, "time_s": 0.0, "r_max": 6, "f_max": 5, "degree_min": 10 })
+    );
     assert_eq!(check(&["--r", "2"]).status.code(), Some(2));
     let whole = fs::read(folder.path().join("run/run.parquet")).unwrap();
     for length in (4..whole.len()).step_by(whole.len() / 7) {

@@ -47,7 +47,7 @@ fn a_recording_comes_back_and_a_broken_one_is_an_error() {
     let mut file = Vec::new();
     write(&record, &Metadata { scenario: "seed = 1", ..Metadata::default() }, &mut file).unwrap();
     let found = read(file.clone()).unwrap();
-    assert_eq!((found.robots, found.ticks(), found.scenario.as_str()), (11, 11, "seed = 1"));
+    assert_eq!((found.robots, found.ticks(), found.scenario.as_deref()), (11, 11, Some("seed = 1")));
     for tick in 0..found.ticks() {
         for (index, point) in found.at(tick).iter().enumerate() {
             let row = record.row(tick, index);

@@ -3,9 +3,11 @@
 use std::path::Path;
 
 use annotate_snippets::{AnnotationKind, Level, Snippet};
-use anyhow::{Result, bail};
+use anyhow::{Context as _, Result, bail};
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use closeranks_graph::formats::{self, Format, FormatError, Options, Problem, Reading, TEXT_LIMIT, ToldBy};
+use closeranks_report::recording::elsewhere::{is_head, read_csv};
+use closeranks_report::recording::{ReadError, Recording, read as read_parquet};
 
 use super::Check;
 use crate::source::{self, Refused};
@@ -28,8 +30,8 @@ const RECORDING_MAX: usize = 1 << 26;
 pub(super) enum Source {
     /// One graph.
     Graph(Input),
-    /// A Parquet file and its name.
-    Recording(String, Vec<u8>),
+    /// Recorded positions and the name of their file.
+    Recording(String, Recording),
 }
 
 /// Reads a file, and checks it if it is a graph.
@@ -37,13 +39,28 @@ pub(super) fn read(arguments: &Check) -> Result<Source> {
     let name = source::name(&arguments.file);
     let bytes = source::bytes(&arguments.file, "graph", RECORDING_MAX)?;
     if arguments.format.is_none() && bytes.starts_with(b"PAR1") {
-        return Ok(Source::Recording(name, bytes));
+        return recording(name, read_parquet(bytes));
+    }
+    if arguments.format.is_none() && is_table(&bytes) {
+        let text = decode(bytes, &name)?;
+        return recording(name, read_csv(&text));
     }
     if bytes.len() > TEXT_LIMIT {
         bail!("the graph `{name}` is too long: allowed is at most {TEXT_LIMIT} bytes");
     }
     let text = decode(bytes, &name)?;
     graph(arguments, name, &text).map(Source::Graph)
+}
+
+fn recording(name: String, read: Result<Recording, ReadError>) -> Result<Source> {
+    let recording = read.with_context(|| format!("the recording `{name}` cannot be read"))?;
+    Ok(Source::Recording(name, recording))
+}
+
+/// True if the first line names columns of positions.
+fn is_table(bytes: &[u8]) -> bool {
+    let line = bytes.split(|byte| matches!(byte, b'\n' | b'\r')).next().unwrap_or(&[]);
+    core::str::from_utf8(line).is_ok_and(is_head)
 }
 
 /// The formats that `--format` may name.

@@ -44,6 +44,7 @@ no direction; --directed gives them one. Parallel links count once and loops not
     closeranks check matrix.csv --directed --transpose   # row u, column v: u hears v
     closeranks check many.g6 --which 3           # the third graph of a file with several
     closeranks check out/run.parquet             # a recorded run: robustness at every consensus round
+    closeranks check flight.csv --radius 3 --F 1 # positions of others, CSV or Parquet: time_s or tick, robot, x_m, y_m[, z_m]
     closeranks graph petersen | closeranks check -
 
 What the words mean, with pictures: docs/robustness.md.
@@ -91,7 +92,7 @@ impl Format {
 #[derive(Args, Debug)]
 #[expect(clippy::struct_excessive_bools, reason = "each is a flag of the command line")]
 pub(crate) struct Check {
-    /// Graph or recorded run (Parquet); `-` reads standard input.
+    /// Graph, recorded run (Parquet) or recorded positions (Parquet, CSV); `-` reads standard input.
     #[arg(value_name = "GRAPH")]
     file: PathBuf,
     /// How it is written down; told by its content if left out.
@@ -136,6 +137,9 @@ pub(crate) struct Check {
     /// Of a recorded run, look at every K-th tick; every consensus round if left out.
     #[arg(long, value_name = "K", value_parser = clap::value_parser!(u32).range(1..))]
     every: Option<u32>,
+    /// Of recorded positions, how far robots hear each other, m; needed where the file has no scenario.
+    #[arg(long, value_name = "METRES", value_parser = radius)]
+    radius: Option<f64>,
     /// Stop after so many seconds and say what is proved by then.
     #[arg(long, value_name = "SECONDS", default_value_t = 60.0, value_parser = seconds)]
     time_limit: f64,
@@ -150,6 +154,11 @@ pub(crate) struct Check {
     quiet: bool,
 }
 
+fn radius(text: &str) -> Result<f64, String> {
+    let number = text.parse::<f64>().ok().filter(|number| *number > 0.0 && *number <= 1e9);
+    number.ok_or_else(|| "allowed is more than 0 and at most 1e9 metres".to_owned())
+}
+
 fn seconds(text: &str) -> Result<f64, String> {
     let number = text.parse::<f64>().ok().filter(|number| (0.0..=1e9).contains(number));
     number.ok_or_else(|| "allowed is 0 to 1e9 seconds".to_owned())
@@ -160,13 +169,16 @@ pub(crate) fn check(arguments: &Check) -> Result<bool> {
     let folder = arguments.output.as_deref().map(Folder::new).transpose()?;
     match input::read(arguments)? {
         Source::Graph(input) => graph(arguments, &input, folder),
-        Source::Recording(name, file) => recording::check(arguments, &name, file, folder),
+        Source::Recording(name, recording) => recording::check(arguments, &name, &recording, folder),
     }
 }
 
 fn graph(arguments: &Check, input: &Input, folder: Option<Folder>) -> Result<bool> {
     if arguments.every.is_some() {
-        bail!("--every is for recorded runs (Parquet files of `closeranks run`)");
+        bail!("--every is for recorded runs (Parquet files of `closeranks run`, and tables of positions)");
+    }
+    if arguments.radius.is_some() {
+        bail!("--radius is for recorded positions; a graph has its links");
     }
     let mut watch = Watch::new(arguments.time_limit, arguments.quiet);
     let task = Task::new(&input.reading.named, arguments)?;

@@ -5,7 +5,9 @@
 //! | a record, one row a tick and robot | [`mod@write`] |
 //! | exact robustness, one row a consensus round | [`rounds`] |
 //! | positions, read back | [`mod@read`] |
+//! | positions that others recorded | [`elsewhere`] |
 
+pub mod elsewhere;
 pub mod read;
 pub mod rounds;
 pub mod write;

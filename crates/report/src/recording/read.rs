@@ -7,19 +7,26 @@ use ::parquet::file::metadata::RowGroupMetaData;
 use ::parquet::file::reader::{FileReader, RowGroupReader, SerializedFileReader};
 use bytes::Bytes;
 use closeranks_graph::graph::set::NODE_LIMIT;
-use closeranks_sim::parse::ROWS_MAX;
 
+use super::elsewhere::{COLUMNS, Cells, assemble};
 use crate::recording::columns::AXES;
+
+/// How many rows (ticks × robots) are read at most.
+pub const ROWS_MAX: u64 = 20_000_000;
 
 /// What is needed to know who heard whom.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Recording {
-    /// The scenario, TOML, as the file's metadata have it.
-    pub scenario: String,
+    /// The scenario, TOML, as the metadata of our own files have it.
+    pub scenario: Option<String>,
     /// Number of robots n, `1 ..= 128`.
     pub robots: usize,
     /// Position of robot `index` at `tick` in place `tick·n + index`, m; the third is 0 in the plane.
     pub positions_m: Vec<[f64; 3]>,
+    /// Of recordings of others: when, ascending.
+    pub times: Vec<f64>,
+    /// What the column of these times is called: `time_s` or `tick`.
+    pub time_name: &'static str,
 }
 
 /// Why a file is no recording.
@@ -34,9 +41,39 @@ pub enum ReadError {
     /// There is no such column, or it is of another type.
     #[error("no column {0} as `closeranks run` writes it")]
     Column(String),
-    /// The metadata have no scenario.
-    #[error("no scenario in its metadata, as `closeranks run` writes it")]
-    Scenario,
+    /// There is no such column in a recording of others.
+    #[error("no column `{0}`: allowed are {COLUMNS}")]
+    NoColumn(String),
+    /// A value of a recording of others is not allowed.
+    #[error("column `{column}`, row {row} is {found}: allowed is {allowed}")]
+    Value {
+        /// Which column.
+        column: String,
+        /// Which row, from 1.
+        row: usize,
+        /// What is there.
+        found: String,
+        /// What is allowed.
+        allowed: String,
+    },
+    /// A robot has two rows at one moment.
+    #[error("row {row}: robot {robot} is there twice at {at}")]
+    Twice {
+        /// The later row, from 1.
+        row: usize,
+        /// Its robot.
+        robot: String,
+        /// When.
+        at: String,
+    },
+    /// A robot has no row at a moment at which others have.
+    #[error("robot {robot} is missing at {at}: every robot needs a row at every moment")]
+    Missing {
+        /// Which robot.
+        robot: String,
+        /// When.
+        at: String,
+    },
     /// Too long or empty.
     #[error("{0} rows, allowed are 1 to {ROWS_MAX}")]
     Rows(i64),
@@ -92,6 +129,9 @@ fn decode(file: Vec<u8>) -> Result<Recording, ReadError> {
     }
     let pairs = metadata.key_value_metadata().into_iter().flatten();
     let scenario = pairs.filter(|pair| pair.key == "scenario").find_map(|pair| pair.value.clone());
+    if scenario.is_none() {
+        return assemble(|name| cells(&reader, name, rows));
+    }
     let ticks = column(&reader, "tick", rows, words)?;
     let robots = column(&reader, "robot", rows, words)?;
     let count = robots_of(&ticks, &robots)?;
@@ -100,7 +140,7 @@ fn decode(file: Vec<u8>) -> Result<Recording, ReadError> {
     let spatial = names(&reader).iter().any(|name| name == "z_m");
     let z = if spatial { axes(AXES[2])? } else { vec![0.0; rows] };
     let positions_m = x.into_iter().zip(y).zip(z).map(|((x, y), z)| [x, y, z]).collect();
-    Ok(Recording { scenario: scenario.ok_or(ReadError::Scenario)?, robots: count, positions_m })
+    Ok(Recording { scenario, robots: count, positions_m, times: Vec::new(), time_name: "tick" })
 }
 
 /// Whether every column lies inside of the file: the decoder takes that for granted.
@@ -162,6 +202,75 @@ fn column<T>(
     if values.len() == rows { Ok(values) } else { Err(ReadError::Ragged) }
 }
 
+/// The column `name` of a table of others, if there is one: numbers of any kind, or texts.
+fn cells(reader: &SerializedFileReader<Bytes>, name: &str, rows: usize) -> Result<Option<Cells>, ReadError> {
+    let Some(place) = names(reader).iter().position(|known| known == name) else { return Ok(None) };
+    let unknown = |kind: &str| ReadError::Value {
+        column: name.to_owned(),
+        row: 1,
+        found: kind.to_owned(),
+        allowed: "numbers or texts, one a row".to_owned(),
+    };
+    let column = reader.metadata().file_metadata().schema_descr().column(place);
+    if column.max_rep_level() > 0 || column.max_def_level() > 1 {
+        return Err(unknown("in a list"));
+    }
+    let (mut numbers, mut texts): (Vec<f64>, Vec<String>) = Default::default();
+    for group in 0..reader.num_row_groups() {
+        let group = reader.get_row_group(group)?;
+        let before = numbers.len() + texts.len();
+        let null = match group.get_column_reader(place)? {
+            ColumnReader::Int32ColumnReader(reader) => {
+                present(reader, rows, &mut numbers, |number| f64::from(*number))?
+            }
+            #[expect(clippy::cast_precision_loss, reason = "numbers beyond 2^53 are refused")]
+            ColumnReader::Int64ColumnReader(reader) => {
+                present(reader, rows, &mut numbers, |number| *number as f64)?
+            }
+            ColumnReader::FloatColumnReader(reader) => {
+                present(reader, rows, &mut numbers, |number| f64::from(*number))?
+            }
+            ColumnReader::DoubleColumnReader(reader) => {
+                present(reader, rows, &mut numbers, |number| *number)?
+            }
+            ColumnReader::ByteArrayColumnReader(reader) => {
+                present(reader, rows, &mut texts, |text| String::from_utf8_lossy(text.data()).into_owned())?
+            }
+            _ => return Err(unknown("of another type")),
+        };
+        if let Some(row) = null {
+            let (column, row) = (name.to_owned(), before + row + 1);
+            let (found, allowed) = ("null".to_owned(), "a value in every row".to_owned());
+            return Err(ReadError::Value { column, row, found, allowed });
+        }
+    }
+    Ok(Some(if texts.is_empty() { Cells::Numbers(numbers) } else { Cells::Words(texts) }))
+}
+
+/// Reads a column that may have nulls to its end, at most `most` values and one block; the place of the first null, if there is
+/// one.
+fn present<T: DataType, V>(
+    mut reader: ColumnReaderImpl<T>,
+    most: usize,
+    all: &mut Vec<V>,
+    value: impl Fn(&T::T) -> V,
+) -> Result<Option<usize>, ParquetError> {
+    let mut done = 0;
+    while all.len() <= most {
+        let (mut values, mut levels) = (Vec::new(), Vec::new());
+        let (records, ..) = reader.read_records(BLOCK, Some(&mut levels), None, &mut values)?;
+        if values.len() < records {
+            return Ok(Some(done + levels.iter().position(|level| *level == 0).unwrap_or(0)));
+        }
+        if records == 0 {
+            break;
+        }
+        all.extend(values.iter().map(&value));
+        done += records;
+    }
+    Ok(None)
+}
+
 fn words(
     group: &dyn RowGroupReader,
     place: usize,
@@ -186,13 +295,15 @@ fn doubles(
     }
 }
 
+/// Values read at once.
+const BLOCK: usize = 1 << 16;
+
 /// Reads until the end, but never more than `most` values and one block.
 fn drain<T: DataType>(
     mut reader: ColumnReaderImpl<T>,
     values: &mut Vec<T::T>,
     most: usize,
 ) -> Result<(), ParquetError> {
-    const BLOCK: usize = 1 << 16;
     while values.len() <= most {
         let (records, ..) = reader.read_records(BLOCK, None, None, values)?;
         if records == 0 {

@@ -10,7 +10,10 @@ use crate::scenario::start::{Start, StartError};
 use crate::scenario::{Limits, Scenario, Values};
 
 /// How many rows (ticks × robots) a run may have at most.
-pub const ROWS_MAX: u64 = 20_000_000;
+pub const ROWS_MAX: u64 = 200_000_000;
+
+/// How many consensus rounds a run may have at most; what is known of each is kept.
+const ROUNDS_MAX: u64 = 10_000_000;
 
 /// Notes in `reader` what cannot be run; `scenario` holds fields that were each read without fault.
 pub(super) fn check(reader: &mut Reader, scenario: &Scenario) {
@@ -83,12 +86,12 @@ fn clocks(reader: &mut Reader, scenario: &Scenario) {
             format!("a whole multiple of clock.tau_1_s = {}", scenario.clock.level_period.as_secs_f64());
         reader.refuse("clock.tau_2_s", scenario.clock.value_period.as_secs_f64().to_string(), allowed);
     }
-    let rows = (scenario.duration_s / scenario.tick_s() + 1.0) * f64::from(scenario.team.robots);
     #[expect(clippy::cast_precision_loss, reason = "far below 2^53")]
-    let limit = ROWS_MAX as f64;
-    if rows > limit {
-        let most = (limit / f64::from(scenario.team.robots) - 1.0) * scenario.tick_s();
-        let allowed = format!("at most {most:.1} with {} robots and this tick", scenario.team.robots);
+    let [rows, rounds] = [ROWS_MAX, ROUNDS_MAX].map(|most| most as f64);
+    let ticks = rows / f64::from(scenario.team.robots) - 1.0;
+    let most = ticks.min(rounds * f64::from(scenario.ticks_per_round())) * scenario.tick_s();
+    if scenario.duration_s > most {
+        let allowed = format!("at most {most:.1} with {} robots and this clock", scenario.team.robots);
         reader.refuse("duration_s", scenario.duration_s.to_string(), allowed);
     }
 }
