@@ -1,7 +1,7 @@
 //! The folder of `closeranks check -o`: picture and page.
 
 use anyhow::Result;
-use closeranks_report::content::{Figure, Page, Section};
+use closeranks_report::content::{Figure, Link, Page, Section};
 use closeranks_report::html::html;
 use closeranks_report::network::{Network, network};
 use closeranks_report::png::{SCALE_200_DPI, png};
@@ -34,6 +34,10 @@ fn page(input: &Input, answer: &Answer, svg: String) -> Page {
         paragraphs: answer.read.iter().chain([&answer.graph]).chain(&answer.why).cloned().collect(),
         tables: answer.table.iter().map(|table| (TABLE.to_owned(), table.clone())).collect(),
         figures: vec![Figure { caption: caption(answer), svg }],
+        files: vec![
+            Link::new("graph.svg", "the picture, for print"),
+            Link::new("graph.png", "and for slides"),
+        ],
         ..Section::default()
     };
     Page {
