@@ -1,0 +1,62 @@
+//! `scenarios/everything.toml` against the table of numbers in the core: nothing is left out, and the values are the defaults.
+
+use closeranks_core::settings::field::{Parts, Row, TABLE};
+use closeranks_sim::parse::scenario;
+use closeranks_sim::scenario::Scenario;
+
+const EVERYTHING: &str = include_str!("../../../scenarios/everything.toml");
+
+/// The default that the core has for the number of `row`.
+fn default_of(row: &Row) -> f64 {
+    let Scenario { mut team, mut link, mut limits, mut composed, mut budget, mut clock, mut errors, .. } =
+        Scenario::default();
+    let parts = Parts {
+        team: &mut team,
+        link: &mut link,
+        distance_min_m: &mut limits.distance_min_m,
+        composed: Some(&mut composed),
+        budget: Some(&mut budget),
+        clock: &mut clock,
+        errors: &mut errors,
+        distance_limit_m: f64::INFINITY,
+    };
+    (row.get)(&parts).expect("both controllers are there")
+}
+
+/// The number that the file gives for the number of `row`, in a comment or not.
+fn written_for(row: &Row) -> f64 {
+    let (table, key) = row.place();
+    let head = format!("[{table}]");
+    let lines = EVERYTHING.lines().skip_while(|line| **line != head).skip(1);
+    let here = lines.take_while(|line| !line.starts_with('['));
+    let found: Vec<&str> = here
+        .filter_map(|line| line.trim_start_matches("# ").split_once(" = "))
+        .filter(|(name, _)| *name == key)
+        .map(|(_, value)| value.split('#').next().unwrap_or(value).trim())
+        .collect();
+    assert_eq!(found.len(), 1, "{} stands once in everything.toml: {found:?}", row.name);
+    found[0].parse().expect("a number")
+}
+
+#[test]
+fn every_number_of_the_table_stands_in_the_file_with_its_default() {
+    for row in &TABLE {
+        let (written, default) = (written_for(row), default_of(row));
+        // Two defaults are computed and have more digits than are of use in a file.
+        assert!(
+            (written - default).abs() <= 1e-3 * default.abs(),
+            "{}: {written} in everything.toml, {default} by default",
+            row.name
+        );
+    }
+}
+
+#[test]
+fn a_number_that_is_none_is_refused_with_the_range_of_the_table() {
+    for row in &TABLE {
+        let (table, key) = row.place();
+        let problems = scenario(&format!("[{table}]\n{key} = nan")).expect_err("nan is no number of a team");
+        let told = problems[0].to_string();
+        assert!(told.starts_with(&format!("`{}` is nan, allowed is ", row.name)), "{told}");
+    }
+}
