@@ -55,6 +55,7 @@ pub fn overview(case: Case<'_>) -> String {
 /// Paths to the left, the least distance to the right.
 fn draw_way(svg: &mut Svg, grid: &Grid, row: usize, case: Case<'_>, look: &Look, titles: &[Vec<String>]) {
     let view: View = views(&[case])[0];
+    let look = look.with_ways(&[case]);
     let axes = Axes { place: grid.place(0, row), x: look.x, y: look.y };
     paths::draw(svg, &axes, case, view, look.marker);
     axes.draw(svg, &plane_decoration(&titles[0], view, true));

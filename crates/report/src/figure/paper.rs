@@ -97,7 +97,7 @@ pub fn figure3(cases: &[Case<'_>]) -> String {
     let columns = cases.len().max(1);
     let width = panel_width(cases.len(), SHARED_GAP, 300.0);
     let [upper, lower] = [0, titles.len()].map(|first| fold(&titles, first, width));
-    let look = Look::of(&moments(cases).concat(), width, 1.25);
+    let look = Look::of(&moments(cases).concat(), width, 1.25).with_ways(cases);
     let entries = legend::folded(&legend::PATHS, legend_room(columns, width, SHARED_GAP));
     let plane = Row { title_lines: lines(&upper), height: look.aspect * width, axis: true, legend: 0 };
     let mut rows = vec![plane; views(cases).len()];

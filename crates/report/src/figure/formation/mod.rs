@@ -8,7 +8,7 @@ use closeranks_sim::output::record::Record;
 
 use self::links::{Link, links};
 use self::marker::{Marker, ring, robots_group};
-use self::view::View;
+use self::view::{View, views};
 use crate::figure::Case;
 use crate::figure::panel::axes::Axes;
 use crate::figure::panel::ticks::{Range, plain};
@@ -65,6 +65,30 @@ impl Look {
         let (x, y) = (x.widened_to(span), y.widened_to(span * aspect));
         Self { x, y, marker: Marker::of(moments, width / span), aspect }
     }
+
+    /// The same panels with room for the whole way of every robot: a path may leave what holds its two ends.
+    #[must_use]
+    pub(crate) fn with_ways(self, cases: &[Case<'_>]) -> Self {
+        let [x, y] = [0, 1].map(|axis| Range::of(ways(cases, axis)));
+        if self.x.with(x) == self.x && self.y.with(y) == self.y {
+            return self;
+        }
+        let margin = 0.03 * x.width().max(y.width());
+        let (x, y) = (self.x.with(x.padded(margin)), self.y.with(y.padded(margin)));
+        let span = x.width().max(y.width() / self.aspect);
+        Self { x: x.widened_to(span), y: y.widened_to(span * self.aspect), ..self }
+    }
+}
+
+/// A coordinate of all robots at all ticks, in every view.
+fn ways<'a>(cases: &'a [Case<'_>], axis: usize) -> impl Iterator<Item = f64> + 'a {
+    views(cases).iter().flat_map(move |view| cases.iter().flat_map(move |case| way(*case, *view, axis)))
+}
+
+fn way(case: Case<'_>, view: View, axis: usize) -> impl Iterator<Item = f64> {
+    let robots = 0..usize::from(case.record.robots);
+    let ticks = 0..=case.record.last_tick();
+    ticks.flat_map(move |tick| robots.clone().map(move |index| view.point(case.record, tick, index)[axis]))
 }
 
 impl Marker {
@@ -215,5 +239,35 @@ pub(crate) fn link_style(element: Element, colour: &str, dotted: bool) -> Elemen
         element.number("stroke-width", 0.9).text("stroke-dasharray", DOTS)
     } else {
         element.number("stroke-width", 0.25).number("stroke-opacity", 0.5)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use closeranks_sim::scenario::Scenario;
+    use closeranks_sim::scenario::desired::Desired;
+    use closeranks_sim::world::{Options, run};
+
+    #[test]
+    fn a_way_that_leaves_its_ends_makes_the_panel_wider() {
+        let scenario = Scenario { duration_s: 5.0, desired: Desired::Wander, ..Scenario::default() };
+        let run = run(&scenario, Options { record: true, ..Options::default() }, &mut |_| ()).unwrap();
+        let record = run.record.unwrap();
+        let case = Case { title: "wander", scenario: &scenario, record: &record };
+        let start = Moment::start(case, views(&[case])[0]);
+        let narrow = Look {
+            x: Range { min: -0.1, max: 0.1 },
+            y: Range { min: 0.0, max: 0.2 },
+            ..Look::of(&[start], 300.0, 1.0)
+        };
+        let wide = narrow.with_ways(&[case]);
+        let holds = |look: &Look| {
+            ways(&[case], 0).all(|x| (look.x.min..=look.x.max).contains(&x))
+                && ways(&[case], 1).all(|y| (look.y.min..=look.y.max).contains(&y))
+        };
+        assert!(!holds(&narrow) && holds(&wide));
+        assert!((wide.y.width() / wide.x.width() - wide.aspect).abs() < 1e-12);
+        assert_eq!(wide.with_ways(&[case]), wide);
     }
 }
