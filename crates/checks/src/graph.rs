@@ -15,7 +15,7 @@ pub fn graph(bytes: &[u8]) {
     choice(&text);
 }
 
-/// The same with one format only, by its name: for a fuzzer that is to dig deeper there.
+/// Checks one format only, given by its name, so that a fuzzer can dig deeper there.
 pub fn graph_as(name: &str, bytes: &[u8]) {
     let format = Format::from_name(name).expect("a format");
     one_format(&String::from_utf8_lossy(bytes), format);
@@ -104,7 +104,7 @@ fn rewrite(named: &Named) {
     }
 }
 
-/// The same whatever the order of nodes: these formats put nodes whose names are numbers in their order.
+/// What two graphs share that differ only in the order of their nodes. Some formats sort nodes whose names are numbers.
 fn by_name(named: &Named) -> (bool, BTreeSet<&str>, BTreeSet<[&str; 2]>) {
     let directed = named.graph.is_directed();
     let ends = |(from, to): (usize, usize)| {

@@ -64,7 +64,7 @@ fn word(argument: &Arg, matches: &ArgMatches) -> Option<String> {
     }
 }
 
-/// The same file has the same name in every folder.
+/// Makes a path absolute, so that a file has one name from whichever folder the program is called.
 fn whole_path(value: &str) -> String {
     if value == "-" {
         return value.to_owned();

@@ -15,6 +15,7 @@ mod results;
 mod run;
 mod source;
 mod sweep;
+mod wrap;
 
 use std::path::PathBuf;
 use std::process::ExitCode;

@@ -5,7 +5,6 @@ mod numbers;
 mod options;
 mod tables;
 mod words;
-mod wrap;
 
 use std::path::PathBuf;
 

@@ -6,8 +6,15 @@ use closeranks_sim::scenario::Scenario;
 use closeranks_sim::scenario::start::Start;
 
 use super::numbers::{down, given, plain, up};
-use super::wrap::wrapped;
 use super::{Asked, tables};
+use crate::wrap;
+
+/// What every terminal, mail and README has room for.
+const WIDTH: usize = 80;
+
+fn wrapped(text: &str) -> String {
+    wrap::wrapped(text, WIDTH)
+}
 
 /// Everything, in lines that a terminal has room for.
 pub(super) fn told(asked: &Asked, advice: &Advice) -> String {

@@ -11,6 +11,7 @@ use serde_json::{Map, Value, json};
 
 use super::{Check, analysis, mend, question, words};
 use crate::progress::Watch;
+use crate::wrap::wrapped;
 
 /// The answer to a task.
 #[derive(Debug, Default)]
@@ -70,26 +71,8 @@ impl Answer {
 /// Widest line of prose.
 const WIDTH: usize = 110;
 
-/// Breaks lines between words.
 fn wrap(text: &str) -> String {
-    let mut out = String::new();
-    for line in text.lines() {
-        let mut length = 0;
-        for word in line.split(' ') {
-            let wide = word.chars().count();
-            if length > 0 && length + 1 + wide > WIDTH {
-                out.push('\n');
-                length = 0;
-            } else if length > 0 {
-                out.push(' ');
-                length += 1;
-            }
-            out.push_str(word);
-            length += wide;
-        }
-        out.push('\n');
-    }
-    out
+    wrapped(text, WIDTH)
 }
 
 /// A question about a graph.

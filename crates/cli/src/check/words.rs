@@ -39,7 +39,7 @@ pub(super) fn reading(reading: &Reading) -> Vec<String> {
     core::iter::once(head).chain(notes).collect()
 }
 
-/// The same for machines.
+/// Says in JSON what was read, as the lines above do in words.
 pub(super) fn reading_value(reading: &Reading) -> Value {
     let graph = &reading.named.graph;
     let told_by = match reading.told_by {
