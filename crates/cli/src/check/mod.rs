@@ -7,6 +7,7 @@ mod mend;
 mod question;
 mod recording;
 mod save;
+mod task;
 mod words;
 
 use std::path::PathBuf;
@@ -18,8 +19,9 @@ use closeranks_graph::formats;
 use crate::folder::Folder;
 use crate::output;
 use crate::progress::Watch;
-use answer::{Answer, Task};
+use answer::Answer;
 use input::{Input, Source};
+use task::Task;
 
 /// Shown by `closeranks check --help`.
 pub(crate) const HELP: &str = "\
