@@ -5,10 +5,10 @@ use closeranks_sim::monitors::robustness::Round;
 use crate::figure::panel::axes::{Axes, Decoration};
 use crate::figure::panel::layout::{Grid, Row, legend_room, panel_width};
 use crate::figure::panel::legend;
+use crate::figure::panel::stroke::{largest_f, largest_r, needed};
 use crate::figure::panel::ticks::Range;
 use crate::figure::panel::title::{Title, fold};
 use crate::figure::trace::steps;
-use crate::svg::palette::{INK, MALICIOUS, NORMAL};
 use crate::svg::path::PathData;
 use crate::svg::{Element, Piece, Svg};
 
@@ -111,21 +111,6 @@ fn path(points: &[[f64; 2]]) -> Element {
         if place == 0 { path.start(*point) } else { path.continue_to(*point) }
     }
     path.element().text("fill", "none")
-}
-
-/// Line of r_max.
-pub(crate) fn largest_r(line: Element) -> Element {
-    line.text("stroke", NORMAL).number("stroke-width", 1.0)
-}
-
-/// Line of F_max.
-pub(crate) fn largest_f(line: Element) -> Element {
-    line.text("stroke", INK).number("stroke-width", 1.8)
-}
-
-/// Line of F.
-pub(crate) fn needed(line: Element) -> Element {
-    line.text("stroke", MALICIOUS).number("stroke-width", 1.2).text("stroke-dasharray", "4 2")
 }
 
 #[cfg(test)]

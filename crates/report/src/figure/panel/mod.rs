@@ -3,5 +3,6 @@
 pub(crate) mod axes;
 pub(crate) mod layout;
 pub(crate) mod legend;
+pub(crate) mod stroke;
 pub(crate) mod ticks;
 pub(crate) mod title;
