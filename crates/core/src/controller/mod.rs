@@ -63,7 +63,7 @@ pub struct View<'a, const D: usize> {
     pub told_level: f64,
     /// The velocity of the tick before, m/s.
     pub before_m_s: Vector<D>,
-    /// Its neighbours in order of their numbers; some may not be sensed in this tick.
+    /// Its neighbours in order of their numbers; some may be missing in this tick.
     pub slots: &'a [Slot<D>],
 }
 
@@ -71,6 +71,17 @@ impl<'a, const D: usize> View<'a, D> {
     /// The neighbours sensed in this tick.
     pub fn sensed(&self) -> impl Iterator<Item = &'a Slot<D>> + Clone + use<'a, D> {
         self.slots.iter().filter(|slot| slot.sensed)
+    }
+
+    /// The neighbours sensed in this tick, and those that are missing ([`missing`](crate::robot::missing)).
+    pub fn in_view(&self) -> impl Iterator<Item = &'a Slot<D>> + Clone + use<'a, D> {
+        self.slots.iter().filter(|slot| slot.sensed || slot.is_missing())
+    }
+
+    /// True if nobody is missing.
+    #[must_use]
+    pub fn is_whole(&self) -> bool {
+        !self.slots.iter().any(Slot::is_missing)
     }
 
     /// The sensed neighbours within R. Without stated errors these are all sensed neighbours.
@@ -164,6 +175,8 @@ pub struct Standing {
     pub outcome: Outcome,
     /// Neighbours that have told no level yet.
     pub untold: u16,
+    /// Neighbours that were not sensed in this tick and are reckoned with all the same.
+    pub missing: u16,
     /// What else speaks against the answer, if anything does.
     pub reason: Option<Reason>,
 }

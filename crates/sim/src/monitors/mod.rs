@@ -127,6 +127,11 @@ impl<const D: usize> Monitors<D> {
         &self.extremes
     }
 
+    /// The state of the last tick as it is.
+    pub(crate) fn truth(&self) -> &Truth {
+        &self.truth
+    }
+
     /// What the theorem of `budget` came to.
     #[must_use]
     pub(crate) fn carry(&self) -> &Carry<D> {

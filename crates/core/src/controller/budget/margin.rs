@@ -1,6 +1,6 @@
 //! Room for wrong positions: what a robot still knows of a link, and of a row, when positions are known only to some error.
 
-use crate::controller::budget::knowledge::Assume;
+use crate::controller::budget::knowledge::{Assume, Sighting};
 use crate::controller::budget::settings::Budget;
 use crate::equations::link::Link;
 use crate::num::{Vector, dot, length};
@@ -28,18 +28,20 @@ pub struct ErrorBounds {
     pub away_m: f64,
     /// 2E, m: bound of the error of an offset between two references.
     pub offset_m: f64,
+    /// How much of it is there only because a robot was not sensed in this tick, m: how far it can have gone since.
+    pub unsensed_m: f64,
 }
 
 impl ErrorBounds {
     /// Exact positions and moves.
-    pub const NONE: Self = Self { away_m: 0.0, offset_m: 0.0 };
+    pub const NONE: Self = Self { away_m: 0.0, offset_m: 0.0, unsensed_m: 0.0 };
 
     /// The bounds for e = `position_error_m` and ε = `tracking_error_m`.
     //= theory sec:margins
     #[must_use]
     pub fn new(position_error_m: f64, tracking_error_m: f64) -> Self {
         let away_m = if tracking_error_m > 0.0 { position_error_m + tracking_error_m } else { 0.0 };
-        Self { away_m, offset_m: 2.0 * (position_error_m + away_m) }
+        Self { away_m, offset_m: 2.0 * (position_error_m + away_m), unsensed_m: 0.0 }
     }
 
     /// E, m: how far a sensed position may lie from the reference.
@@ -50,6 +52,14 @@ impl ErrorBounds {
 }
 
 impl Budget {
+    /// The same with offsets that may be wrong by `unsensed_m` (m) more: for a robot that can have gone so far since it was
+    /// sensed, or for two such robots.
+    //= theory sec:unsensed
+    pub(crate) fn blurred(&self, unsensed_m: f64) -> Self {
+        let offset_m = self.errors.offset_m + unsensed_m;
+        Self { errors: ErrorBounds { offset_m, unsensed_m, ..self.errors }, ..*self }
+    }
+
     /// True if positions and moves are exact.
     pub(crate) fn is_exact(&self) -> bool {
         self.errors.offset_m == 0.0
@@ -92,6 +102,14 @@ impl Budget {
         let sight_m = self.curvature.link().radius_m + self.errors.offset_m;
         sight_m * sight_m - dot(offset, offset) >= 0.0
     }
+
+    /// True unless a sighting is certainly out of range.
+    pub(crate) fn is_in_range<const D: usize>(&self, sighting: &Sighting<D>) -> bool {
+        match sighting.unsensed_m {
+            0.0 => self.in_range(&sighting.offset_m),
+            unsensed_m => self.blurred(unsensed_m).in_range(&sighting.offset_m),
+        }
+    }
 }
 
 #[cfg(test)]
@@ -102,8 +120,9 @@ mod tests {
     #[test]
     fn error_bounds_by_hand() {
         assert_eq!(ErrorBounds::new(0.0, 0.0), ErrorBounds::NONE);
-        assert_eq!(ErrorBounds::new(0.25, 0.0), ErrorBounds { away_m: 0.0, offset_m: 0.5 });
-        assert_eq!(ErrorBounds::new(0.25, 0.5), ErrorBounds { away_m: 0.75, offset_m: 2.0 });
+        let bounds = |away_m, offset_m| ErrorBounds { away_m, offset_m, unsensed_m: 0.0 };
+        assert_eq!(ErrorBounds::new(0.25, 0.0), bounds(0.0, 0.5));
+        assert_eq!(ErrorBounds::new(0.25, 0.5), bounds(0.75, 2.0));
         assert_eq!(ErrorBounds::new(0.25, 0.5).sensed_m(), 1.0);
     }
 }
