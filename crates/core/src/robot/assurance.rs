@@ -103,6 +103,10 @@ impl<const D: usize> Assurance<D> {
     /// Why nothing is guaranteed now; `None` if nothing speaks against it.
     pub(crate) fn reason(&self, now: Instant, told_max: Duration) -> Option<Reason> {
         let recent = self.broken.filter(|(then, _)| now.since(*then) <= told_max);
-        self.doubt.or(recent.map(|(_, reason)| reason))
+        let recent = recent.map(|(_, reason)| reason);
+        match self.doubt {
+            Some(Reason::Uncertain) => recent.or(self.doubt),
+            doubt => doubt.or(recent),
+        }
     }
 }
