@@ -13,6 +13,7 @@
 pub mod any;
 pub mod budget;
 pub mod composed;
+pub mod links;
 pub mod none;
 
 pub use any::AnyController;
