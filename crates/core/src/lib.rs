@@ -109,6 +109,7 @@ pub mod time;
 pub mod wmsr;
 
 pub use crate::controller::budget::knowledge::{Assume, Trust};
+pub use crate::controller::links::wire::{LinkMessage, Notice};
 pub use crate::equations::composition::PhiSplit;
 pub use crate::message::{MESSAGE_BYTES, Message, MessageError, VALUE_MAX};
 pub use crate::need::{Keep, Need};
@@ -124,6 +125,7 @@ pub use crate::settings::field::Field;
 pub use crate::settings::params::Params;
 pub use crate::settings::range::{Allowed, ParamsError};
 pub use crate::settings::{
-    BudgetSettings, Clock, ComposedSettings, Controller, Errors, Limits, LinkSettings, Settings, Team,
+    BudgetSettings, Clock, ComposedSettings, Controller, Errors, Limits, LinkSettings, LinksSettings,
+    Settings, Team,
 };
 pub use crate::time::Instant;

@@ -23,6 +23,8 @@ pub enum Law {
     /// `budget`: no robot calls something guaranteed that does not hold, and every robot says "guaranteed" again soon after
     /// everything holds.
     Mode,
+    /// `links`: no link that a normal robot counts on is longer than R (thm:held).
+    Held,
     /// The global composition φ of the true levels is not negative (eq:composition).
     Composition,
     /// No φ_i is negative (eq:phi_i). Not a theorem: docs/theory, sec:phi.
@@ -41,7 +43,7 @@ impl Law {
     /// True if it is looked at only under a controller that promises it: it is about what the controller says of itself.
     #[must_use]
     pub fn is_own(self) -> bool {
-        matches!(self, Self::Decay | Self::Mode)
+        matches!(self, Self::Decay | Self::Mode | Self::Held)
     }
 
     /// All laws, in the order of reports.
@@ -55,13 +57,14 @@ impl Law {
         Self::Path,
         Self::Decay,
         Self::Mode,
+        Self::Held,
         Self::Composition,
         Self::Shares,
         Self::Feasible,
     ];
 
     /// How many laws there are.
-    pub const COUNT: usize = 12;
+    pub const COUNT: usize = 13;
 
     /// What thm:cbf-qp and thm:rs_robust promise for `composed` from a start in their safe set. That programs have solutions
     /// (c) is counted apart: docs/theory, sec:phi.
@@ -82,6 +85,20 @@ impl Law {
         Self::Feasible,
     ];
 
+    /// What `links` promises where its assumptions hold.
+    pub const LINKS: [Self; 10] = [
+        Self::Degree,
+        Self::Distance,
+        Self::Interval,
+        Self::Agreement,
+        Self::Input,
+        Self::Path,
+        Self::Decay,
+        Self::Mode,
+        Self::Held,
+        Self::Feasible,
+    ];
+
     /// What a scenario expects if it says nothing.
     pub const EXPECTED: [Self; 5] =
         [Self::Degree, Self::Distance, Self::Interval, Self::Agreement, Self::Input];
@@ -99,6 +116,7 @@ impl Law {
             Self::Path => "path",
             Self::Decay => "decay",
             Self::Mode => "mode",
+            Self::Held => "held",
             Self::Composition => "composition",
             Self::Shares => "shares",
             Self::Feasible => "feasible",
@@ -118,6 +136,7 @@ impl Law {
             Self::Path => "distance of two robots between ticks >= distance_min_m",
             Self::Decay => "h and distances lose no more than their share in a tick",
             Self::Mode => "guaranteed is said where it is true, and only there",
+            Self::Held => "a link that is counted on is no longer than radius_m",
             Self::Composition => "global phi >= 0",
             Self::Shares => "phi_i >= 0",
             Self::Feasible => "the program of a robot has a solution",

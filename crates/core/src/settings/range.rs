@@ -2,6 +2,11 @@
 
 use crate::settings::field::Field;
 
+/// Greatest number of robots in a team.
+pub const ROBOTS_MAX: u16 = 10_000;
+/// Greatest magnitude of any length, weight or speed: far outside use, far inside `f64`.
+pub const MAGNITUDE_MAX: f64 = 1e6;
+
 /// A setting outside what is allowed.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ParamsError {

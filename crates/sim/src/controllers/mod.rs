@@ -174,6 +174,19 @@ controllers! {
             inside: Inside::Shares,
             make: Make::Local(|scenario| settings::Controller::Composed(scenario.composed)),
         },
+        /// Ours without weights (docs/links.md).
+        Links: Row {
+            name: "links",
+            about: "ours, without weights: robots agree on the links that they keep",
+            knows: Knows::Local,
+            guarantees: true,
+            uses_phi: false,
+            promises: &Law::LINKS,
+            counted: Counted::Covered,
+            expects: &Law::LINKS,
+            inside: Inside::Margins,
+            make: Make::Local(|scenario| settings::Controller::Links(scenario.links)),
+        },
         /// None: the desired velocity, cut to the box. What the paper's robots would do unfiltered.
         None: Row {
             name: "none",
