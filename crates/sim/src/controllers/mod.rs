@@ -59,6 +59,8 @@ pub enum Inside {
     Shares,
     /// Every h_i of a normal robot is not negative, and no two robots are closer than Δ_d.
     Margins,
+    /// Every normal robot has as many neighbours as it must count on, and no two robots are closer than Δ_d.
+    Degrees,
 }
 
 /// Which violations of what a controller promises count against it.
@@ -184,7 +186,7 @@ controllers! {
             promises: &Law::LINKS,
             counted: Counted::Covered,
             expects: &Law::LINKS,
-            inside: Inside::Margins,
+            inside: Inside::Degrees,
             make: Make::Local(|scenario| settings::Controller::Links(scenario.links)),
         },
         /// None: the desired velocity, cut to the box. What the paper's robots would do unfiltered.
