@@ -38,8 +38,8 @@ impl<const D: usize, S: Slots<D>> Robot<D, S> {
         let index = self.find(sender).ok_or(ReceiveError::NotNeighbor)?;
         let (now, stamp) = (self.now, Instant::from_nanos(notice.head.number.0));
         let in_round = notice.head.value.is_some() && self.in_round(stamp);
-        let slot = &mut self.slots.as_mut()[index];
-        if !slot.peer.hear(notice, now) {
+        let (slot, last) = (&mut self.slots.as_mut()[index], self.ledger.numbers.last());
+        if !slot.peer.hear(notice, last, now) {
             return Err(ReceiveError::Stale);
         }
         // A value counts only if its sender is a neighbour in this tick.

@@ -351,8 +351,7 @@ impl<const D: usize, S: Slots<D>> Robot<D, S> {
 
     /// Whom the robot counts on, under `links`: neighbours that keep the link to it as it keeps the link to them.
     pub fn counted(&self) -> impl Iterator<Item = RobotId> + Clone {
-        let last = self.ledger.numbers.last();
-        self.neighbors().iter().filter(move |slot| slot.peer.is_counted(last)).map(|slot| slot.id)
+        self.neighbors().iter().filter(|slot| slot.peer.is_counted()).map(|slot| slot.id)
     }
 
     /// The neighbours in order of their number.

@@ -26,8 +26,9 @@ pub(crate) struct ModeWatch<const D: usize> {
     exact: bool,
     /// Whether lists of links are lost or lied about, so that nobody need count on anybody.
     deaf: bool,
-    /// Whether an assumption was broken once.
+    /// Whether an assumption was broken once, and when each robot last sensed something wrong.
     broken: bool,
+    wrong: Vec<Option<u32>>,
     /// How much more h may seem to be than it is.
     blur: f64,
     told_ticks: u64,
@@ -58,6 +59,7 @@ impl<const D: usize> ModeWatch<D> {
             exact: errors.offset_m == 0.0 && steady,
             deaf: is_deaf(scenario, &params),
             broken: false,
+            wrong: vec![None; usize::from(scenario.team.robots)],
             told_ticks,
             blur: 4.0 * errors.offset_m * fall_max * f64::from(scenario.team.robots),
             params,
@@ -82,6 +84,9 @@ impl<const D: usize> ModeWatch<D> {
             && !self.deaf
             && longer_ago(self.unwell, tick, self.told_ticks.saturating_add(NOTICE_TICKS));
         self.broken |= frame.assumptions.broken;
+        for (last, wrong) in self.wrong.iter_mut().zip(&frame.assumptions.sensed_wrong) {
+            *last = if *wrong { Some(tick) } else { *last };
+        }
         let mut all = true;
         for (robot, index) in (1_u16..).zip(0..truth.h.len()).filter(|(_, k)| !self.malicious[*k]) {
             let guaranteed = frame.modes[index] == Mode::Guaranteed;
@@ -92,7 +97,9 @@ impl<const D: usize> ModeWatch<D> {
             }
             let at = |seen| Violation { tick, robots: [robot, 0], seen, demanded: 0.0 };
             if guaranteed && !frame.assumptions.sensed_wrong[index] && self.untrue(index, truth, &crowded) {
-                let covered = self.exact || !self.params.controller().tells_lists() || !self.broken;
+                let misled =
+                    !longer_ago(self.wrong[index], tick, self.told_ticks) || !self.exact && self.broken;
+                let covered = !self.params.controller().tells_lists() || !misled;
                 verdicts.broke(Law::Mode, at(truth.h[index]), covered);
             }
             if !guaranteed && healed {

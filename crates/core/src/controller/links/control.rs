@@ -5,7 +5,6 @@ use core::time::Duration;
 use crate::controller::budget::knowledge::Assume;
 use crate::controller::links::Links;
 use crate::controller::links::peer::Ledger;
-use crate::controller::links::protocol::Number;
 use crate::controller::{Control, Decision, Glimpse, Kept, Motion, Neighbor, Own, Standing, View};
 use crate::equations::link::{Link, LinkShape};
 use crate::need::{Keep, Need};
@@ -77,8 +76,7 @@ impl<const D: usize> LinksController<D> {
             self.links.rows((view.slots, view.ledger.obliged), &desired_m, self.reach, scratch.rows);
         let moved = rows.decide(&view.before_m_s.map(|component| component * self.hold_s));
         let velocity = moved.displacement_m.map(|component| component / self.hold_s);
-        let last = view.ledger.numbers.last();
-        let counted = view.slots.iter().filter(|slot| slot.peer.is_counted(last)).count();
+        let counted = view.slots.iter().filter(|slot| slot.peer.is_counted()).count();
         let uncounted = (counted < self.links.keep(view.id)).then_some(Reason::Uncounted);
         let doubt = match moved.doubt {
             Some(Reason::Uncertain) | None => uncounted.or(moved.doubt),
@@ -157,8 +155,7 @@ impl<const D: usize> Control<D> for LinksController<D> {
 
     /// How many neighbours the robot counts on.
     fn level(&self, view: &View<'_, D>, _scratch: &mut Scratch<'_, D>) -> f64 {
-        let last: Number = view.ledger.numbers.last();
-        view.slots.iter().filter(|slot| slot.peer.is_counted(last)).fold(0.0, |level, _| level + 1.0)
+        view.slots.iter().filter(|slot| slot.peer.is_counted()).fold(0.0, |level, _| level + 1.0)
     }
 
     fn pair(&self, _offset_m: &Vector<D>, _link: &Link<f64>) -> Option<()> {

@@ -34,7 +34,6 @@ pub mod wire;
 
 use crate::controller::budget::knowledge::Assume;
 use crate::controller::budget::margin::ErrorBounds;
-use crate::controller::links::protocol::Number;
 use crate::need::Need;
 use crate::num::length;
 use crate::robot::neighbor::{RobotId, Slot};
@@ -92,12 +91,14 @@ impl Links {
     }
 
     /// Notes whether a neighbour that is counted on has been within R_h. Once it certainly was, it is for as long as it is
-    /// counted on (thm:held), unless it is certainly beyond: then some assumption was broken.
-    fn settle<const D: usize>(&self, slot: &mut Slot<D>, last: Number) {
+    /// counted on (thm:held), unless it is certainly beyond: then some assumption was broken. One that is not sensed may have
+    /// broken one: it is held only as long as it cannot be beyond.
+    fn settle<const D: usize>(&self, slot: &mut Slot<D>) {
         let error_m = self.error_m(slot);
         let (distance_m, peer) = (length(&slot.offset_m), &mut slot.peer);
         let certainly_within = distance_m + error_m <= self.radius_m;
         let certainly_beyond = distance_m - error_m > self.radius_m * (1.0 + HAIR);
-        peer.held = peer.hold.counts(last) && !certainly_beyond && (peer.held || certainly_within);
+        let carried = peer.held && peer.unseen_ticks == 0 && !certainly_beyond;
+        peer.held = peer.hold.counts() && (carried || certainly_within);
     }
 }

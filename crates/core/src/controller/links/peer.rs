@@ -50,8 +50,9 @@ impl<const D: usize> Peer<D> {
     }
 
     /// Takes what a message says. False if it is not newer than the newest one.
-    pub(crate) fn hear(&mut self, notice: &Notice<D>, now: Instant) -> bool {
-        let newer = self.hold.hear(notice.word);
+    /// `last` is the number of the robot's own newest message.
+    pub(crate) fn hear(&mut self, notice: &Notice<D>, last: Number, now: Instant) -> bool {
+        let newer = self.hold.hear(notice.word, last);
         if newer {
             self.told = Some(Told { head: notice.head, promised: notice.promised, at: now });
         }
@@ -64,8 +65,8 @@ impl<const D: usize> Peer<D> {
     }
 
     /// True if it is counted on and within the held radius.
-    pub(crate) fn is_counted(&self, last: Number) -> bool {
-        self.held && self.hold.counts(last)
+    pub(crate) fn is_counted(&self) -> bool {
+        self.held && self.hold.counts()
     }
 
     /// What is told of the neighbour `id`.

@@ -84,17 +84,17 @@ impl Links {
         let (last, first) = (ledger.numbers.last(), ledger.looked_at.is_none());
         let (mut counted, mut in_range) = (0, 0);
         for slot in &mut *slots {
-            self.settle(slot, last);
+            self.settle(slot);
             self.look(slot, &ledger.wish_m_s, now);
             slot.peer.deal.pass(elapsed_s);
-            counted += usize::from(slot.peer.is_counted(last));
+            counted += usize::from(slot.peer.is_counted());
             in_range += usize::from(self.may_be_counted(own, slot, now));
         }
         let keep = self.keep(own);
         let slots_left = in_range.saturating_sub(keep);
         promise(slots, slots_left, values);
         ledger.price_m = price_m(slots, slots_left);
-        self.release(slots, last, counted, keep);
+        self.release(slots, counted, keep);
         self.list(own, slots, last, first || counted < keep);
         ledger.looked_at = Some(now);
     }
@@ -121,10 +121,10 @@ impl Links {
     }
 
     /// Releases who is to be released, as long as enough are counted on, and follows those who have let go.
-    fn release<const D: usize>(&self, slots: &mut [Slot<D>], last: Number, mut counted: usize, keep: usize) {
+    fn release<const D: usize>(&self, slots: &mut [Slot<D>], mut counted: usize, keep: usize) {
         loop {
             let loose = |peer: &Peer<D>| {
-                let (is_counted, deal) = (peer.is_counted(last), &peer.deal);
+                let (is_counted, deal) = (peer.is_counted(), &peer.deal);
                 let let_go = peer.hold.is_released() && (deal.engaged || !is_counted);
                 peer.hold.is_listed()
                     && deal.stretched
@@ -138,7 +138,7 @@ impl Links {
                 }
             }
             let Some(peer) = farthest else { return };
-            counted -= usize::from(peer.is_counted(last));
+            counted -= usize::from(peer.is_counted());
             (peer.deal.released, peer.held) = (true, false);
             peer.hold.release();
         }
