@@ -40,13 +40,15 @@ impl<const D: usize> LinksController<D> {
             Assume::Free => (Keep::NormalNeighbors, settings.team.faults),
         };
         let (period, hold_s) = (settings.clock.level_period, settings.clock.hold_max().as_secs_f64());
+        let distance_min_m = settings.limits.distance_min_m + 2.0 * errors.away_m;
         let links = Links {
             need: Need::new(settings.team.robots, settings.team.faults, keep),
             spare,
             assume: parameters.assume,
             radius_m: Links::held_radius_m(shape.radius_m, &errors),
             sight_m: shape.radius_m + errors.offset_m,
-            distance_min_m: settings.limits.distance_min_m + 2.0 * errors.away_m,
+            distance_min_m,
+            distance_held_m: Links::held_distance_m(distance_min_m),
             move_max_m: reach.longest_m(),
             speed_max_m_s: reach.longest_m() / hold_s,
             gamma: parameters.gamma(period),

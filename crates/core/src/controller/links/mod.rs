@@ -38,7 +38,8 @@ use crate::need::Need;
 use crate::num::length;
 use crate::robot::neighbor::{RobotId, Slot};
 
-/// Links are held so much below R, as a fraction of it: far more than rounding, far less than anybody can see.
+/// Links are held so much below R, and distances so much above Δ_d, as fractions: far more than rounding, far less than anybody
+/// can see.
 const HAIR: f64 = 1e-9;
 
 /// The parameters of the rows and of the rule who releases whom.
@@ -56,6 +57,8 @@ pub struct Links {
     pub sight_m: f64,
     /// Δ_d, m, with what errors add.
     pub distance_min_m: f64,
+    /// What (near) keeps, m: a hair more, so that rounding takes no robot below Δ_d.
+    pub distance_held_m: f64,
     /// ρ, m: no move of a tick is longer.
     pub move_max_m: f64,
     /// The greatest speed of a robot, m/s.
@@ -77,6 +80,12 @@ impl Links {
     #[must_use]
     pub fn held_radius_m(radius_m: f64, errors: &ErrorBounds) -> f64 {
         (radius_m - 2.0 * errors.away_m) * (1.0 - HAIR)
+    }
+
+    /// What (near) keeps, m, where no two robots may come nearer than `distance_min_m`.
+    #[must_use]
+    pub fn held_distance_m(distance_min_m: f64) -> f64 {
+        distance_min_m * (1.0 + HAIR)
     }
 
     /// How many neighbours `robot` must count on.

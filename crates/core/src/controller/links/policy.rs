@@ -46,6 +46,8 @@ const STEP_MAX_S: f64 = 1.0;
 /// Who passes to the right looks so many Δ_d ahead; the cosine of 45 degrees.
 const PASS_DISTANCES: f64 = 1.2;
 const COS_45: f64 = core::f64::consts::FRAC_1_SQRT_2;
+/// Cosine and sine of the angle by which a tie is broken.
+const TIE: [f64; 2] = [1.0, 0.02];
 
 /// What a robot and a neighbour have agreed on.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -163,7 +165,8 @@ impl Links {
         }
     }
 
-    /// The wish, turned to the right if somebody comes towards it, seen along the first two axes.
+    /// The wish, turned to the right if somebody comes towards the robot, seen along the first two axes: by a hair, so that two
+    /// robots that meet head-on slide past each other, or as far as they may.
     pub(crate) fn turned<const D: usize>(
         &self,
         wish_m_s: &Vector<D>,
@@ -171,16 +174,17 @@ impl Links {
     ) -> Vector<D> {
         let near_m = PASS_DISTANCES * self.distance_min_m;
         let comes = |(offset_m, their_m_s): (Vector<D>, Vector<D>)| {
-            let ahead = -dot(&offset_m, wish_m_s);
-            let size = length(&offset_m);
-            size <= near_m && ahead >= COS_45 * size * length(wish_m_s) && dot(&their_m_s, wish_m_s) < 0.0
+            let (ahead, size) = (-dot(&offset_m, wish_m_s), length(&offset_m));
+            let before = size <= near_m && ahead >= COS_45 * size * length(wish_m_s);
+            before && dot(&their_m_s, wish_m_s) < 0.0
         };
-        if D < 2 || !self.pass_right || !sensed.any(comes) {
+        if D < 2 || !sensed.any(comes) {
             return *wish_m_s;
         }
+        let [along, right] = if self.pass_right { [COS_45, COS_45] } else { TIE };
         let mut turned = *wish_m_s;
-        turned[0] = COS_45 * (wish_m_s[0] + wish_m_s[1]);
-        turned[1] = COS_45 * (wish_m_s[1] - wish_m_s[0]);
+        turned[0] = along * wish_m_s[0] + right * wish_m_s[1];
+        turned[1] = along * wish_m_s[1] - right * wish_m_s[0];
         turned
     }
 

@@ -48,12 +48,12 @@ impl Links {
         let square_m2 = dot(offset_m, offset_m);
         let nearest_m2 =
             if error_m == 0.0 { square_m2 } else { squared((length(offset_m) - error_m).max(0.0)) };
-        let spare_m2 = nearest_m2 - self.distance_min_m * self.distance_min_m;
+        let spare_m2 = nearest_m2 - squared(self.distance_held_m);
         let give_m2 = 0.5 * self.gamma_c * spare_m2.max(0.0);
         if may_bind(rows.program.reach.lhs_max(offset_m, error_m, 0.0), 0.5 * give_m2) {
             rows.push(offset_m, error_m, |offset| Row::near(offset, give_m2));
         }
-        if spare_m2 < 0.0 && slot.sensed {
+        if nearest_m2 < squared(self.distance_min_m) && slot.sensed {
             let distance_m = length(offset_m);
             rows.count_violation(distance_m + error_m < self.distance_min_m);
             let missing_m = self.distance_min_m + error_m - distance_m;
