@@ -1,10 +1,12 @@
 //! What a robot with held links does beside all others: lists in its messages, and neighbours that it does not sense.
 
-use crate::controller::links::wire::{Head, LinkMessage, Notice, VERSION};
+use crate::controller::links::protocol::{Entry, Word};
+use crate::controller::links::wire::{Head, Item, LinkMessage, Notice, VERSION};
+use crate::equations::link::Link;
 use crate::message::{Message, MessageError};
 use crate::num::{Vector, length, subtract};
 use crate::robot::error::ReceiveError;
-use crate::robot::neighbor::{RobotId, Told};
+use crate::robot::neighbor::{NO_LINK, RobotId, Told};
 use crate::robot::{Robot, Slots};
 use crate::time::Instant;
 
@@ -48,6 +50,28 @@ impl<const D: usize, S: Slots<D>> Robot<D, S> {
         slot.told = Some(Told { sequence: 0, stamp, level: 0.0, at: now, value });
         self.round_news |= value != earlier;
         Ok(())
+    }
+
+    /// What `message`, which [`share`](Self::share) returned in this tick, says to robot `to`: what [`encode`](Self::encode) and
+    /// [`LinkMessage::to`] come to, without bytes. `None` unless the robot tells lists.
+    #[must_use]
+    pub fn notice(&self, message: &Message, to: RobotId) -> Option<Notice<D>> {
+        let head = Head { value: message.value(), ..self.ledger.head? };
+        let slot = self.neighbors().binary_search_by_key(&to, |slot| slot.id).ok();
+        let (entry, promised) = slot.map_or((Entry::default(), false), |index| {
+            let Item { entry, promised, .. } = self.neighbors()[index].peer.item(to);
+            (entry, promised)
+        });
+        Some(Notice { head, word: Word { number: head.number, entry }, promised })
+    }
+
+    /// The link of this squared length, m²; `None` beyond R. Who keeps lists has no use for its weight.
+    pub(crate) fn link_at(&self, distance_m2: f64) -> Option<Link<f64>> {
+        let shape = self.params.link();
+        if self.params.controller().tells_lists() {
+            return (distance_m2 <= shape.radius_m * shape.radius_m).then_some(NO_LINK);
+        }
+        shape.link_at(distance_m2)
     }
 
     /// Keeps the row for every neighbour from now on, whatever was agreed.

@@ -186,7 +186,7 @@ impl<const D: usize, S: Slots<D>> Robot<D, S> {
         }
         let offset_m = subtract(&own, &position);
         let distance_m2 = dot(&offset_m, &offset_m);
-        let link = self.params.link().link_at(distance_m2);
+        let link = self.link_at(distance_m2);
         if link.is_none() && distance_m2 > self.params.sight_m2() {
             self.lose(id);
             return Ok(Observed::OutOfRange);

@@ -3,7 +3,7 @@
 //! This is the whole path that a robot in the world takes; [`crate::engine::team`] gives the same bits faster where the world is
 //! perfect.
 
-use closeranks_core::controller::links::wire::bytes_max;
+use closeranks_core::controller::links::wire::{Notice, bytes_max};
 use closeranks_core::equations::composition::Composed;
 use closeranks_core::message::{MESSAGE_BYTES, Message};
 use closeranks_core::num::dot;
@@ -36,16 +36,25 @@ pub struct Fleet<const D: usize, T = FaultyNetwork<InMemory>> {
     values: Vec<f64>,
     malicious: Vec<bool>,
     outbox: Vec<Option<Message>>,
+    /// What everybody says to everybody in a tick, where messages need no bytes.
+    notices: Option<Vec<(usize, usize, Notice<D>)>>,
     /// Room for the longest message.
     buffer: Vec<u8>,
     transport: T,
     edges: Edges<D>,
+    /// Robots tell lists of links and not levels.
+    lists: bool,
     ticks_per_round: u32,
     tick: u32,
     tick_s: f64,
 }
 
 impl<const D: usize> Fleet<D> {
+    /// The robots of `scenario` in a perfect world, in which they hand over what they tell without bytes.
+    pub fn at_once(scenario: &Scenario, params: Params<D>, values: &[f64]) -> Result<Self, RobotError> {
+        Ok(Self { notices: Some(Vec::new()), ..Self::new(scenario, params, values)? })
+    }
+
     /// The robots of `scenario` with initial `values`, over the network of `scenario`.
     pub fn new(scenario: &Scenario, params: Params<D>, values: &[f64]) -> Result<Self, RobotError> {
         let (network, seed, robots) = (scenario.faults.network, scenario.seed, scenario.team.robots);
@@ -77,9 +86,11 @@ impl<const D: usize, T: Transport> Fleet<D, T> {
             values: values.to_vec(),
             malicious: scenario.malicious_mask(),
             outbox: vec![None; values.len()],
+            notices: None,
             buffer: vec![0; MESSAGE_BYTES.max(bytes_max(scenario.team.robots, D))],
             transport,
             edges: Edges::new(scenario),
+            lists: params.controller().tells_lists(),
             ticks_per_round: scenario.ticks_per_round(),
             tick: 0,
             tick_s: params.settings().clock.level_period.as_secs_f64(),
@@ -91,8 +102,12 @@ impl<const D: usize, T: Transport> Fleet<D, T> {
         self.begin_tick(frame, liars);
         self.sense(frame);
         self.share(liars);
-        self.send(liars);
-        self.deliver();
+        if self.notices.is_some() {
+            self.hand_over();
+        } else {
+            self.send(liars);
+            self.deliver();
+        }
         self.control(frame, liars);
         self.tick = self.tick.saturating_add(1);
     }
@@ -168,6 +183,24 @@ impl<const D: usize, T: Transport> Fleet<D, T> {
         }
     }
 
+    /// What is told to every other robot, without bytes and with the same bits.
+    fn hand_over(&mut self) {
+        let mut notices = self.notices.take().unwrap_or_default();
+        notices.clear();
+        for (sender, message) in self.outbox.iter().enumerate() {
+            let Some(message) = message else { continue };
+            for receiver in (0..self.robots.len()).filter(|receiver| *receiver != sender) {
+                let notice = self.robots[sender].notice(message, id(receiver));
+                notices.extend(notice.map(|notice| (sender, receiver, notice)));
+            }
+        }
+        for (sender, receiver, notice) in &notices {
+            // Robots out of range refuse it.
+            let _ = self.robots[*receiver].receive_notice(id(*sender), notice);
+        }
+        self.notices = Some(notices);
+    }
+
     /// Bytes to every other robot, each with its own fate.
     fn send(&mut self, liars: &mut Liars) {
         for (sender, message) in self.outbox.iter().enumerate() {
@@ -219,8 +252,11 @@ impl<const D: usize, T: Transport> Fleet<D, T> {
                 None => output.velocity_m_s,
             };
             frame.degrees[index] = output.report.degree;
-            frame.levels[index] =
-                robot.neighbors().iter().fold(0.0, |level, slot| level + slot.link().weight);
+            frame.levels[index] = if self.lists {
+                output.report.level
+            } else {
+                robot.neighbors().iter().fold(0.0, |level, slot| level + slot.link().weight)
+            };
             frame.h[index] = output.report.h;
             frame.told[index] = robot.told_level();
             frame.phis[index] = match output.report.phi {
@@ -231,8 +267,10 @@ impl<const D: usize, T: Transport> Fleet<D, T> {
             frame.outcomes[index] = output.report.outcome;
             frame.modes[index] = output.report.mode;
             frame.values[index] = liars.value(index, robot.value());
-            frame.counted[index].clear();
-            frame.counted[index].extend(robot.counted().map(|id| id.0));
+            if self.lists {
+                frame.counted[index].clear();
+                frame.counted[index].extend(robot.counted().map(|id| id.0));
+            }
             ends += u32::from(output.report.degree);
             if output.report.round.is_some() {
                 frame.heard[index] = heard(robot, &self.malicious);
