@@ -2,8 +2,7 @@
 
 use core::time::Duration;
 
-use crate::controller::budget::knowledge::Assume;
-use crate::controller::budget::settings::Budget;
+use crate::controller::budget::settings::{Assume, Budget};
 use crate::num::{Vector, add_scaled, length, subtract};
 use crate::robot::neighbor::Slot;
 use crate::robot::report::Reason;

@@ -1,6 +1,6 @@
 //! Which assumptions of the theorem hold in a tick, as only the world can know.
 
-use closeranks_core::controller::budget::knowledge::Assume;
+use closeranks_core::controller::budget::settings::Assume;
 use closeranks_core::settings::params::Params;
 
 use crate::attack::MotionAttack;

@@ -1,6 +1,7 @@
 //! The state of a team as only the world knows it: what the theorems are about.
 
-use closeranks_core::controller::budget::knowledge::{Assume, Sighting};
+use closeranks_core::controller::budget::knowledge::Sighting;
+use closeranks_core::controller::budget::settings::Assume;
 use closeranks_core::equations::link::{Link, LinkShape};
 use closeranks_core::num::subtract;
 use closeranks_core::robot::neighbor::RobotId;
