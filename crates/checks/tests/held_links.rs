@@ -247,9 +247,8 @@ fn an_acknowledgement_of_an_older_message_that_counts_is_found() {
 
 #[test]
 fn a_count_kept_after_release_is_found() {
-    let counts = |hold: &Hold, _: Number| {
-        hold.heard().is_some_and(|word| word.entry.acknowledged > Number::NONE)
-    };
+    let counts =
+        |hold: &Hold, _: Number| hold.heard().is_some_and(|word| word.entry.acknowledged > Number::NONE);
     assert!(!Held { counts, restarts: 0, ..Held::OURS }.holds());
 }
 

@@ -1,7 +1,9 @@
 //! One robot as a state machine without inputs or outputs of its own.
 
+mod answer;
 mod assurance;
 pub mod error;
+pub mod memory;
 pub mod neighbor;
 pub mod report;
 mod round;

@@ -5,8 +5,7 @@ pub mod given;
 
 use closeranks_core::program::Outcome;
 use closeranks_core::robot::error::RobotError;
-use closeranks_core::settings::params::Params;
-use closeranks_core::settings::range::ParamsError;
+use closeranks_core::settings::params::{Params, ParamsError};
 
 use crate::attack::liars::Liars;
 use crate::controllers::{Answer, Global, TeamView, Velocities};
@@ -149,7 +148,7 @@ impl<const D: usize> World<D> {
         Ok(Self {
             params,
             robots: engine::robots(scenario, params, &frame, &values, options.engine)?,
-            global: scenario.controller.global(scenario),
+            global: scenario.controller.global(&scenario.parameters()),
             answers: Vec::new(),
             bodies: Bodies::new(scenario.plant, scenario.tick_s(), &frame.positions_m),
             liars: Liars::new(scenario),

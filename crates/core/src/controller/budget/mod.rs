@@ -33,6 +33,7 @@
 
 pub mod control;
 pub mod curvature;
+pub mod errors;
 pub mod inequality;
 pub mod knowledge;
 pub mod margin;
