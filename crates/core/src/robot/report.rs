@@ -73,8 +73,7 @@ pub enum Reason {
     Degree,
     /// The program had no solution.
     Infeasible,
-    /// `composed`: φ_i < 0, outside Z_i (thm:cbf-qp). `budget`: h_i < 0, a neighbour's h certainly negative, or a pair too
-    /// close.
+    /// `composed`: φ_i < 0, outside Z_i (thm:cbf-qp). `budget`: h_i < 0, or another robot too close.
     OutsideSafeSet,
     /// More time than a velocity may be held has passed since the last tick. It is said for
     /// [`told_max`](crate::settings::Clock::told_max) more, because until then a level told before may be worth less than it says.

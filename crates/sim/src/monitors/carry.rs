@@ -7,6 +7,7 @@ use crate::law::{Law, Verdicts, Violation};
 use crate::monitors::before::Before;
 use crate::monitors::distance::Distances;
 use crate::monitors::mode::ModeWatch;
+use crate::monitors::rest::RestWatch;
 use crate::monitors::time::{fraction, longer_ago};
 use crate::monitors::truth::{ROUNDING, Truth, required};
 use crate::scenario::Scenario;
@@ -25,8 +26,9 @@ pub(crate) struct Carry<const D: usize> {
     /// Robots that were safe once and must have been ever since: no assumption was broken.
     kept: Vec<bool>,
     distances: Distances<D>,
-    /// What robots say of it.
+    /// What robots say of it, and how far they move.
     mode: ModeWatch<D>,
+    rest: RestWatch<D>,
     /// Ticks, and those in which every assumption held.
     ticks: [u64; 2],
 }
@@ -44,6 +46,7 @@ impl<const D: usize> Carry<D> {
             told_ticks,
             shares: params.budget().map_or([1.0, 0.0], |budget| [budget.gamma, budget.gain_slope]),
             mode: ModeWatch::new(scenario, params, told_ticks),
+            rest: RestWatch::new(scenario, params),
             distances: Distances::new(scenario, params),
             params,
             before: None,
@@ -77,6 +80,7 @@ impl<const D: usize> Carry<D> {
         }
         if self.params.controller().promises() {
             self.mode.watch(tick, frame, truth, verdicts);
+            self.rest.watch(tick, frame, truth, verdicts);
         }
         let mut now = before.unwrap_or_default();
         now.truth.clone_from(truth);

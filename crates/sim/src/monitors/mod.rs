@@ -6,6 +6,7 @@ mod distance;
 mod heard;
 mod mode;
 mod pairs;
+mod rest;
 pub mod robustness;
 mod time;
 pub(crate) mod truth;
