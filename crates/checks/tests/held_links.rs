@@ -66,7 +66,7 @@ struct Held {
     changes: u8,
     /// The number with which a life begins, given the last one of the life before.
     begin: fn(Number) -> Numbers,
-    counts: fn(&Hold, Number) -> bool,
+    counts: fn(&Hold) -> bool,
     is_active: fn(&Hold) -> bool,
 }
 
@@ -127,7 +127,7 @@ impl Held {
         let mut pairs = normal().flat_map(|i| normal().filter(move |j| *j != i).map(move |j| (i, j)));
         pairs.all(|(i, j)| {
             let [own, other] = [&world.robots[i], &world.robots[j]];
-            !(self.counts)(&own.holds[j], own.numbers.last()) || (self.is_active)(&other.holds[i])
+            !(self.counts)(&own.holds[j]) || (self.is_active)(&other.holds[i])
         })
     }
 
@@ -198,9 +198,9 @@ impl Model for Held {
             Action::Arrive { sender, receiver, message } => {
                 let Message { number, entries } = next.sent[sender][message];
                 let word = Word { number, entry: entries[receiver] };
-                hear(&mut next.robots[receiver].holds[sender], word)?;
+                hear(&mut next.robots[receiver], sender, word)?;
             }
-            Action::Lie { liar, receiver, word } => hear(&mut next.robots[receiver].holds[liar], word)?,
+            Action::Lie { liar, receiver, word } => hear(&mut next.robots[receiver], liar, word)?,
         }
         Some(next)
     }
@@ -208,8 +208,7 @@ impl Model for Held {
     fn properties(&self) -> Vec<Property<Self>> {
         let counts = |held: &Held, world: &World| {
             let [one, other] = [&world.robots[0], &world.robots[1]];
-            (held.counts)(&one.holds[1], one.numbers.last())
-                || (held.counts)(&other.holds[0], other.numbers.last())
+            (held.counts)(&one.holds[1]) || (held.counts)(&other.holds[0])
         };
         let drops = |held: &Held, world: &World| !(held.is_active)(&world.robots[0].holds[1]);
         vec![
@@ -220,10 +219,11 @@ impl Model for Held {
     }
 }
 
-/// Hands a word to a hold; `None` if nothing changed, as it must be if the word is not newer.
-fn hear(hold: &mut Hold, word: Word) -> Option<()> {
+/// Hands a word to a robot; `None` if nothing changed, as it must be if the word is not newer.
+fn hear(robot: &mut Robot, sender: usize, word: Word) -> Option<()> {
+    let (hold, last) = (&mut robot.holds[sender], robot.numbers.last());
     let before = *hold;
-    let newer = hold.hear(word);
+    let newer = hold.hear(word, last);
     assert_eq!(newer, *hold != before, "{word:?} changed {before:?}");
     newer.then_some(())
 }
@@ -262,7 +262,7 @@ fn a_row_dropped_on_release_sent_is_found() {
 
 #[test]
 fn an_acknowledgement_of_an_older_message_that_counts_is_found() {
-    let counts = |hold: &Hold, _: Number| {
+    let counts = |hold: &Hold| {
         let told = hold.heard().is_some_and(|word| word.entry.acknowledged > Number::NONE);
         hold.is_listed() && told
     };
@@ -271,8 +271,7 @@ fn an_acknowledgement_of_an_older_message_that_counts_is_found() {
 
 #[test]
 fn a_count_kept_after_release_is_found() {
-    let counts =
-        |hold: &Hold, _: Number| hold.heard().is_some_and(|word| word.entry.acknowledged > Number::NONE);
+    let counts = |hold: &Hold| hold.heard().is_some_and(|word| word.entry.acknowledged > Number::NONE);
     assert!(!Held { counts, restarts: 0, ..Held::OURS }.holds());
 }
 

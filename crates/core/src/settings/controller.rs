@@ -12,6 +12,8 @@ pub enum Controller {
     Composed(ComposedSettings),
     /// Ours ([`crate::controller::budget`]): a guarantee in discrete time, for any lie and any loss of told levels.
     Budget(BudgetSettings),
+    /// Ours without weights ([`crate::controller::links`]): robots agree on the links that they keep.
+    Links(LinksSettings),
     /// No program: the desired velocity, cut to the box. For whoever wants the consensus alone, or filters elsewhere.
     None,
 }
@@ -45,6 +47,21 @@ pub struct BudgetSettings {
     pub assume: Assume,
 }
 
+/// Parameters of `links`. All robots of a team must have the same; only the last two may differ.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct LinksSettings {
+    /// γ: the fraction of R² − D that may be lost in a tick, in (0, 1]. `None` stands for a rate of 8/s.
+    pub gamma: Option<f64>,
+    /// γ_c: the fraction of D − Δ_d² that may be lost in a tick, in (0, 1]. `None` stands for a rate of 45/s.
+    pub gamma_c: Option<f64>,
+    /// What malicious robots are assumed to do.
+    pub assume: Assume,
+    /// H, s: robots release each other by where they would be after so long.
+    pub horizon_s: f64,
+    /// Whether robots that meet pass each other on the right.
+    pub pass_right: bool,
+}
+
 impl Default for Controller {
     fn default() -> Self {
         Self::Composed(ComposedSettings::default())
@@ -66,6 +83,26 @@ impl Default for BudgetSettings {
             trust: Trust::ToldOrSeen,
             assume: Assume::Obedient,
         }
+    }
+}
+
+impl Default for LinksSettings {
+    fn default() -> Self {
+        Self { gamma: None, gamma_c: None, assume: Assume::Obedient, horizon_s: 4.0, pass_right: false }
+    }
+}
+
+impl LinksSettings {
+    /// γ: the given one, or that of a rate of 8/s in a tick of `period`.
+    #[must_use]
+    pub fn gamma(&self, period: Duration) -> f64 {
+        self.gamma.unwrap_or_else(|| fraction_of_rate(8.0, period.as_secs_f64()))
+    }
+
+    /// γ_c: the given one, or that of a rate of 45/s in a tick of `period`.
+    #[must_use]
+    pub fn gamma_c(&self, period: Duration) -> f64 {
+        self.gamma_c.unwrap_or_else(|| fraction_of_rate(45.0, period.as_secs_f64()))
     }
 }
 

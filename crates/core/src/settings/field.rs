@@ -4,7 +4,8 @@ use core::time::Duration;
 
 use crate::settings::range::{Allowed, MAGNITUDE_MAX, ROBOTS_MAX};
 use crate::settings::{
-    BudgetSettings, Clock, ComposedSettings, Controller, Errors, LinkSettings, Settings, Team, epsilon_of,
+    BudgetSettings, Clock, ComposedSettings, Controller, Errors, LinkSettings, LinksSettings, Settings, Team,
+    epsilon_of,
 };
 
 /// The name of a number in an error.
@@ -22,6 +23,9 @@ pub enum Field {
     Gamma,
     GainSlope,
     GammaC,
+    HeldGamma,
+    HeldGammaC,
+    HorizonS,
     DistanceMinM,
     PositionErrorM,
     TrackingErrorM,
@@ -47,6 +51,8 @@ pub struct Parts<'a> {
     pub composed: Option<&'a mut ComposedSettings>,
     /// Parameters of `budget`.
     pub budget: Option<&'a mut BudgetSettings>,
+    /// Parameters of `links`.
+    pub links: Option<&'a mut LinksSettings>,
     /// Periods and ages.
     pub clock: &'a mut Clock,
     /// Stated bounds of errors.
@@ -87,7 +93,7 @@ const TEAM_MAX: f64 = ROBOTS_MAX as f64;
 const SECONDS: Allowed = Allowed::Closed(1e-6, 3_600.0);
 
 /// All numbers, in the order in which they are checked.
-pub const TABLE: [Row; 19] = [
+pub const TABLE: [Row; 22] = [
     Row {
         field: Field::Robots,
         name: "team.robots",
@@ -249,6 +255,36 @@ pub const TABLE: [Row; 19] = [
         why: "",
     },
     Row {
+        field: Field::HeldGamma,
+        name: "links.gamma",
+        about: "links: fraction of R^2 - distance^2 that may be lost in a tick; by default 1 - exp(-8 tau_1)",
+        get: |of| of.links.as_ref().map(|links| links.gamma(of.clock.level_period)),
+        set: |of, to| links(of, |links| links.gamma = Some(to)),
+        range: FRACTION,
+        limit: None,
+        why: "",
+    },
+    Row {
+        field: Field::HeldGammaC,
+        name: "links.gamma_c",
+        about: "links: fraction of distance^2 - distance_min^2 that may be lost in a tick; by default 1 - exp(-45 tau_1)",
+        get: |of| of.links.as_ref().map(|links| links.gamma_c(of.clock.level_period)),
+        set: |of, to| links(of, |links| links.gamma_c = Some(to)),
+        range: FRACTION,
+        limit: None,
+        why: "",
+    },
+    Row {
+        field: Field::HorizonS,
+        name: "links.horizon_s",
+        about: "links: robots release each other by where they would be after so long, s",
+        get: |of| of.links.as_ref().map(|links| links.horizon_s),
+        set: |of, to| links(of, |links| links.horizon_s = to),
+        range: SECONDS,
+        limit: None,
+        why: "",
+    },
+    Row {
         field: Field::HoldMax,
         name: "clock.hold_max_s",
         about: "budget: how long a velocity may be held, s; by default tau_1_s",
@@ -325,10 +361,11 @@ impl<const D: usize> Settings<D> {
     /// All numbers but those of the input box. Δ_d may be up to `distance_limit_m`, m.
     #[must_use]
     pub fn parts(&mut self, distance_limit_m: f64) -> Parts<'_> {
-        let (composed, budget) = match &mut self.controller {
-            Controller::Composed(composed) => (Some(composed), None),
-            Controller::Budget(budget) => (None, Some(budget)),
-            Controller::None => (None, None),
+        let (composed, budget, links) = match &mut self.controller {
+            Controller::Composed(composed) => (Some(composed), None, None),
+            Controller::Budget(budget) => (None, Some(budget), None),
+            Controller::Links(links) => (None, None, Some(links)),
+            Controller::None => (None, None, None),
         };
         Parts {
             team: &mut self.team,
@@ -336,6 +373,7 @@ impl<const D: usize> Settings<D> {
             distance_min_m: &mut self.limits.distance_min_m,
             composed,
             budget,
+            links,
             clock: &mut self.clock,
             errors: &mut self.errors,
             distance_limit_m,
@@ -352,6 +390,12 @@ fn composed(of: &mut Parts<'_>, set: impl FnOnce(&mut ComposedSettings)) {
 fn budget(of: &mut Parts<'_>, set: impl FnOnce(&mut BudgetSettings)) {
     if let Some(budget) = of.budget.as_deref_mut() {
         set(budget);
+    }
+}
+
+fn links(of: &mut Parts<'_>, set: impl FnOnce(&mut LinksSettings)) {
+    if let Some(links) = of.links.as_deref_mut() {
+        set(links);
     }
 }
 
@@ -375,7 +419,11 @@ mod tests {
     #[test]
     fn what_is_set_is_what_one_gets() {
         for row in &TABLE {
-            let controllers = [Controller::default(), Controller::Budget(BudgetSettings::default())];
+            let controllers = [
+                Controller::default(),
+                Controller::Budget(BudgetSettings::default()),
+                Controller::Links(LinksSettings::default()),
+            ];
             let mut found = 0;
             for controller in controllers {
                 let mut settings = Settings::<2> { controller, ..Settings::default() };

@@ -10,7 +10,7 @@ pub mod params;
 pub mod range;
 
 pub use clock::Clock;
-pub use controller::{BudgetSettings, ComposedSettings, Controller};
+pub use controller::{BudgetSettings, ComposedSettings, Controller, LinksSettings};
 
 use crate::controller::budget::errors::ErrorBounds;
 use crate::program::InputBox;
@@ -107,7 +107,9 @@ impl<const D: usize> Settings<D> {
     #[must_use]
     pub fn error_bounds(&self) -> ErrorBounds {
         match self.controller {
-            Controller::Budget(_) => ErrorBounds::new(self.errors.position_m, self.errors.tracking_m),
+            Controller::Budget(_) | Controller::Links(_) => {
+                ErrorBounds::new(self.errors.position_m, self.errors.tracking_m)
+            }
             Controller::Composed(_) | Controller::None => ErrorBounds::NONE,
         }
     }

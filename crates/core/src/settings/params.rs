@@ -8,7 +8,7 @@ use crate::need::{Keep, Need};
 use crate::num::{Vector, is_finite};
 use crate::program::balls::reach::Reach;
 use crate::settings::field::{Field, TABLE};
-use crate::settings::range::{Allowed, MAGNITUDE_MAX};
+pub use crate::settings::range::{Allowed, MAGNITUDE_MAX, ROBOTS_MAX};
 pub use crate::settings::{Controller, Settings};
 
 /// Settings that were checked, and what follows from them.
@@ -141,12 +141,12 @@ impl<const D: usize> Settings<D> {
         Ok(())
     }
 
-    /// What Δ_d must be below: R, and with `budget` R − 2ρ − 4A, because robots that are not linked have no row for their
+    /// What Δ_d must be below: R, and with `budget` and `links` R − 2ρ − 4A, because robots that are not linked have no row for their
     /// distance.
     fn distance_limit(&self) -> f64 {
         match self.controller {
             Controller::Composed(_) | Controller::None => self.link.radius_m,
-            Controller::Budget(_) => {
+            Controller::Budget(_) | Controller::Links(_) => {
                 self.link.radius_m - 2.0 * self.reach().longest_m() - 4.0 * self.error_bounds().away_m
             }
         }

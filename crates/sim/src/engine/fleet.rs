@@ -3,8 +3,9 @@
 //! This is the whole path that a robot in the world takes; [`crate::engine::team`] gives the same bits faster where the world is
 //! perfect.
 
+use closeranks_core::controller::links::wire::bytes_max;
 use closeranks_core::equations::composition::Composed;
-use closeranks_core::message::Message;
+use closeranks_core::message::{MESSAGE_BYTES, Message};
 use closeranks_core::num::dot;
 use closeranks_core::program::Outcome;
 use closeranks_core::robot::Robot;
@@ -13,7 +14,7 @@ use closeranks_core::robot::neighbor::{RobotId, Slot};
 use closeranks_core::robot::report::Mode;
 use closeranks_core::settings::params::Params;
 
-use crate::attack::liars::Liars;
+use crate::attack::liars::{Face, Liars};
 use crate::engine::memory::Memory;
 use crate::faults::edges::Edges;
 use crate::faults::network::{FaultyNetwork, LATE_MAX};
@@ -22,7 +23,7 @@ use crate::frame::Frame;
 use crate::geometry::squared_distance;
 use crate::scenario::Scenario;
 use crate::transport::memory::InMemory;
-use crate::transport::{Parcel, Transport};
+use crate::transport::{Bytes, Parcel, Transport};
 
 /// All robots of a run, with whatever goes wrong around them.
 #[derive(Debug)]
@@ -35,6 +36,8 @@ pub struct Fleet<const D: usize, T = FaultyNetwork<InMemory>> {
     values: Vec<f64>,
     malicious: Vec<bool>,
     outbox: Vec<Option<Message>>,
+    /// Room for the longest message.
+    buffer: Vec<u8>,
     transport: T,
     edges: Edges<D>,
     ticks_per_round: u32,
@@ -74,6 +77,7 @@ impl<const D: usize, T: Transport> Fleet<D, T> {
             values: values.to_vec(),
             malicious: scenario.malicious_mask(),
             outbox: vec![None; values.len()],
+            buffer: vec![0; MESSAGE_BYTES.max(bytes_max(scenario.team.robots, D))],
             transport,
             edges: Edges::new(scenario),
             ticks_per_round: scenario.ticks_per_round(),
@@ -157,6 +161,9 @@ impl<const D: usize, T: Transport> Fleet<D, T> {
             let Some(message) = *slot else { continue };
             let level = liars.level(index, message.level());
             robot.restate(level);
+            if liars.binds(index) {
+                robot.oblige();
+            }
             let value = message.value().map(|value| liars.value(index, value));
             *slot = Message::new(message.sequence(), message.stamp(), level, value).ok();
         }
@@ -166,11 +173,21 @@ impl<const D: usize, T: Transport> Fleet<D, T> {
     fn send(&mut self, liars: &mut Liars) {
         for (sender, message) in self.outbox.iter().enumerate() {
             let Some(message) = message else { continue };
+            let own = &self.robots[sender];
+            let all = encode(own, message, &mut self.buffer);
             for (receiver, robot) in self.robots.iter().enumerate() {
                 if receiver == sender {
                     continue;
                 }
-                if let Some(bytes) = liars.bytes(sender, message, robot.value()) {
+                let bytes = match liars.face(sender, message, robot.value()) {
+                    Face::Silence => None,
+                    Face::Bytes(bytes) => Some(bytes.into()),
+                    Face::Message(told) if told == *message => all.clone(),
+                    Face::Message(told) => encode(own, &told, &mut self.buffer),
+                };
+                if let Some(bytes) =
+                    bytes.and_then(|bytes| liars.lists(sender, id(receiver), robot.wish_m_s(), bytes))
+                {
                     // A message for which there is no room is lost.
                     let _ = self.transport.send(Parcel { sender, receiver, bytes });
                 }
@@ -183,10 +200,8 @@ impl<const D: usize, T: Transport> Fleet<D, T> {
             if self.edges.downtime.down(receiver) {
                 continue;
             }
-            if let Ok(message) = Message::parse(&bytes) {
-                // Robots out of range are not neighbours and refuse it.
-                let _ = self.robots[receiver].receive(id(sender), &message);
-            }
+            // Robots refuse what is no message, and what comes from out of range.
+            let _ = self.robots[receiver].receive_bytes(id(sender), &bytes);
         }
     }
 
@@ -217,6 +232,8 @@ impl<const D: usize, T: Transport> Fleet<D, T> {
             frame.outcomes[index] = output.report.outcome;
             frame.modes[index] = output.report.mode;
             frame.values[index] = liars.value(index, robot.value());
+            frame.counted[index].clear();
+            frame.counted[index].extend(robot.counted().map(|id| id.0));
             ends += u32::from(output.report.degree);
             if output.report.round.is_some() {
                 frame.heard[index] = heard(robot, &self.malicious);
@@ -224,6 +241,16 @@ impl<const D: usize, T: Transport> Fleet<D, T> {
         }
         frame.links = ends / 2;
     }
+}
+
+/// The bytes of a message of `robot`.
+fn encode<const D: usize>(
+    robot: &Robot<D, Vec<Slot<D>>>,
+    message: &Message,
+    buffer: &mut [u8],
+) -> Option<Bytes> {
+    let length = robot.encode(message, buffer)?;
+    Some(Bytes::from(&buffer[..length]))
 }
 
 /// What is known of a robot that is down: how it moves. It has no φ_i and solves no program; the rest stays as it was.

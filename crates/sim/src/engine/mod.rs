@@ -48,6 +48,7 @@ pub(crate) fn robots<const D: usize>(
     Ok(match controller {
         AnyController::Composed(composed) => Box::new(Team::new(scenario, params, composed, values)),
         AnyController::Budget(budget) => Box::new(Team::new(scenario, params, budget, values)),
+        AnyController::Links(_) => Box::new(Fleet::new(scenario, params, values)?),
         AnyController::None(none) => Box::new(Team::new(scenario, params, none, values)),
     })
 }

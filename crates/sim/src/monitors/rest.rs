@@ -61,12 +61,8 @@ impl<const D: usize> RestWatch<D> {
             }
             let most_m = (wished_m + self.demand_m(index, frame, truth)) * (1.0 + MOVE_ROUNDING);
             if moved_m > most_m {
-                let at = Violation {
-                    tick,
-                    robots: [robot, 0],
-                    seen: moved_m / hold_s,
-                    demanded: most_m / hold_s,
-                };
+                let at =
+                    Violation { tick, robots: [robot, 0], seen: moved_m / hold_s, demanded: most_m / hold_s };
                 verdicts.broke(Law::Untowed, at, self.covers(index, frame));
             }
         }
@@ -119,7 +115,8 @@ mod tests {
 
     /// Robots in a row, 0.5 m apart, of which the first moves with this speed although all wish to rest.
     fn broken(team: Team, speed_m_s: f64) -> u64 {
-        let scenario = Scenario { controller: Controller::Budget, team, malicious: vec![], ..Scenario::default() };
+        let scenario =
+            Scenario { controller: Controller::Budget, team, malicious: vec![], ..Scenario::default() };
         let params = scenario.params::<2>().unwrap();
         let places = (0..team.robots).map(|k| [0.5 * f64::from(k), 0.0]).collect();
         let mut frame = Frame::new(places, vec![0.0; usize::from(team.robots)]);
@@ -136,6 +133,10 @@ mod tests {
     fn who_lacks_nothing_and_wishes_to_rest_does_not_move_at_all() {
         let (safe, wide) = (Team { robots: 4, faults: 0 }, Team { robots: 9, faults: 4 });
         assert_eq!([0.0, 1e-9, 0.1].map(|speed| broken(safe, speed)), [0, 1, 1]);
-        assert_eq!([0.1, 1.0, 2.2].map(|speed| broken(wide, speed)), [0, 0, 1], "who lacks neighbours may come");
+        assert_eq!(
+            [0.1, 1.0, 2.2].map(|speed| broken(wide, speed)),
+            [0, 0, 1],
+            "who lacks neighbours may come"
+        );
     }
 }

@@ -87,11 +87,17 @@ impl Truth {
             let shape = &params.kept().link;
             weigh(shape, pairs, pairs.references_m2(), counts, &mut self.h, degrees, scratch);
         }
+        let lists = params.controller().tells_lists();
+        if lists {
+            // Without weights it is the degree itself that is kept.
+            self.h.clear();
+            self.h.extend(self.degrees.iter().map(|degree| f64::from(*degree)));
+        }
         for h in &mut self.h {
             *h -= required;
         }
         self.h_own.clone_from(&self.h);
-        if free {
+        if free && !lists {
             for (robot, own) in self.h_own.iter_mut().enumerate() {
                 *own = trimmed(params, frame, robot) - required;
             }
@@ -146,6 +152,11 @@ pub(crate) fn required<const D: usize>(params: &Params<D>) -> u16 {
     let Team { robots, faults } = params.settings().team;
     let free = is_free(params);
     faults + if free { (robots - faults) / 2 } else { robots / 2 }
+}
+
+/// How many neighbours a robot of `links` must count on: those that it needs, and with free liars as many more as may lie.
+pub(crate) fn keep<const D: usize>(params: &Params<D>) -> u16 {
+    required(params) + if is_free(params) { params.settings().team.faults } else { 0 }
 }
 
 /// True if malicious robots may move as they like.

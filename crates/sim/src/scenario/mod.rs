@@ -11,7 +11,9 @@ use closeranks_core::num::Vector;
 use closeranks_core::program::InputBox;
 use closeranks_core::settings::field::Parts;
 use closeranks_core::settings::params::{Params, ParamsError, Settings};
-use closeranks_core::settings::{self, BudgetSettings, Clock, ComposedSettings, Errors, LinkSettings, Team};
+use closeranks_core::settings::{
+    self, BudgetSettings, Clock, ComposedSettings, Errors, LinkSettings, LinksSettings, Team,
+};
 
 use crate::attack::Attack;
 pub use crate::controllers::Controller;
@@ -48,6 +50,8 @@ pub struct Scenario {
     pub composed: ComposedSettings,
     /// Parameters of `budget`.
     pub budget: BudgetSettings,
+    /// Parameters of `links`.
+    pub links: LinksSettings,
     /// When things happen, and how old they may be: the tick τ₁, its multiple τ₂, and ages.
     pub clock: Clock,
     /// Stated bounds of errors.
@@ -115,6 +119,7 @@ impl Default for Scenario {
             controller: Controller::Composed,
             composed: ComposedSettings::default(),
             budget: BudgetSettings::default(),
+            links: LinksSettings::default(),
             clock: Clock::default(),
             errors: Errors::default(),
             start: Start::Inside,
@@ -202,7 +207,7 @@ impl Scenario {
 
     /// Parameters of all controllers.
     pub(crate) fn parameters(&self) -> Parameters {
-        Parameters { composed: self.composed, budget: self.budget }
+        Parameters { composed: self.composed, budget: self.budget, links: self.links }
     }
 
     /// Every number of the settings, for the table of [`settings::field`], whatever the controller.
@@ -213,6 +218,7 @@ impl Scenario {
             distance_min_m: &mut self.limits.distance_min_m,
             composed: Some(&mut self.composed),
             budget: Some(&mut self.budget),
+            links: Some(&mut self.links),
             clock: &mut self.clock,
             errors: &mut self.errors,
             distance_limit_m: f64::INFINITY,

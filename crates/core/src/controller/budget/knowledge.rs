@@ -109,10 +109,7 @@ impl Budget {
             Trust::ToldOrSeen => larger(told, h_min),
             Trust::Seen => h_min,
         };
-        KnownMargin {
-            budget: larger(believed, 0.0),
-            degree_max: larger(seen.degree, 1.0),
-        }
+        KnownMargin { budget: larger(believed, 0.0), degree_max: larger(seen.degree, 1.0) }
     }
 
     /// What robot i knows of j in a world in which all sense exactly and hear the same.
