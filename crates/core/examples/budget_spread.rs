@@ -6,10 +6,10 @@
 //! over twelve assignments of robots to places. Least h and least distance are asserted along the way.
 
 use closeranks_core::controller::budget::curvature::Curvature;
-use closeranks_core::controller::budget::knowledge::{Assume, Claim, Sighting, Trust};
-use closeranks_core::controller::budget::margin::ErrorBounds;
+use closeranks_core::controller::budget::errors::ErrorBounds;
+use closeranks_core::controller::budget::knowledge::{Claim, Sighting};
 use closeranks_core::controller::budget::rows::Memory;
-use closeranks_core::controller::budget::settings::{Budget, Form, fraction_of_rate};
+use closeranks_core::controller::budget::settings::{Assume, Budget, Form, Trust, fraction_of_rate};
 use closeranks_core::equations::link::LinkShape;
 use closeranks_core::need::Need;
 use closeranks_core::num::{Vector, add_scaled, dot, length, subtract};

@@ -23,6 +23,9 @@ pub enum Law {
     /// `budget`: no robot calls something guaranteed that does not hold, and every robot says "guaranteed" again soon after
     /// everything holds.
     Mode,
+    /// `budget`: a normal robot moves no farther in a tick than it wishes, and than mending its own h and its own distances
+    /// takes. So a team that wishes to rest is towed by nobody (sec:recovery).
+    Untowed,
     /// `links`: no link that a normal robot counts on is longer than R (thm:held).
     Held,
     /// The global composition φ of the true levels is not negative (eq:composition).
@@ -43,7 +46,7 @@ impl Law {
     /// True if it is looked at only under a controller that promises it: it is about what the controller says of itself.
     #[must_use]
     pub fn is_own(self) -> bool {
-        matches!(self, Self::Decay | Self::Mode | Self::Held)
+        matches!(self, Self::Decay | Self::Mode | Self::Untowed | Self::Held)
     }
 
     /// All laws, in the order of reports.
@@ -57,6 +60,7 @@ impl Law {
         Self::Path,
         Self::Decay,
         Self::Mode,
+        Self::Untowed,
         Self::Held,
         Self::Composition,
         Self::Shares,
@@ -64,7 +68,7 @@ impl Law {
     ];
 
     /// How many laws there are.
-    pub const COUNT: usize = 13;
+    pub const COUNT: usize = 14;
 
     /// What thm:cbf-qp and thm:rs_robust promise for `composed` from a start in their safe set. That programs have solutions
     /// (c) is counted apart: docs/theory, sec:phi.
@@ -72,7 +76,7 @@ impl Law {
         [Self::Degree, Self::Distance, Self::Interval, Self::Agreement, Self::Input, Self::Spare, Self::Path];
 
     /// What `budget` promises where its assumptions hold.
-    pub const PROMISED: [Self; 10] = [
+    pub const PROMISED: [Self; 11] = [
         Self::Degree,
         Self::Distance,
         Self::Interval,
@@ -82,6 +86,7 @@ impl Law {
         Self::Path,
         Self::Decay,
         Self::Mode,
+        Self::Untowed,
         Self::Feasible,
     ];
 
@@ -116,6 +121,7 @@ impl Law {
             Self::Path => "path",
             Self::Decay => "decay",
             Self::Mode => "mode",
+            Self::Untowed => "untowed",
             Self::Held => "held",
             Self::Composition => "composition",
             Self::Shares => "shares",
@@ -136,6 +142,7 @@ impl Law {
             Self::Path => "distance of two robots between ticks >= distance_min_m",
             Self::Decay => "h and distances lose no more than their share in a tick",
             Self::Mode => "guaranteed is said where it is true, and only there",
+            Self::Untowed => "a robot moves no more than it wishes and its own needs demand",
             Self::Held => "a link that is counted on is no longer than radius_m",
             Self::Composition => "global phi >= 0",
             Self::Shares => "phi_i >= 0",

@@ -1,8 +1,10 @@
 //! One robot as a state machine without inputs or outputs of its own.
 
+mod answer;
 mod assurance;
 pub mod error;
 mod lists;
+pub mod memory;
 pub mod neighbor;
 pub mod report;
 mod round;

@@ -7,9 +7,9 @@ use crate::message::Message;
 use crate::num::Vector;
 use crate::robot::Robot;
 use crate::robot::error::{ObserveError, Observed, ReceiveError, RobotError, SenseError};
+use crate::robot::memory::RobotMemory;
 use crate::robot::neighbor::{RobotId, Slot};
 use crate::robot::report::Output;
-use crate::robot::scratch::RobotMemory;
 use crate::settings::params::Params;
 use crate::time::Instant;
 

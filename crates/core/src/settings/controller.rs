@@ -2,8 +2,7 @@
 
 use core::time::Duration;
 
-use crate::controller::budget::knowledge::{Assume, Trust};
-use crate::controller::budget::settings::fraction_of_rate;
+use crate::controller::budget::settings::{Assume, Trust, fraction_of_rate};
 use crate::equations::composition::PhiSplit;
 
 /// Which controller a robot runs.

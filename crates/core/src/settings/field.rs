@@ -2,8 +2,7 @@
 
 use core::time::Duration;
 
-use crate::settings::params::{MAGNITUDE_MAX, ROBOTS_MAX};
-use crate::settings::range::Allowed;
+use crate::settings::range::{Allowed, MAGNITUDE_MAX, ROBOTS_MAX};
 use crate::settings::{
     BudgetSettings, Clock, ComposedSettings, Controller, Errors, LinkSettings, LinksSettings, Settings, Team,
     epsilon_of,

@@ -12,13 +12,13 @@ pub mod range;
 pub use clock::Clock;
 pub use controller::{BudgetSettings, ComposedSettings, Controller, LinksSettings};
 
-use crate::controller::budget::margin::ErrorBounds;
+use crate::controller::budget::errors::ErrorBounds;
 use crate::program::InputBox;
 
 /// Who is in the team.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Team {
-    /// n, the number of robots, 2 to [`ROBOTS_MAX`](params::ROBOTS_MAX).
+    /// n, the number of robots, 2 to [`ROBOTS_MAX`](range::ROBOTS_MAX).
     pub robots: u16,
     /// F, how many of them may be malicious, with 2F + 1 ≤ n.
     pub faults: u16,

@@ -8,8 +8,7 @@ use crate::need::{Keep, Need};
 use crate::num::{Vector, is_finite};
 use crate::program::balls::reach::Reach;
 use crate::settings::field::{Field, TABLE};
-use crate::settings::range::{Allowed, ParamsError};
-pub use crate::settings::range::{MAGNITUDE_MAX, ROBOTS_MAX};
+pub use crate::settings::range::{Allowed, MAGNITUDE_MAX, ROBOTS_MAX};
 pub use crate::settings::{Controller, Settings};
 
 /// Settings that were checked, and what follows from them.
@@ -22,6 +21,17 @@ pub struct Params<const D: usize> {
     reach: Reach<D>,
     sight_m2: f64,
     hold_s: f64,
+}
+
+/// A setting outside what is allowed.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ParamsError {
+    /// Which number it is about.
+    pub field: Field,
+    /// What the number is (in s for periods).
+    pub value: f64,
+    /// What it may be.
+    pub allowed: Allowed,
 }
 
 impl<const D: usize> Params<D> {
@@ -168,6 +178,16 @@ impl<const D: usize> Settings<D> {
     }
 }
 
+impl core::fmt::Display for ParamsError {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        write!(f, "{} is {}, allowed is {}", self.field.name(), self.value, self.allowed)?;
+        let why = self.field.why();
+        if why.is_empty() { Ok(()) } else { write!(f, " ({why})") }
+    }
+}
+
+impl core::error::Error for ParamsError {}
+
 #[cfg(test)]
 mod tests {
     extern crate std;
@@ -176,6 +196,7 @@ mod tests {
 
     use super::*;
     use crate::robot::neighbor::RobotId;
+    use crate::settings::range::ROBOTS_MAX;
     use crate::settings::{BudgetSettings, ComposedSettings};
 
     type Change = fn(&mut Settings<2>);

@@ -14,7 +14,7 @@ pub use motion::MotionAttack;
 pub use value::ValueAttack;
 
 use crate::parse::reader::{Reader, Section};
-use crate::scenario::Scenario;
+use crate::scenario::route::Whose;
 
 /// What all malicious robots of a run do. By default they do what the paper's nominal scenario says: true levels, random
 /// values, obedient motion.
@@ -31,13 +31,13 @@ pub struct Attack {
 }
 
 impl Attack {
-    /// Reads the table `attack` of a scenario text.
-    pub(crate) fn read(reader: &mut Reader, section: &mut Section<'_>, scenario: &Scenario) -> Self {
+    /// Reads the table `attack` of a scenario text. Lists of motions are those of `malicious`.
+    pub(crate) fn read(reader: &mut Reader, section: &mut Section<'_>, malicious: &Whose<'_>) -> Self {
         Self {
             level: reader.table(section, "level", LevelAttack::read),
             lists: reader.table(section, "lists", ListsAttack::read),
             value: reader.table(section, "value", ValueAttack::read),
-            motion: MotionAttack::read(reader, section, scenario),
+            motion: MotionAttack::read(reader, section, malicious),
         }
     }
 

@@ -137,6 +137,7 @@ impl<const D: usize, T: Transport> Fleet<D, T> {
         self.transport.begin_tick(self.tick);
         liars.begin_tick(self.tick);
         for (index, robot) in self.robots.iter_mut().enumerate() {
+            frame.down[index] = self.edges.downtime.down(index);
             if self.edges.downtime.reborn(index) {
                 // The value was good once.
                 let _ = robot.restart(self.values[index]);

@@ -8,6 +8,7 @@ use crate::monitors::before::Before;
 use crate::monitors::distance::Distances;
 use crate::monitors::held::Held;
 use crate::monitors::mode::ModeWatch;
+use crate::monitors::rest::RestWatch;
 use crate::monitors::time::{fraction, longer_ago};
 use crate::monitors::truth::{ROUNDING, Truth, required};
 use crate::scenario::Scenario;
@@ -27,8 +28,9 @@ pub(crate) struct Carry<const D: usize> {
     kept: Vec<bool>,
     distances: Distances<D>,
     held: Held<D>,
-    /// What robots say of it.
+    /// What robots say of it, and how far they move.
     mode: ModeWatch<D>,
+    rest: RestWatch<D>,
     /// Ticks, and those in which every assumption held.
     ticks: [u64; 2],
 }
@@ -46,6 +48,7 @@ impl<const D: usize> Carry<D> {
             told_ticks,
             shares: params.budget().map_or([1.0, 0.0], |budget| [budget.gamma, budget.gain_slope]),
             mode: ModeWatch::new(scenario, params, told_ticks),
+            rest: RestWatch::new(scenario, params),
             distances: Distances::new(scenario, params),
             held: Held::new(scenario, params),
             params,
@@ -84,6 +87,7 @@ impl<const D: usize> Carry<D> {
         }
         if self.params.controller().promises() {
             self.mode.watch(tick, frame, truth, verdicts);
+            self.rest.watch(tick, frame, truth, verdicts);
         }
         let mut now = before.unwrap_or_default();
         now.truth.clone_from(truth);

@@ -7,6 +7,7 @@ mod heard;
 mod held;
 mod mode;
 mod pairs;
+mod rest;
 pub mod robustness;
 mod time;
 pub(crate) mod truth;

@@ -10,14 +10,14 @@ use closeranks_core::equations::composition::Composed;
 use closeranks_core::num::Vector;
 use closeranks_core::program::InputBox;
 use closeranks_core::settings::field::Parts;
-use closeranks_core::settings::params::{Params, Settings};
-use closeranks_core::settings::range::ParamsError;
+use closeranks_core::settings::params::{Params, ParamsError, Settings};
 use closeranks_core::settings::{
     self, BudgetSettings, Clock, ComposedSettings, Errors, LinkSettings, LinksSettings, Team,
 };
 
 use crate::attack::Attack;
 pub use crate::controllers::Controller;
+use crate::controllers::Parameters;
 use crate::faults::Faults;
 use crate::law::Law;
 use crate::plant::Plant;
@@ -199,10 +199,15 @@ impl Scenario {
             team: self.team,
             link: self.link,
             limits: settings::Limits { distance_min_m: *distance_min_m, input },
-            controller: self.controller.settings(self),
+            controller: self.controller.settings(&self.parameters()),
             clock: self.clock,
             errors: self.errors,
         })
+    }
+
+    /// Parameters of all controllers.
+    pub(crate) fn parameters(&self) -> Parameters {
+        Parameters { composed: self.composed, budget: self.budget, links: self.links }
     }
 
     /// Every number of the settings, for the table of [`settings::field`], whatever the controller.

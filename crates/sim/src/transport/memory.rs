@@ -51,7 +51,7 @@ mod tests {
         let parcel = Parcel { sender: 0, receiver: 1, bytes: [7; 32].into() };
         let sent = [(); 3].map(|()| network.send(parcel.clone()));
         assert_eq!(sent, [Ok(()), Ok(()), Err(Full)]);
-        assert_eq!([(); 3].map(|()| network.poll()), [Some(parcel), Some(parcel), None]);
+        assert_eq!([(); 3].map(|()| network.poll()), [Some(parcel.clone()), Some(parcel.clone()), None]);
         assert_eq!(network.send(parcel), Ok(()));
     }
 }

@@ -2,8 +2,8 @@
 //! share them, what their right-hand sides let a robot spend, and when one of them needs no row.
 
 use crate::controller::budget::Own;
-use crate::controller::budget::knowledge::{Assume, KnownMargin};
-use crate::controller::budget::settings::{Budget, Form};
+use crate::controller::budget::knowledge::KnownMargin;
+use crate::controller::budget::settings::{Assume, Budget, Form};
 use crate::num::{Vector, dot, larger, length, sqrt};
 use crate::program::balls::reach::Reach;
 use crate::program::balls::row::Row;

@@ -23,7 +23,7 @@ pub struct Rows<'memory, const D: usize> {
     pub desired_m: Vector<D>,
     /// The robot's own h_i, of its level or of its trimmed level.
     pub h: f64,
-    /// How many limits are certainly violated: h_i < 0, h_j < 0, or a pair closer than Δ_d.
+    /// How many limits are certainly violated: h_i < 0, or another robot closer than Δ_d.
     pub broken: usize,
     /// How many limits may be violated. Without errors of positions this is the same as `broken`.
     pub doubtful: usize,

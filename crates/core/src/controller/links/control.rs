@@ -2,7 +2,7 @@
 
 use core::time::Duration;
 
-use crate::controller::budget::knowledge::Assume;
+use crate::controller::budget::settings::Assume;
 use crate::controller::links::Links;
 use crate::controller::links::peer::Ledger;
 use crate::controller::{Control, Decision, Glimpse, Kept, Motion, Neighbor, Own, Standing, View};

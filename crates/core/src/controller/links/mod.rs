@@ -32,8 +32,8 @@ pub mod protocol;
 mod rows;
 pub mod wire;
 
-use crate::controller::budget::knowledge::Assume;
-use crate::controller::budget::margin::ErrorBounds;
+use crate::controller::budget::errors::ErrorBounds;
+use crate::controller::budget::settings::Assume;
 use crate::need::Need;
 use crate::num::length;
 use crate::robot::neighbor::{RobotId, Slot};
