@@ -1,12 +1,10 @@
 //! Every number of the settings: its name in files, what it is, what it may be. One row each.
 
-use core::time::Duration;
+pub use crate::settings::parts::Parts;
 
+use crate::settings::epsilon_of;
+use crate::settings::parts::{budget, composed, links, time, whole};
 use crate::settings::range::{Allowed, MAGNITUDE_MAX, ROBOTS_MAX};
-use crate::settings::{
-    BudgetSettings, Clock, ComposedSettings, Controller, Errors, LinkSettings, LinksSettings, Settings, Team,
-    epsilon_of,
-};
 
 /// The name of a number in an error.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -36,29 +34,6 @@ pub enum Field {
     ClockError,
     InputMinMS,
     InputMaxMS,
-}
-
-/// The settings of a team without those of a dimension. Parameters of a controller are there if it may be run.
-#[derive(Debug)]
-pub struct Parts<'a> {
-    /// Who is in the team.
-    pub team: &'a mut Team,
-    /// What a link is.
-    pub link: &'a mut LinkSettings,
-    /// Δ_d, m.
-    pub distance_min_m: &'a mut f64,
-    /// Parameters of `composed`.
-    pub composed: Option<&'a mut ComposedSettings>,
-    /// Parameters of `budget`.
-    pub budget: Option<&'a mut BudgetSettings>,
-    /// Parameters of `links`.
-    pub links: Option<&'a mut LinksSettings>,
-    /// Periods and ages.
-    pub clock: &'a mut Clock,
-    /// Stated bounds of errors.
-    pub errors: &'a mut Errors,
-    /// Δ_d must be below this, m. It depends on the input box.
-    pub distance_limit_m: f64,
 }
 
 /// A number of the settings.
@@ -357,64 +332,10 @@ impl Field {
     }
 }
 
-impl<const D: usize> Settings<D> {
-    /// All numbers but those of the input box. Δ_d may be up to `distance_limit_m`, m.
-    #[must_use]
-    pub fn parts(&mut self, distance_limit_m: f64) -> Parts<'_> {
-        let (composed, budget, links) = match &mut self.controller {
-            Controller::Composed(composed) => (Some(composed), None, None),
-            Controller::Budget(budget) => (None, Some(budget), None),
-            Controller::Links(links) => (None, None, Some(links)),
-            Controller::None => (None, None, None),
-        };
-        Parts {
-            team: &mut self.team,
-            link: &mut self.link,
-            distance_min_m: &mut self.limits.distance_min_m,
-            composed,
-            budget,
-            links,
-            clock: &mut self.clock,
-            errors: &mut self.errors,
-            distance_limit_m,
-        }
-    }
-}
-
-fn composed(of: &mut Parts<'_>, set: impl FnOnce(&mut ComposedSettings)) {
-    if let Some(composed) = of.composed.as_deref_mut() {
-        set(composed);
-    }
-}
-
-fn budget(of: &mut Parts<'_>, set: impl FnOnce(&mut BudgetSettings)) {
-    if let Some(budget) = of.budget.as_deref_mut() {
-        set(budget);
-    }
-}
-
-fn links(of: &mut Parts<'_>, set: impl FnOnce(&mut LinksSettings)) {
-    if let Some(links) = of.links.as_deref_mut() {
-        set(links);
-    }
-}
-
-fn whole(number: f64) -> u16 {
-    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "saturates")]
-    let whole = number as u16;
-    whole
-}
-
-/// The time, rounded to nanoseconds.
-fn time(seconds: f64) -> Duration {
-    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "saturates")]
-    let nanos = libm::round(seconds * 1e9) as u64;
-    Duration::from_nanos(nanos)
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::settings::{BudgetSettings, Controller, LinksSettings, Settings};
 
     #[test]
     fn what_is_set_is_what_one_gets() {

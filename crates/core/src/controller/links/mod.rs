@@ -22,12 +22,13 @@
 //! | what is told, as bytes | [`wire`] |
 //! | what a robot holds of a neighbour | [`peer`] |
 //! | the rows of a tick | `rows` |
-//! | who releases whom: no guarantee rests on it | `policy` |
+//! | who releases whom: no guarantee rests on it | `policy`, `deal` |
 //! | the seam | [`control`] |
 
 pub mod control;
+mod deal;
 pub mod peer;
-pub(crate) mod policy;
+mod policy;
 pub mod protocol;
 mod rows;
 pub mod wire;

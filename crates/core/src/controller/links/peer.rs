@@ -2,7 +2,7 @@
 
 use core::time::Duration;
 
-use crate::controller::links::policy::Deal;
+use crate::controller::links::deal::Deal;
 use crate::controller::links::protocol::{Hold, Number, Numbers};
 use crate::controller::links::wire::{Head, Item, Notice};
 use crate::num::Vector;

@@ -7,12 +7,12 @@
 //! ```text
 //! V_ij      = |x_i − x_j + H (w_i − w_j)|
 //! eligible  = in range, heard of late, V_ij ≥ price_j, not barred, stretched or not lapsed
-//! promise_i = the b_i largest V among the eligible, with GRACE_M more for who is engaged
+//! promise_i = the b_i largest V among the eligible, with `GRACE_M` more for who is engaged
 //! price_i   = the least V of the engaged if all b_i are engaged; 0 if slots are left; ∞ if b_i = 0
 //! release   = engaged, listed and stretched j, largest V first, while more are counted on than must be
 //! ```
 //!
-//! A promise that is of no use for [`LAPSE_S`] lapses. Who goes on listing a robot that has stopped listing it is listed again, because
+//! A promise that is of no use for a while lapses. Who goes on listing a robot that has stopped listing it is listed again, because
 //! its row is active anyway, and is barred for a time that doubles.
 
 use core::time::Duration;
@@ -20,24 +20,15 @@ use core::time::Duration;
 use crate::controller::links::Links;
 use crate::controller::links::peer::{Ledger, Peer};
 use crate::controller::links::protocol::Number;
-use crate::num::{Vector, add_scaled, cut, dot, length, subtract};
+use crate::num::{Vector, add_scaled, dot, length, subtract};
 use crate::robot::neighbor::{RobotId, Slot};
 use crate::time::Instant;
 
 /// A pair is released beyond this fraction of the held radius, and listed again below the other.
 const STRETCHED: f64 = 0.95;
 const NEAR: f64 = 0.85;
-/// By how much an engaged pair is preferred, m.
-const GRACE_M: f64 = 0.1;
 /// What was told longer ago does not count.
 const HEARD: Duration = Duration::from_secs(1);
-/// A promise unused for so long lapses, s; for so long, s; what it was unused is forgotten at this rate, 1/s.
-const LAPSE_S: f64 = 3.0;
-const LAPSED_S: f64 = 20.0;
-const FORGET_PER_S: f64 = 0.1;
-/// Who does not let go is barred for so long, s, twice as long each time, up to a limit.
-const BAR_S: f64 = 2.0;
-const BAR_MAX_S: f64 = 1_000.0;
 /// So many ticks a neighbour has time to follow a release.
 const PATIENCE_TICKS: u32 = 10;
 /// No more time than this passes between two looks, s.
@@ -48,29 +39,6 @@ const PASS_DISTANCES: f64 = 1.2;
 const COS_45: f64 = core::f64::consts::FRAC_1_SQRT_2;
 /// Cosine and sine of the angle by which a tie is broken.
 const TIE: [f64; 2] = [1.0, 0.02];
-
-/// What a robot and a neighbour have agreed on.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub(crate) struct Deal {
-    /// V_ij, m; of use only in the tick in which it was computed.
-    gain_m: f64,
-    /// True if the neighbour is promised a release.
-    pub(crate) promised: bool,
-    /// True if it promises one too.
-    engaged: bool,
-    eligible: bool,
-    stretched: bool,
-    /// True if it was released, and not listed since.
-    released: bool,
-    /// How long the promise was of no use, s, and how long it is lapsed yet.
-    unused_s: f64,
-    lapsed_s: f64,
-    /// How long it is barred yet, s, and how long it was the last time.
-    barred_s: f64,
-    bar_s: f64,
-    /// Ticks in which it listed the robot that had stopped listing it.
-    waiting_ticks: u32,
-}
 
 impl Links {
     /// Decides whom robot `own` lists from now on, and what it promises. `values` is scratch, one number a slot.
@@ -193,32 +161,6 @@ impl Links {
         let speed_m_s = length(wish_m_s);
         let fraction = if speed_m_s > self.speed_max_m_s { self.speed_max_m_s / speed_m_s } else { 1.0 };
         wish_m_s.map(|component| fraction * component)
-    }
-}
-
-impl Deal {
-    /// V with what is added for a pair that is engaged, m.
-    fn key_m(&self) -> f64 {
-        self.gain_m + if self.engaged { GRACE_M } else { 0.0 }
-    }
-
-    /// Lets time pass.
-    fn pass(&mut self, elapsed_s: f64) {
-        self.lapsed_s = (self.lapsed_s - elapsed_s).max(0.0);
-        self.barred_s = (self.barred_s - elapsed_s).max(0.0);
-        if self.engaged && !self.stretched {
-            self.unused_s += elapsed_s;
-        } else {
-            self.unused_s -= self.unused_s * cut(FORGET_PER_S * elapsed_s, 0.0, 1.0);
-        }
-        if self.unused_s > LAPSE_S {
-            (self.lapsed_s, self.unused_s) = (LAPSED_S, 0.0);
-        }
-    }
-
-    fn bar(&mut self) {
-        self.bar_s = if self.bar_s > 0.0 { (2.0 * self.bar_s).min(BAR_MAX_S) } else { BAR_S };
-        self.barred_s = self.bar_s;
     }
 }
 

@@ -65,3 +65,72 @@ impl Links {
 fn squared(x: f64) -> f64 {
     x * x
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::controller::budget::errors::ErrorBounds;
+    use crate::controller::budget::settings::Assume;
+    use crate::need::{Keep, Need};
+    use crate::num::{add_scaled, subtract};
+    use crate::program::InputBox;
+
+    fn links(errors: ErrorBounds) -> Links {
+        Links {
+            need: Need::new(11, 2, Keep::Neighbors),
+            spare: 0,
+            assume: Assume::Obedient,
+            radius_m: Links::held_radius_m(3.0, &errors),
+            sight_m: 3.0 + errors.offset_m,
+            distance_min_m: 0.3,
+            distance_held_m: Links::held_distance_m(0.3),
+            move_max_m: 0.3,
+            speed_max_m_s: 3.0,
+            gamma: 0.9,
+            gamma_c: 0.9,
+            errors,
+            horizon_s: 4.0,
+            pass_right: false,
+        }
+    }
+
+    fn reach() -> Reach<2> {
+        Reach::new(&InputBox { min_m_s: [-2.0; 2], max_m_s: [2.0; 2] }, 0.1)
+    }
+
+    fn row_of(links: &Links, offset_m: [f64; 2], memory: &mut [Row<2>]) -> [f64; 2] {
+        let slot = Slot { sensed: true, offset_m, ..Slot::default() };
+        links.rows((&[slot], false), &offset_m, reach(), memory).closest().displacement_m
+    }
+
+    //= theory eq:held type=test
+    #[test]
+    fn a_pair_that_pulls_apart_as_far_as_rows_allow_ends_within_the_held_radius() {
+        let links = links(ErrorBounds::NONE);
+        for hundredths in 100..=300 {
+            let offset_m = [0.01 * f64::from(hundredths), 0.0];
+            let memory = &mut [Row::default(); 30];
+            let away_m = row_of(&links, offset_m, memory);
+            let other_m = row_of(&links, subtract(&[0.0; 2], &offset_m), memory);
+            let after = length(&subtract(&add_scaled(&offset_m, 1.0, &away_m), &other_m));
+            assert!(after <= links.radius_m.max(offset_m[0]) + 1e-15, "{offset_m:?}: {after}");
+            assert!(after >= offset_m[0] && (after > offset_m[0] || hundredths == 300));
+        }
+    }
+
+    #[test]
+    fn rows_hold_for_every_offset_that_errors_allow() {
+        let errors = ErrorBounds::new(0.02, 0.0);
+        let links = links(errors);
+        let offset_m = [2.9, 0.3];
+        let moved_m = row_of(&links, offset_m, &mut [Row::default(); 30]);
+        for turn in 0..16 {
+            let angle = f64::from(turn) * core::f64::consts::FRAC_PI_8;
+            let error_m = [libm::cos(angle), libm::sin(angle)].map(|part| errors.offset_m * part);
+            let offset_m = add_scaled(&offset_m, 1.0, &error_m);
+            let bound_m2 =
+                0.25 * links.gamma * (squared(links.radius_m) - dot(&offset_m, &offset_m)).max(0.0);
+            assert!(dot(&offset_m, &moved_m) + dot(&moved_m, &moved_m) <= bound_m2 + 1e-15);
+        }
+    }
+}
