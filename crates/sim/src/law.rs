@@ -91,7 +91,7 @@ impl Law {
     ];
 
     /// What `links` promises where its assumptions hold.
-    pub const LINKS: [Self; 10] = [
+    pub const LINKS: [Self; 11] = [
         Self::Degree,
         Self::Distance,
         Self::Interval,
@@ -100,6 +100,7 @@ impl Law {
         Self::Path,
         Self::Decay,
         Self::Mode,
+        Self::Untowed,
         Self::Held,
         Self::Feasible,
     ];

@@ -91,7 +91,8 @@ impl<const D: usize, S: Slots<D>> Robot<D, S> {
     /// Reckons where neighbours are that keep their slots although they are not sensed: where they were sensed last, with an
     /// error that grows by the longest move a tick. What they tell of their value does not count.
     pub(crate) fn reckon(&mut self) {
-        let (Some(own), kept) = (self.position, self.params.kept()) else { return };
+        let Some(own) = self.position.filter(|_| self.params.controller().tells_lists()) else { return };
+        let kept = self.params.kept();
         let room_m = 2.0 * self.params.reach().longest_m() + kept.errors.offset_m;
         for slot in &mut self.slots.as_mut()[..self.count] {
             if slot.sensed {

@@ -38,7 +38,7 @@ const STEP_MAX_S: f64 = 1.0;
 const PASS_DISTANCES: f64 = 1.2;
 const COS_45: f64 = core::f64::consts::FRAC_1_SQRT_2;
 /// Cosine and sine of the angle by which a tie is broken.
-const TIE: [f64; 2] = [1.0, 0.02];
+const TIE: [f64; 2] = [0.999_800_006_666_577_8, 0.019_998_666_693_333_08];
 
 impl Links {
     /// Decides whom robot `own` lists from now on, and what it promises. `values` is scratch, one number a slot.
