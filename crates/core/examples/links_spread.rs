@@ -9,6 +9,7 @@
 use core::error::Error;
 use core::time::Duration;
 
+use closeranks_core::controller::links::protocol::Entry;
 use closeranks_core::controller::links::wire::{Head, Item, LinkMessage, bytes_max};
 use closeranks_core::num::{Vector, add_scaled, dot, length, subtract};
 use closeranks_core::{Clock, Controller, Instant, LinksSettings, Params, RobotId, Settings, SizedRobot};
@@ -181,7 +182,7 @@ impl Team {
             return Ok(bytes.to_vec());
         }
         let message = LinkMessage::<2>::parse(bytes)?;
-        let nobody = Item { id: id(reader), entry: Default::default(), promised: false };
+        let nobody = Item { id: id(reader), entry: Entry::default(), promised: false };
         let mut item = message.items().find(|item| item.id == id(reader)).unwrap_or(nobody);
         let mut head = Head { price_m: 0.0, ..*message.head() };
         item.promised = true;

@@ -1,7 +1,10 @@
 //! The team computed at once and robots one by one, with every message as bytes, give the same bits.
 #![expect(clippy::unwrap_used, reason = "helpers of tests")]
 
-use closeranks_core::settings::{BudgetSettings, Clock, ComposedSettings, Errors, LinkSettings, Team};
+use closeranks_core::Assume;
+use closeranks_core::settings::{
+    BudgetSettings, Clock, ComposedSettings, Errors, LinkSettings, LinksSettings, Team,
+};
 use closeranks_sim::scenario::Limits;
 use core::time::Duration;
 
@@ -96,6 +99,25 @@ fn teams_of_other_sizes_and_no_liars() {
         let malicious = (1..=faults).collect();
         same_bits(&Scenario { malicious, start, team: Team { robots, faults }, ..short("size") });
     }
+}
+
+/// Robots that keep lists hand over what they tell with or without bytes.
+#[test]
+fn teams_that_hold_links() {
+    let links = Scenario { controller: Controller::Links, ..short("links") };
+    let clock = Clock { level_period: Duration::from_millis(20), ..links.clock };
+    for attack in [ValueAttack::Sway, ValueAttack::None] {
+        same_bits(&Scenario { attack: attack.into(), ..links.clone() });
+        same_bits(&Scenario { attack: attack.into(), clock, duration_s: 6.0, ..links.clone() });
+    }
+    for (robots, faults) in [(2, 0), (5, 1), (20, 4)] {
+        let (malicious, start) = ((1..=faults).collect(), Start::Hexagon { spacing_m: 0.5 });
+        same_bits(&Scenario { malicious, start, clock, team: Team { robots, faults }, ..links.clone() });
+    }
+    let errors = Errors { position_m: 0.01, tracking_m: 0.02 };
+    same_bits(&Scenario { errors, clock, ..links.clone() });
+    let links = LinksSettings { assume: Assume::Free, pass_right: true, ..links.links };
+    same_bits(&Scenario { controller: Controller::Links, links, clock, ..short("free") });
 }
 
 /// Bodies that lag belong to the world, whatever computes the robots.

@@ -3,7 +3,7 @@
 //! A liar runs the controller and keeps its rows; what it sends is changed on its way. A new lie is a variant of
 //! [`ListsAttack`], its row in `KINDS`, and its arm in `ListsLiar::lie`.
 
-use closeranks_core::controller::links::protocol::Number;
+use closeranks_core::controller::links::protocol::{Entry, Number};
 use closeranks_core::controller::links::wire::{Head, Item, LinkMessage, bytes_max};
 use closeranks_core::num::Vector;
 use closeranks_core::robot::neighbor::RobotId;
@@ -120,7 +120,7 @@ impl ListsLiar {
         let Ok(message) = LinkMessage::<D>::parse(&bytes) else { return Some(bytes) };
         let mut head = *message.head();
         let item = message.items().find(|item| item.id == reader);
-        let nothing = Item { id: reader, entry: Default::default(), promised: false };
+        let nothing = Item { id: reader, entry: Entry::default(), promised: false };
         let mut item = item.unwrap_or(nothing);
         self.lie(tick, sender, &bytes, wish_m_s, &mut head, &mut item);
         let length = head.encode(core::iter::once(item), &mut self.buffer)?;
@@ -198,8 +198,7 @@ impl ListsLiar {
     /// A message in which up to four bits are wrong.
     fn garbage(&mut self, bytes: &Bytes) -> Bytes {
         let mut wrong = bytes.to_vec();
-        #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "an index")]
-        let mut below = |most: usize| self.random.uniform(0.0, most as f64) as usize;
+        let mut below = |most: usize| usize::try_from(self.random.below(most as u64)).unwrap_or(0);
         for _ in 0..=below(4) {
             let at = below(wrong.len().max(1));
             if let Some(byte) = wrong.get_mut(at) {

@@ -218,10 +218,10 @@ impl<const D: usize, T: Transport> Fleet<D, T> {
                     Face::Message(told) if told == *message => all.clone(),
                     Face::Message(told) => encode(own, &told, &mut self.buffer),
                 };
-                let bytes = bytes.and_then(|bytes| match self.lists {
-                    true => liars.lists(sender, id(receiver), robot.wish_m_s(), bytes),
-                    false => Some(bytes),
-                });
+                let bytes = match bytes {
+                    Some(bytes) if self.lists => liars.lists(sender, id(receiver), robot.wish_m_s(), bytes),
+                    bytes => bytes,
+                };
                 if let Some(bytes) = bytes {
                     // A message for which there is no room is lost.
                     let _ = self.transport.send(Parcel { sender, receiver, bytes });

@@ -64,7 +64,7 @@ impl Links {
         let slots_left = in_range.saturating_sub(keep);
         promise(slots, slots_left, values);
         ledger.price_m = price_m(slots, slots_left);
-        self.release(slots, counted, keep);
+        Self::release(slots, counted, keep);
         self.list(own, slots, last, first || counted < keep);
         ledger.looked_at = Some(now);
     }
@@ -91,7 +91,7 @@ impl Links {
     }
 
     /// Releases who is to be released, as long as enough are counted on, and follows those who have let go.
-    fn release<const D: usize>(&self, slots: &mut [Slot<D>], mut counted: usize, keep: usize) {
+    fn release<const D: usize>(slots: &mut [Slot<D>], mut counted: usize, keep: usize) {
         loop {
             let loose = |peer: &Peer<D>| {
                 let (is_counted, deal) = (peer.is_counted(), &peer.deal);
