@@ -2,6 +2,9 @@
 
 use core::time::Duration;
 
+use crate::controller::budget::margin::ErrorBounds;
+use crate::controller::budget::weight::{Conditions, Weight};
+use crate::robot::neighbor::RobotId;
 use crate::settings::params::{MAGNITUDE_MAX, ROBOTS_MAX};
 use crate::settings::range::Allowed;
 use crate::settings::{
@@ -20,6 +23,8 @@ pub enum Field {
     WR,
     WC,
     Alpha,
+    OwnQ2,
+    OwnEpsilon,
     Gamma,
     GainSlope,
     GammaC,
@@ -54,6 +59,8 @@ pub struct Parts<'a> {
     pub errors: &'a mut Errors,
     /// Δ_d must be below this, m. It depends on the input box.
     pub distance_limit_m: f64,
+    /// ρ, the longest move of a robot in a tick, m. It depends on the input box too.
+    pub move_max_m: f64,
 }
 
 /// A number of the settings.
@@ -88,7 +95,7 @@ const TEAM_MAX: f64 = ROBOTS_MAX as f64;
 const SECONDS: Allowed = Allowed::Closed(1e-6, 3_600.0);
 
 /// All numbers, in the order in which they are checked.
-pub const TABLE: [Row; 19] = [
+pub const TABLE: [Row; 21] = [
     Row {
         field: Field::Robots,
         name: "team.robots",
@@ -220,10 +227,30 @@ pub const TABLE: [Row; 19] = [
         why: "",
     },
     Row {
+        field: Field::OwnQ2,
+        name: "controller.q2",
+        about: "budget: steepness of its own weight, 1/m^4; by default chosen for the task",
+        get: |of| Some(weight(of)?.q2),
+        set: |of, to| budget(of, |budget| budget.q2 = Some(to)),
+        range: POSITIVE,
+        limit: None,
+        why: "",
+    },
+    Row {
+        field: Field::OwnEpsilon,
+        name: "controller.epsilon",
+        about: "budget: of q1 = 2 + epsilon of its own weight; by default a hair below 2/(need - 1)",
+        get: |of| Some(weight(of)?.epsilon),
+        set: |of, to| budget(of, |budget| budget.epsilon = Some(to)),
+        range: Allowed::Open(-3.0, 3.0),
+        limit: Some(|of| Allowed::Open(0.0, conditions(of).map_or(2.0, |of| of.epsilon_limit()))),
+        why: "below 2/(need - 1)",
+    },
+    Row {
         field: Field::Gamma,
         name: "controller.gamma",
-        about: "budget: fraction of h that may be lost in a tick; by default 1 - exp(-2 tau_1)",
-        get: |of| of.budget.as_ref().map(|budget| budget.gamma(of.clock.level_period)),
+        about: "budget: fraction of h that may be lost in a tick; by default chosen for the task",
+        get: |of| Some(weight(of)?.gamma),
         set: |of, to| budget(of, |budget| budget.gamma = Some(to)),
         range: FRACTION,
         limit: None,
@@ -242,9 +269,9 @@ pub const TABLE: [Row; 19] = [
     Row {
         field: Field::GammaC,
         name: "controller.gamma_c",
-        about: "budget: fraction of distance^2 - distance_min^2 that may be lost in a tick",
-        get: |of| of.budget.as_ref().map(|budget| budget.gamma_c),
-        set: |of, to| budget(of, |budget| budget.gamma_c = to),
+        about: "budget: fraction of distance^2 - distance_min^2 that may be lost in a tick; by default 1 - exp(-45 tau_1)",
+        get: |of| Some(weight(of)?.gamma_c),
+        set: |of, to| budget(of, |budget| budget.gamma_c = Some(to)),
         range: FRACTION,
         limit: None,
         why: "",
@@ -326,6 +353,7 @@ impl<const D: usize> Settings<D> {
     /// All numbers but those of the input box. Δ_d may be up to `distance_limit_m`, m.
     #[must_use]
     pub fn parts(&mut self, distance_limit_m: f64) -> Parts<'_> {
+        let move_max_m = self.reach().longest_m();
         let (composed, budget) = match &mut self.controller {
             Controller::Composed(composed) => (Some(composed), None),
             Controller::Budget(budget) => (None, Some(budget)),
@@ -340,8 +368,25 @@ impl<const D: usize> Settings<D> {
             clock: &mut self.clock,
             errors: &mut self.errors,
             distance_limit_m,
+            move_max_m,
         }
     }
+}
+
+/// What the weight of `budget` is chosen for; `None` without that controller.
+fn conditions(of: &Parts<'_>) -> Option<Conditions> {
+    let need = of.budget.as_ref()?.need(of.team.robots, of.team.faults);
+    Some(Conditions {
+        radius_m: of.link.radius_m,
+        need: need.need(RobotId(1)),
+        period_s: of.clock.level_period.as_secs_f64(),
+        move_max_m: of.move_max_m,
+        offset_error_m: ErrorBounds::new(of.errors.position_m, of.errors.tracking_m).offset_m,
+    })
+}
+
+fn weight(of: &Parts<'_>) -> Option<Weight> {
+    Some(of.budget.as_ref()?.weight(&conditions(of)?))
 }
 
 fn composed(of: &mut Parts<'_>, set: impl FnOnce(&mut ComposedSettings)) {

@@ -13,7 +13,9 @@ pub use clock::Clock;
 pub use controller::{BudgetSettings, ComposedSettings, Controller};
 
 use crate::controller::budget::margin::ErrorBounds;
+use crate::controller::budget::weight::Conditions;
 use crate::program::InputBox;
+use crate::robot::neighbor::RobotId;
 
 /// Who is in the team.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -101,6 +103,19 @@ impl<const D: usize> Settings<D> {
     #[must_use]
     pub fn epsilon(&self) -> f64 {
         self.link.epsilon.unwrap_or(epsilon_of(self.team.robots))
+    }
+
+    /// What `budget` chooses its own weight for.
+    #[must_use]
+    pub fn conditions(&self, parameters: &BudgetSettings) -> Conditions {
+        let need = parameters.need(self.team.robots, self.team.faults);
+        Conditions {
+            radius_m: self.link.radius_m,
+            need: need.need(RobotId(1)),
+            period_s: self.clock.level_period.as_secs_f64(),
+            move_max_m: self.reach().longest_m(),
+            offset_error_m: self.error_bounds().offset_m,
+        }
     }
 
     /// What errors of sensing and tracking cost; nothing where the controller has no room for them.

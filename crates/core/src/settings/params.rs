@@ -22,6 +22,7 @@ pub const MAGNITUDE_MAX: f64 = 1e6;
 pub struct Params<const D: usize> {
     settings: Settings<D>,
     link: LinkShape,
+    paper_link: LinkShape,
     need: Need,
     controller: AnyController<D>,
     reach: Reach<D>,
@@ -46,11 +47,13 @@ impl<const D: usize> Params<D> {
         settings.check_input()?;
         settings.check()?;
         let q1 = 2.0 + settings.epsilon();
-        let link = LinkShape { radius_m: settings.link.radius_m, q1, q2: settings.link.q2 };
-        let controller = AnyController::new(&settings, link);
+        let paper_link = LinkShape { radius_m: settings.link.radius_m, q1, q2: settings.link.q2 };
+        let controller = AnyController::new(&settings, paper_link);
+        let link = controller.link(paper_link);
         let sight_m = controller.sight_m(&link);
         Ok(Self {
             link,
+            paper_link,
             need: *controller.need(),
             controller,
             reach: settings.reach(),
@@ -66,10 +69,16 @@ impl<const D: usize> Params<D> {
         &self.settings
     }
 
-    /// Shape of the links.
+    /// Shape of the links, of the weight that the controller gives to them: that of the settings, or one of its own.
     #[must_use]
     pub fn link(&self) -> &LinkShape {
         &self.link
+    }
+
+    /// Shape of the links of the settings, which is the paper's, whatever the controller. φ is about it.
+    #[must_use]
+    pub fn paper_link(&self) -> &LinkShape {
+        &self.paper_link
     }
 
     /// Who counts for whom, and how many of them each robot must keep.
