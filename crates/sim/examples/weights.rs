@@ -11,12 +11,13 @@ use std::time::Duration;
 
 use closeranks_core::controller::budget::knowledge::Assume;
 use closeranks_core::controller::budget::settings::fraction_of_rate;
-use closeranks_core::settings::Clock;
+use closeranks_core::settings::{BudgetSettings, Clock};
 use closeranks_sim::plant::Plant;
 use closeranks_sim::random::{Random, Stream};
 use closeranks_sim::scenario::{Controller, Scenario};
 use closeranks_sim::scenario::start::Start;
-use closeranks_sim::world::{Options, World};
+use closeranks_sim::sweep::Plan;
+use closeranks_sim::world::{self, Options, World};
 
 /// Columns count half spacings, rows are `√3/2` spacings apart.
 const PLACES: [[i8; 2]; 11] =
@@ -89,9 +90,47 @@ fn run(scenario: &Scenario) -> [f64; 4] {
     })
 }
 
+/// The mean radius of gyration under both controllers over runs of a sweep: FILE SEED FIRST COUNT [NAME=NUMBER]...
+#[expect(clippy::print_stdout, reason = "a report")]
+fn campaign(words: &[String]) {
+    let [file, seed, first, count, settings @ ..] = words else { return };
+    let plan = Plan::read(&std::fs::read_to_string(file).expect("a file")).expect("a sweep");
+    let number = |word: &String| word.parse::<u64>().expect("a number");
+    let (mut sums, mut violations) = ([[0.0; 3]; 3], 0);
+    for run in number(first)..number(first) + number(count) {
+        let drawn = plan.draw(number(seed), run).expect("a run");
+        let mut ends = [(false, 0.0); 2];
+        for (scenario, _) in &drawn.scenarios {
+            let mut scenario = scenario.clone();
+            if settings.iter().any(|word| word == "chosen") {
+                scenario.budget.gain_slope = 0.0;
+                scenario.budget = BudgetSettings { trust: scenario.budget.trust, assume: scenario.budget.assume, ..BudgetSettings::default() };
+            }
+            settings.iter().for_each(|word| set(&mut scenario, word));
+            let options = Options { without_phi: true, ..Options::default() };
+            let summary = world::run(&scenario, options, &mut |_| ()).expect("a run").summary;
+            let budget = scenario.controller == Controller::Budget;
+            ends[usize::from(!budget)] = (summary.start.inside, summary.gyration_m);
+            violations += usize::from(budget && summary.violations(&scenario).next().is_some());
+        }
+        let [(one, width), (other, other_width)] = ends;
+        for (place, holds) in [true, one, one && other].into_iter().enumerate().filter(|(_, holds)| *holds) {
+            sums[place] = [sums[place][0] + 1.0, sums[place][1] + width, sums[place][2] + other_width];
+            let _ = holds;
+        }
+    }
+    println!("{}: {violations} violations", settings.join(" "));
+    for (about, [count, budget, composed]) in ["all", "budget starts safe", "both start safe"].iter().zip(sums) {
+        println!("    {about:20} {count:6} runs: budget {:.3} m, composed {:.3} m", budget / count, composed / count);
+    }
+}
+
 #[expect(clippy::print_stdout, reason = "a report")]
 fn main() {
     let words: Vec<String> = args().skip(1).collect();
+    if words.first().is_some_and(|word| word == "campaign") {
+        return campaign(&words[1..]);
+    }
     let [first, count, case, ..] = &words[..] else { return println!("FIRST COUNT CASE [NAME=NUMBER]...") };
     let (first, count): (u64, u64) = (first.parse().unwrap_or(0), count.parse().unwrap_or(12));
     let mut base = scenario(case);

@@ -75,6 +75,12 @@ impl<const D: usize> Params<D> {
         &self.link
     }
 
+    /// True if the controller gives links a weight of its own.
+    #[must_use]
+    pub fn weighs_its_own_way(&self) -> bool {
+        self.link != self.paper_link
+    }
+
     /// Shape of the links of the settings, which is the paper's, whatever the controller. φ is about it.
     #[must_use]
     pub fn paper_link(&self) -> &LinkShape {

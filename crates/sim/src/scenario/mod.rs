@@ -7,6 +7,7 @@ pub mod start;
 
 use closeranks_core::equations::barrier::required_degree;
 use closeranks_core::equations::composition::Composed;
+use closeranks_core::equations::link::LinkShape;
 use closeranks_core::num::{Vector, sqrt};
 use closeranks_core::program::InputBox;
 use closeranks_core::settings::field::Parts;
@@ -198,6 +199,14 @@ impl Scenario {
             clock: self.clock,
             errors: self.errors,
         })
+    }
+
+    /// The shape that the controller gives to links. Levels and h of a run are about it; φ is about that of `link`.
+    pub fn link_shape(&self) -> Result<LinkShape, ParamsError> {
+        match self.dimension {
+            3 => self.params::<3>().map(|params| *params.link()),
+            _ => self.params::<2>().map(|params| *params.link()),
+        }
     }
 
     /// Every number of the settings, for the table of [`settings::field`], whatever the controller.

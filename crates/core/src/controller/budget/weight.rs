@@ -8,7 +8,7 @@ use crate::num::sqrt;
 use crate::settings::BudgetSettings;
 
 /// α, 1/s: the rate at which h may be lost.
-const RATE_PER_S: f64 = 12.0;
+const RATE_PER_S: f64 = 16.0;
 /// α_c, 1/s: the rate at which D − Δ_d² may be lost.
 const RATE_C_PER_S: f64 = 45.0;
 /// How much a move and an error of an offset widen the step of the weight ([`Conditions::width_m`]).
