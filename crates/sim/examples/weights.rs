@@ -103,8 +103,8 @@ fn campaign(words: &[String]) {
         for (scenario, _) in &drawn.scenarios {
             let mut scenario = scenario.clone();
             if settings.iter().any(|word| word == "chosen") {
-                scenario.budget.gain_slope = 0.0;
-                scenario.budget = BudgetSettings { trust: scenario.budget.trust, assume: scenario.budget.assume, ..BudgetSettings::default() };
+                let BudgetSettings { trust, assume, .. } = scenario.budget;
+                scenario.budget = BudgetSettings { trust, assume, ..BudgetSettings::default() };
             }
             settings.iter().for_each(|word| set(&mut scenario, word));
             let options = Options { without_phi: true, ..Options::default() };

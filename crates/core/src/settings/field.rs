@@ -3,7 +3,7 @@
 use core::time::Duration;
 
 use crate::controller::budget::margin::ErrorBounds;
-use crate::controller::budget::weight::{Conditions, Weight};
+use crate::controller::budget::weight::{Conditions, Q2_MAX, Weight};
 use crate::robot::neighbor::RobotId;
 use crate::settings::params::{MAGNITUDE_MAX, ROBOTS_MAX};
 use crate::settings::range::Allowed;
@@ -232,7 +232,7 @@ pub const TABLE: [Row; 21] = [
         about: "budget: steepness of its own weight, 1/m^4; by default chosen for the task",
         get: |of| Some(weight(of)?.q2),
         set: |of, to| budget(of, |budget| budget.q2 = Some(to)),
-        range: POSITIVE,
+        range: Allowed::LeftOpen(0.0, Q2_MAX),
         limit: None,
         why: "",
     },

@@ -14,6 +14,7 @@ pub use controller::{BudgetSettings, ComposedSettings, Controller};
 
 use crate::controller::budget::margin::ErrorBounds;
 use crate::controller::budget::weight::Conditions;
+use crate::equations::link::LinkShape;
 use crate::program::InputBox;
 use crate::robot::neighbor::RobotId;
 
@@ -103,6 +104,12 @@ impl<const D: usize> Settings<D> {
     #[must_use]
     pub fn epsilon(&self) -> f64 {
         self.link.epsilon.unwrap_or(epsilon_of(self.team.robots))
+    }
+
+    /// Shape of the links of these settings, as the paper has it.
+    #[must_use]
+    pub fn paper_link(&self) -> LinkShape {
+        LinkShape { radius_m: self.link.radius_m, q1: 2.0 + self.epsilon(), q2: self.link.q2 }
     }
 
     /// What `budget` chooses its own weight for.

@@ -22,7 +22,6 @@ pub const MAGNITUDE_MAX: f64 = 1e6;
 pub struct Params<const D: usize> {
     settings: Settings<D>,
     link: LinkShape,
-    paper_link: LinkShape,
     need: Need,
     controller: AnyController<D>,
     reach: Reach<D>,
@@ -46,14 +45,12 @@ impl<const D: usize> Params<D> {
     pub fn new(settings: Settings<D>) -> Result<Self, ParamsError> {
         settings.check_input()?;
         settings.check()?;
-        let q1 = 2.0 + settings.epsilon();
-        let paper_link = LinkShape { radius_m: settings.link.radius_m, q1, q2: settings.link.q2 };
+        let paper_link = settings.paper_link();
         let controller = AnyController::new(&settings, paper_link);
         let link = controller.link(paper_link);
         let sight_m = controller.sight_m(&link);
         Ok(Self {
             link,
-            paper_link,
             need: *controller.need(),
             controller,
             reach: settings.reach(),
@@ -78,13 +75,13 @@ impl<const D: usize> Params<D> {
     /// True if the controller gives links a weight of its own.
     #[must_use]
     pub fn weighs_its_own_way(&self) -> bool {
-        self.link != self.paper_link
+        self.link != self.paper_link()
     }
 
     /// Shape of the links of the settings, which is the paper's, whatever the controller. φ is about it.
     #[must_use]
-    pub fn paper_link(&self) -> &LinkShape {
-        &self.paper_link
+    pub fn paper_link(&self) -> LinkShape {
+        self.settings.paper_link()
     }
 
     /// Who counts for whom, and how many of them each robot must keep.
@@ -217,6 +214,7 @@ mod tests {
     use core::time::Duration;
 
     use super::*;
+    use crate::controller::budget::knowledge::Assume;
     use crate::robot::neighbor::RobotId;
     use crate::settings::{BudgetSettings, ComposedSettings};
 
@@ -244,7 +242,7 @@ mod tests {
 
     #[test]
     fn each_setting_is_refused_outside_its_range() {
-        let wrong: [(Field, Change); 17] = [
+        let wrong: [(Field, Change); 21] = [
             (Field::Robots, |s| s.team.robots = 1),
             (Field::Robots, |s| s.team.robots = ROBOTS_MAX + 1),
             (Field::Faults, |s| s.team.faults = 6),
@@ -257,7 +255,13 @@ mod tests {
             (Field::WC, |s| composed(s, |composed| composed.w_c = f64::INFINITY)),
             (Field::Alpha, |s| composed(s, |composed| composed.alpha = 2e6)),
             (Field::Gamma, |s| budget(s, |budget| budget.gamma = Some(0.0))),
-            (Field::GammaC, |s| budget(s, |budget| budget.gamma_c = 1.1)),
+            (Field::GammaC, |s| budget(s, |budget| budget.gamma_c = Some(1.1))),
+            (Field::OwnQ2, |s| budget(s, |budget| budget.q2 = Some(0.0))),
+            (Field::OwnEpsilon, |s| budget(s, |budget| budget.epsilon = Some(0.0))),
+            (Field::OwnEpsilon, |s| budget(s, |budget| budget.epsilon = Some(2.0 / 6.0))),
+            (Field::OwnEpsilon, |s| {
+                budget(s, |budget| (budget.epsilon, budget.assume) = (Some(2.0 / 5.0), Assume::Free));
+            }),
             (Field::DistanceMinM, |s| {
                 budget(s, |_| ());
                 s.limits.distance_min_m = 2.98;

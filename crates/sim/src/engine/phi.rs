@@ -89,7 +89,7 @@ impl PaperPhi {
     pub(crate) fn new<const D: usize>(scenario: &Scenario, params: &Params<D>) -> Option<Self> {
         params.weighs_its_own_way().then(|| Self {
             phi: Phi::new(scenario),
-            link: *params.paper_link(),
+            link: params.paper_link(),
             near: Near::default(),
             levels: Vec::new(),
             firsts: Vec::new(),

@@ -85,7 +85,7 @@ impl Truth {
         self.h.clone_from(&self.levels);
         if frame.wants_phi && params.weighs_its_own_way() {
             let (shape, sums) = (params.paper_link(), &mut self.paper_levels);
-            weigh(shape, pairs, positions_m2, |_| true, sums, &mut self.degrees, scratch);
+            weigh(&shape, pairs, positions_m2, |_| true, sums, &mut self.degrees, scratch);
         } else {
             self.paper_levels.clone_from(&self.levels);
         }

@@ -233,7 +233,6 @@ fn ticks(age: Duration, period: Duration) -> Option<u32> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::equations::link::LinkShape;
 
     fn controller(level_period: Duration) -> BudgetController<2> {
         let clock = Clock { level_period, told_max: Duration::MAX, ..Clock::default() };

@@ -17,6 +17,8 @@ const OF_ERROR: f64 = 0.11;
 /// The step of the weight is at least and at most so many radii wide.
 const NARROWEST: f64 = 1.0 / 300.0;
 const WIDEST: f64 = 0.25;
+/// Greatest q₂ that may be, 1/m⁴: enough for R of a centimetre.
+pub(crate) const Q2_MAX: f64 = 1e12;
 /// ε as a fraction of its limit. One neighbour too few then makes h at most −0.001, far more than rounding hides.
 const BELOW_LIMIT: f64 = 0.999;
 
@@ -74,7 +76,7 @@ impl Conditions {
     /// q₂ of a step of that width, 1/m⁴: `q₂ s² = 1` at `s = 2 R w`.
     fn q2(&self) -> f64 {
         let slack_m2 = 2.0 * self.radius_m * self.width_m();
-        1.0 / (slack_m2 * slack_m2)
+        (1.0 / (slack_m2 * slack_m2)).min(Q2_MAX)
     }
 }
 
@@ -89,6 +91,100 @@ impl BudgetSettings {
             epsilon: self.epsilon.unwrap_or_else(|| BELOW_LIMIT * of.epsilon_limit()),
             gamma: self.gamma.unwrap_or_else(|| rate(RATE_PER_S)),
             gamma_c: self.gamma_c.unwrap_or_else(|| rate(RATE_C_PER_S)),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::controller::budget::knowledge::Assume;
+    use crate::equations::link::{Link, LinkShape};
+    use crate::settings::params::Params;
+    use crate::settings::{Clock, Controller, Errors, Settings, Team};
+
+    /// n = 11, F = 2, R = 3 m, 1.5 m/s along each axis, ticks of 5 ms.
+    const PAPER: Conditions =
+        Conditions { radius_m: 3.0, need: 7, period_s: 0.005, move_max_m: 0.010_607, offset_error_m: 0.0 };
+
+    fn q2(of: Conditions) -> f64 {
+        BudgetSettings::default().weight(&of).q2
+    }
+
+    //= theory eq:own-width type=test
+    //= theory sec:own-weight type=test
+    #[test]
+    fn longer_moves_and_larger_errors_make_the_step_wider() {
+        let by_hand = 1.0 / (36.0 * 3.0 * 0.018 * 0.010_607);
+        assert!((q2(PAPER) - by_hand).abs() < 1e-9, "{}", q2(PAPER));
+        let [slow, wrong] = [
+            Conditions { move_max_m: 0.106, ..PAPER },
+            Conditions { offset_error_m: 0.02, ..PAPER },
+        ];
+        assert!((q2(slow) - 4.85).abs() < 0.01 && (q2(wrong) - 3.87).abs() < 0.01);
+        let still = Conditions { move_max_m: 0.0, ..PAPER };
+        assert!((still.width_m() - 0.01).abs() < 1e-15 && q2(still).is_finite());
+        assert_eq!(Conditions { offset_error_m: 1e6, ..PAPER }.width_m(), 0.75);
+    }
+
+    #[test]
+    fn what_is_set_is_not_chosen() {
+        let set = BudgetSettings { q2: Some(0.3), gamma: Some(0.5), ..BudgetSettings::default() };
+        let (weight, chosen) = (set.weight(&PAPER), BudgetSettings::default().weight(&PAPER));
+        assert_eq!((weight.q2, weight.gamma, weight.epsilon), (0.3, 0.5, chosen.epsilon));
+        assert!((chosen.gamma - 0.076_88).abs() < 1e-5 && (chosen.gamma_c - 0.201_5).abs() < 1e-4);
+    }
+
+    /// With the chosen ε, one neighbour too few makes h negative by far more than rounding, however close they stand; as many as
+    /// are needed can have an h that is not.
+    //= theory lem:degree type=test
+    #[test]
+    fn one_neighbor_too_few_makes_h_negative() {
+        for robots in (2..200).chain([1_000, 9_999, 10_000]) {
+            for faults in [0, 1, (robots - 1) / 2] {
+                for assume in [Assume::Obedient, Assume::Free] {
+                    let team = Team { robots, faults: faults.min((robots - 1) / 2) };
+                    let parameters = BudgetSettings { assume, ..BudgetSettings::default() };
+                    let settings =
+                        Settings::<2> { team, controller: Controller::Budget(parameters), ..Settings::default() };
+                    let params = Params::new(settings).expect("what is chosen is allowed");
+                    let most = params.link().link_at(0.0).map_or(0.0, |link: Link<f64>| link.weight);
+                    let need = f64::from(settings.conditions(&parameters).need);
+                    assert!((need - 1.0) * most - need < -4e-4, "{team:?} {assume:?}");
+                    assert!(need * most - need > 0.0, "{team:?} {assume:?}");
+                }
+            }
+        }
+    }
+
+    /// Whatever is allowed, the choice is allowed too, and its weight falls from its greatest to 0 within R.
+    #[test]
+    fn the_choice_is_allowed_for_every_task() {
+        for radius_m in [0.01, 3.0, 1e6] {
+            for tick_us in [1, 5_000, 3_600_000_000] {
+                for (position, tracking) in [(0.0, 0.0), (1e-3, 0.0), (1e-3, 1e-2)] {
+                    let errors = Errors { position_m: position * radius_m, tracking_m: tracking * radius_m };
+                    let period = core::time::Duration::from_micros(tick_us);
+                    let mut settings = Settings::<2> {
+                        controller: Controller::Budget(BudgetSettings::default()),
+                        clock: Clock { level_period: period, value_period: period, ..Clock::default() },
+                        errors,
+                        ..Settings::default()
+                    };
+                    settings.link.radius_m = radius_m;
+                    settings.limits.distance_min_m = 0.01 * radius_m;
+                    let speed_m_s = 1e-3 * radius_m / period.as_secs_f64();
+                    settings.limits.input.min_m_s = [-speed_m_s.min(1e6); 2];
+                    settings.limits.input.max_m_s = [speed_m_s.min(1e6); 2];
+                    let params = Params::new(settings).expect("a task that can be");
+                    let shape: &LinkShape = params.link();
+                    let weight = |part: f64| {
+                        let distance_m = part * radius_m;
+                        shape.link_at(distance_m * distance_m).map_or(0.0, |link: Link<f64>| link.weight)
+                    };
+                    assert!(weight(0.1) > 0.99 * 0.5 * shape.q1 && weight(1.0 - 1e-9) < 0.01, "{settings:?}");
+                }
+            }
         }
     }
 }
