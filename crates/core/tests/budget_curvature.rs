@@ -5,9 +5,9 @@ use closeranks_core::equations::link::{Link, LinkShape};
 
 fn shapes() -> impl Iterator<Item = LinkShape> {
     let radii = [0.7, 1.0, 3.0];
-    radii
-        .into_iter()
-        .flat_map(|radius_m| [0.02, 0.05, 0.1, 0.3, 0.9, 5.0, 48.0, 280.0].map(|q2| LinkShape { radius_m, q1: 2.099, q2 }))
+    radii.into_iter().flat_map(|radius_m| {
+        [0.02, 0.05, 0.1, 0.3, 0.9, 5.0, 48.0, 280.0].map(|q2| LinkShape { radius_m, q1: 2.099, q2 })
+    })
 }
 
 fn rate(shape: &LinkShape, distance_m: f64) -> f64 {

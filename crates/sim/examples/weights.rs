@@ -14,8 +14,8 @@ use closeranks_core::controller::budget::settings::fraction_of_rate;
 use closeranks_core::settings::{BudgetSettings, Clock};
 use closeranks_sim::plant::Plant;
 use closeranks_sim::random::{Random, Stream};
-use closeranks_sim::scenario::{Controller, Scenario};
 use closeranks_sim::scenario::start::Start;
+use closeranks_sim::scenario::{Controller, Scenario};
 use closeranks_sim::sweep::Plan;
 use closeranks_sim::world::{self, Options, World};
 
@@ -37,7 +37,8 @@ fn start(number: u64) -> Start {
 fn scenario(case: &str) -> Scenario {
     let (tick, rest) = case.split_at(case.find(|c: char| !c.is_ascii_digit()).unwrap_or(case.len()));
     let tick = Duration::from_millis(tick.parse().unwrap_or(5));
-    let clock = Clock { level_period: tick, value_period: tick.max(Duration::from_millis(100)), ..Clock::default() };
+    let clock =
+        Clock { level_period: tick, value_period: tick.max(Duration::from_millis(100)), ..Clock::default() };
     let mut scenario = Scenario { clock, ..Scenario::default() }.under(Controller::Budget);
     match rest {
         "free" => scenario.budget.assume = Assume::Free,
@@ -57,7 +58,9 @@ fn scenario(case: &str) -> Scenario {
 /// One setting, as `name=number`.
 fn set(scenario: &mut Scenario, word: &str) {
     let Some((name, number)) = word.split_once('=') else {
-        return if word == "composed" { *scenario = scenario.clone().under(Controller::Composed) };
+        return if word == "composed" {
+            *scenario = scenario.clone().under(Controller::Composed)
+        };
     };
     let number: f64 = number.parse().unwrap_or(f64::NAN);
     let tick_s = scenario.tick_s();
@@ -120,8 +123,14 @@ fn campaign(words: &[String]) {
         }
     }
     println!("{}: {violations} violations", settings.join(" "));
-    for (about, [count, budget, composed]) in ["all", "budget starts safe", "both start safe"].iter().zip(sums) {
-        println!("    {about:20} {count:6} runs: budget {:.3} m, composed {:.3} m", budget / count, composed / count);
+    for (about, [count, budget, composed]) in
+        ["all", "budget starts safe", "both start safe"].iter().zip(sums)
+    {
+        println!(
+            "    {about:20} {count:6} runs: budget {:.3} m, composed {:.3} m",
+            budget / count,
+            composed / count
+        );
     }
 }
 

@@ -53,12 +53,7 @@ fn budgets() -> Vec<Scenario> {
                 let (level_attack, tau_1) = (LevelAttack::Bias(bias), Duration::from_millis(tick_ms));
                 runs.push(Scenario {
                     attack: level_attack.into(),
-                    budget: BudgetSettings {
-                        trust,
-                        assume,
-                        q2: (q2 != 0.3).then_some(q2),
-                        ..plain.budget
-                    },
+                    budget: BudgetSettings { trust, assume, q2: (q2 != 0.3).then_some(q2), ..plain.budget },
                     clock: Clock { level_period: tau_1, ..plain.clock },
                     link: LinkSettings { q2, ..plain.link },
                     ..plain.clone()

@@ -46,7 +46,9 @@ impl<const D: usize> AnyController<D> {
     #[must_use]
     pub fn link(&self, link: LinkShape) -> LinkShape {
         match self {
-            Self::Budget(controller) => LinkShape { radius_m: link.radius_m, ..*controller.budget.curvature.link() },
+            Self::Budget(controller) => {
+                LinkShape { radius_m: link.radius_m, ..*controller.budget.curvature.link() }
+            }
             Self::Composed(_) | Self::None(_) => link,
         }
     }

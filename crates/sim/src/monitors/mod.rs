@@ -180,7 +180,8 @@ impl<const D: usize> Monitors<D> {
         let near = self.truth.pairs.references_m2().iter().filter(|pair| **pair <= radius_m * radius_m);
         let collisions: f64 =
             near.map(|pair| composed.collision_term::<f64>(*pair)).fold(0.0, |sum, term| sum + term);
-        let degrees: f64 = self.truth.paper_levels.iter().map(|level| composed.degree_term::<f64>(*level)).sum();
+        let degrees: f64 =
+            self.truth.paper_levels.iter().map(|level| composed.degree_term::<f64>(*level)).sum();
         let phi = 1.0 - degrees - collisions;
         self.extremes.phi_global_min = self.extremes.phi_global_min.min(phi);
         if phi < 0.0 {

@@ -117,10 +117,8 @@ mod tests {
     fn longer_moves_and_larger_errors_make_the_step_wider() {
         let by_hand = 1.0 / (36.0 * 3.0 * 0.018 * 0.010_607);
         assert!((q2(PAPER) - by_hand).abs() < 1e-9, "{}", q2(PAPER));
-        let [slow, wrong] = [
-            Conditions { move_max_m: 0.106, ..PAPER },
-            Conditions { offset_error_m: 0.02, ..PAPER },
-        ];
+        let [slow, wrong] =
+            [Conditions { move_max_m: 0.106, ..PAPER }, Conditions { offset_error_m: 0.02, ..PAPER }];
         assert!((q2(slow) - 4.85).abs() < 0.01 && (q2(wrong) - 3.87).abs() < 0.01);
         let still = Conditions { move_max_m: 0.0, ..PAPER };
         assert!((still.width_m() - 0.01).abs() < 1e-15 && q2(still).is_finite());
@@ -145,8 +143,11 @@ mod tests {
                 for assume in [Assume::Obedient, Assume::Free] {
                     let team = Team { robots, faults: faults.min((robots - 1) / 2) };
                     let parameters = BudgetSettings { assume, ..BudgetSettings::default() };
-                    let settings =
-                        Settings::<2> { team, controller: Controller::Budget(parameters), ..Settings::default() };
+                    let settings = Settings::<2> {
+                        team,
+                        controller: Controller::Budget(parameters),
+                        ..Settings::default()
+                    };
                     let params = Params::new(settings).expect("what is chosen is allowed");
                     let most = params.link().link_at(0.0).map_or(0.0, |link: Link<f64>| link.weight);
                     let need = f64::from(settings.conditions(&parameters).need);
