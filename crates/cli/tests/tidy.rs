@@ -1,6 +1,9 @@
-//! House rules that no linter knows: heads and lengths, words, seams, and what is cited: labels, pages and paths.
+//! House rules that no linter knows: heads and lengths, words, seams, imports, and what is cited: labels, pages and paths.
 
 #![expect(clippy::unwrap_used, reason = "helpers of tests")]
+
+#[path = "tidy/imports.rs"]
+mod imports;
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;

@@ -9,7 +9,7 @@
 use std::env::args;
 use std::time::Duration;
 
-use closeranks_core::controller::budget::knowledge::Assume;
+use closeranks_core::controller::budget::settings::Assume;
 use closeranks_core::controller::budget::settings::fraction_of_rate;
 use closeranks_core::settings::{BudgetSettings, Clock};
 use closeranks_sim::plant::Plant;

@@ -5,7 +5,7 @@ use closeranks_core::settings::{BudgetSettings, Clock, ComposedSettings, Errors,
 use closeranks_sim::scenario::Limits;
 use core::time::Duration;
 
-use closeranks_core::controller::budget::knowledge::Trust;
+use closeranks_core::controller::budget::settings::Trust;
 use closeranks_core::equations::composition::PhiSplit;
 use closeranks_sim::attack::{LevelAttack, ValueAttack};
 use closeranks_sim::plant::Plant;

@@ -8,14 +8,24 @@ const EVERYTHING: &str = include_str!("../../../scenarios/everything.toml");
 
 /// The default that the core has for the number of `row`.
 fn default_of(row: &Row) -> f64 {
-    let Scenario { mut team, mut link, mut limits, mut composed, mut budget, mut clock, mut errors, .. } =
-        Scenario::default();
+    let Scenario {
+        mut team,
+        mut link,
+        mut limits,
+        mut composed,
+        mut budget,
+        mut links,
+        mut clock,
+        mut errors,
+        ..
+    } = Scenario::default();
     let parts = Parts {
         team: &mut team,
         link: &mut link,
         distance_min_m: &mut limits.distance_min_m,
         composed: Some(&mut composed),
         budget: Some(&mut budget),
+        links: Some(&mut links),
         clock: &mut clock,
         errors: &mut errors,
         distance_limit_m: f64::INFINITY,

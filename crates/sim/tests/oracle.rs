@@ -31,7 +31,7 @@ const TICK: &str = "core/src/controller/budget/mod.rs";
 const CONTROL: &str = "core/src/controller/budget/control.rs";
 const INEQUALITY: &str = "core/src/controller/budget/inequality.rs";
 
-const MUTANTS: [Mutant; 20] = [
+const MUTANTS: [Mutant; 21] = [
     Mutant {
         name: "gradient with the wrong sign",
         law: "decay",
@@ -183,6 +183,15 @@ const MUTANTS: [Mutant; 20] = [
             "core/src/robot/assurance.rs",
             "now.since(*then) <= told_max",
             "now.since(*then) <= 2 * told_max",
+        )],
+    },
+    Mutant {
+        name: "neighbours in need are followed",
+        law: "untowed",
+        lines: &[(
+            TICK,
+            "        let gradient = pair.gradient(offset_m);\n",
+            "        let gradient = pair.gradient(offset_m);\n        if known.budget <= 0.0 {\n            rows.desired_m = add_scaled(&rows.desired_m, -0.001, offset_m);\n        }\n",
         )],
     },
     Mutant {

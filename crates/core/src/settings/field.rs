@@ -2,13 +2,13 @@
 
 use core::time::Duration;
 
-use crate::controller::budget::margin::ErrorBounds;
+use crate::controller::budget::errors::ErrorBounds;
 use crate::controller::budget::weight::{Conditions, Q2_MAX, Weight};
 use crate::robot::neighbor::RobotId;
-use crate::settings::params::{MAGNITUDE_MAX, ROBOTS_MAX};
-use crate::settings::range::Allowed;
+use crate::settings::range::{Allowed, MAGNITUDE_MAX, ROBOTS_MAX};
 use crate::settings::{
-    BudgetSettings, Clock, ComposedSettings, Controller, Errors, LinkSettings, Settings, Team, epsilon_of,
+    BudgetSettings, Clock, ComposedSettings, Controller, Errors, LinkSettings, LinksSettings, Settings, Team,
+    epsilon_of,
 };
 
 /// The name of a number in an error.
@@ -28,6 +28,9 @@ pub enum Field {
     Gamma,
     GainSlope,
     GammaC,
+    HeldGamma,
+    HeldGammaC,
+    HorizonS,
     DistanceMinM,
     PositionErrorM,
     TrackingErrorM,
@@ -53,6 +56,8 @@ pub struct Parts<'a> {
     pub composed: Option<&'a mut ComposedSettings>,
     /// Parameters of `budget`.
     pub budget: Option<&'a mut BudgetSettings>,
+    /// Parameters of `links`.
+    pub links: Option<&'a mut LinksSettings>,
     /// Periods and ages.
     pub clock: &'a mut Clock,
     /// Stated bounds of errors.
@@ -95,7 +100,7 @@ const TEAM_MAX: f64 = ROBOTS_MAX as f64;
 const SECONDS: Allowed = Allowed::Closed(1e-6, 3_600.0);
 
 /// All numbers, in the order in which they are checked.
-pub const TABLE: [Row; 21] = [
+pub const TABLE: [Row; 24] = [
     Row {
         field: Field::Robots,
         name: "team.robots",
@@ -277,6 +282,36 @@ pub const TABLE: [Row; 21] = [
         why: "",
     },
     Row {
+        field: Field::HeldGamma,
+        name: "links.gamma",
+        about: "links: fraction of R^2 - distance^2 that may be lost in a tick; by default 1 - exp(-8 tau_1)",
+        get: |of| of.links.as_ref().map(|links| links.gamma(of.clock.level_period)),
+        set: |of, to| links(of, |links| links.gamma = Some(to)),
+        range: FRACTION,
+        limit: None,
+        why: "",
+    },
+    Row {
+        field: Field::HeldGammaC,
+        name: "links.gamma_c",
+        about: "links: fraction of distance^2 - distance_min^2 that may be lost in a tick; by default 1 - exp(-45 tau_1)",
+        get: |of| of.links.as_ref().map(|links| links.gamma_c(of.clock.level_period)),
+        set: |of, to| links(of, |links| links.gamma_c = Some(to)),
+        range: FRACTION,
+        limit: None,
+        why: "",
+    },
+    Row {
+        field: Field::HorizonS,
+        name: "links.horizon_s",
+        about: "links: robots release each other by where they would be after so long, s",
+        get: |of| of.links.as_ref().map(|links| links.horizon_s),
+        set: |of, to| links(of, |links| links.horizon_s = to),
+        range: SECONDS,
+        limit: None,
+        why: "",
+    },
+    Row {
         field: Field::HoldMax,
         name: "clock.hold_max_s",
         about: "budget: how long a velocity may be held, s; by default tau_1_s",
@@ -354,10 +389,11 @@ impl<const D: usize> Settings<D> {
     #[must_use]
     pub fn parts(&mut self, distance_limit_m: f64) -> Parts<'_> {
         let move_max_m = self.reach().longest_m();
-        let (composed, budget) = match &mut self.controller {
-            Controller::Composed(composed) => (Some(composed), None),
-            Controller::Budget(budget) => (None, Some(budget)),
-            Controller::None => (None, None),
+        let (composed, budget, links) = match &mut self.controller {
+            Controller::Composed(composed) => (Some(composed), None, None),
+            Controller::Budget(budget) => (None, Some(budget), None),
+            Controller::Links(links) => (None, None, Some(links)),
+            Controller::None => (None, None, None),
         };
         Parts {
             team: &mut self.team,
@@ -365,6 +401,7 @@ impl<const D: usize> Settings<D> {
             distance_min_m: &mut self.limits.distance_min_m,
             composed,
             budget,
+            links,
             clock: &mut self.clock,
             errors: &mut self.errors,
             distance_limit_m,
@@ -401,6 +438,12 @@ fn budget(of: &mut Parts<'_>, set: impl FnOnce(&mut BudgetSettings)) {
     }
 }
 
+fn links(of: &mut Parts<'_>, set: impl FnOnce(&mut LinksSettings)) {
+    if let Some(links) = of.links.as_deref_mut() {
+        set(links);
+    }
+}
+
 fn whole(number: f64) -> u16 {
     #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "saturates")]
     let whole = number as u16;
@@ -421,7 +464,11 @@ mod tests {
     #[test]
     fn what_is_set_is_what_one_gets() {
         for row in &TABLE {
-            let controllers = [Controller::default(), Controller::Budget(BudgetSettings::default())];
+            let controllers = [
+                Controller::default(),
+                Controller::Budget(BudgetSettings::default()),
+                Controller::Links(LinksSettings::default()),
+            ];
             let mut found = 0;
             for controller in controllers {
                 let mut settings = Settings::<2> { controller, ..Settings::default() };

@@ -10,9 +10,9 @@ pub mod params;
 pub mod range;
 
 pub use clock::Clock;
-pub use controller::{BudgetSettings, ComposedSettings, Controller};
+pub use controller::{BudgetSettings, ComposedSettings, Controller, LinksSettings};
 
-use crate::controller::budget::margin::ErrorBounds;
+use crate::controller::budget::errors::ErrorBounds;
 use crate::controller::budget::weight::Conditions;
 use crate::equations::link::LinkShape;
 use crate::program::InputBox;
@@ -21,7 +21,7 @@ use crate::robot::neighbor::RobotId;
 /// Who is in the team.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Team {
-    /// n, the number of robots, 2 to [`ROBOTS_MAX`](params::ROBOTS_MAX).
+    /// n, the number of robots, 2 to [`ROBOTS_MAX`](range::ROBOTS_MAX).
     pub robots: u16,
     /// F, how many of them may be malicious, with 2F + 1 ≤ n.
     pub faults: u16,
@@ -129,7 +129,9 @@ impl<const D: usize> Settings<D> {
     #[must_use]
     pub fn error_bounds(&self) -> ErrorBounds {
         match self.controller {
-            Controller::Budget(_) => ErrorBounds::new(self.errors.position_m, self.errors.tracking_m),
+            Controller::Budget(_) | Controller::Links(_) => {
+                ErrorBounds::new(self.errors.position_m, self.errors.tracking_m)
+            }
             Controller::Composed(_) | Controller::None => ErrorBounds::NONE,
         }
     }

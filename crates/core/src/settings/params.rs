@@ -1,21 +1,15 @@
 //! Checked settings: what a robot is told once, constant from then on.
 
-use crate::controller::AnyController;
-use crate::controller::budget::margin::ErrorBounds;
 use crate::controller::budget::settings::Budget;
+use crate::controller::{AnyController, Kept};
 use crate::equations::composition::Composed;
 use crate::equations::link::LinkShape;
 use crate::need::{Keep, Need};
 use crate::num::{Vector, is_finite};
 use crate::program::balls::reach::Reach;
 use crate::settings::field::{Field, TABLE};
-use crate::settings::range::{Allowed, ParamsError};
+pub use crate::settings::range::{Allowed, MAGNITUDE_MAX, ROBOTS_MAX};
 pub use crate::settings::{Controller, Settings};
-
-/// Greatest number of robots in a team.
-pub const ROBOTS_MAX: u16 = 10_000;
-/// Greatest magnitude of any length, weight or speed: far outside use, far inside `f64`.
-pub const MAGNITUDE_MAX: f64 = 1e6;
 
 /// Settings that were checked, and what follows from them.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -29,15 +23,15 @@ pub struct Params<const D: usize> {
     hold_s: f64,
 }
 
-/// What a controller keeps among references: where velocities have taken each robot ([`ErrorBounds`]).
+/// A setting outside what is allowed.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Kept {
-    /// The shape of their links.
-    pub link: LinkShape,
-    /// How near two of them may come, m.
-    pub distance_min_m: f64,
-    /// How far they are from the robots.
-    pub errors: ErrorBounds,
+pub struct ParamsError {
+    /// Which number it is about.
+    pub field: Field,
+    /// What the number is (in s for periods).
+    pub value: f64,
+    /// What it may be.
+    pub allowed: Allowed,
 }
 
 impl<const D: usize> Params<D> {
@@ -117,18 +111,7 @@ impl<const D: usize> Params<D> {
     /// What the controller keeps. With stated errors this is about references and not about positions.
     #[must_use]
     pub fn kept(&self) -> Kept {
-        match self.budget() {
-            Some(budget) => Kept {
-                link: *budget.curvature.link(),
-                distance_min_m: budget.distance_min_m,
-                errors: budget.errors,
-            },
-            None => Kept {
-                link: self.link,
-                distance_min_m: self.settings.limits.distance_min_m,
-                errors: ErrorBounds::NONE,
-            },
-        }
+        self.controller.kept(&self.link, self.settings.limits.distance_min_m)
     }
 
     /// The displacements of one tick, `T U_i`.
@@ -170,12 +153,12 @@ impl<const D: usize> Settings<D> {
         Ok(())
     }
 
-    /// What Δ_d must be below: R, and with `budget` R − 2ρ − 4A, because robots that are not linked have no row for their
+    /// What Δ_d must be below: R, and with `budget` and `links` R − 2ρ − 4A, because robots that are not linked have no row for their
     /// distance.
     fn distance_limit(&self) -> f64 {
         match self.controller {
             Controller::Composed(_) | Controller::None => self.link.radius_m,
-            Controller::Budget(_) => {
+            Controller::Budget(_) | Controller::Links(_) => {
                 self.link.radius_m - 2.0 * self.reach().longest_m() - 4.0 * self.error_bounds().away_m
             }
         }
@@ -207,6 +190,16 @@ impl<const D: usize> Settings<D> {
     }
 }
 
+impl core::fmt::Display for ParamsError {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        write!(f, "{} is {}, allowed is {}", self.field.name(), self.value, self.allowed)?;
+        let why = self.field.why();
+        if why.is_empty() { Ok(()) } else { write!(f, " ({why})") }
+    }
+}
+
+impl core::error::Error for ParamsError {}
+
 #[cfg(test)]
 mod tests {
     extern crate std;
@@ -214,8 +207,9 @@ mod tests {
     use core::time::Duration;
 
     use super::*;
-    use crate::controller::budget::knowledge::Assume;
+    use crate::controller::budget::settings::Assume;
     use crate::robot::neighbor::RobotId;
+    use crate::settings::range::ROBOTS_MAX;
     use crate::settings::{BudgetSettings, ComposedSettings};
 
     type Change = fn(&mut Settings<2>);

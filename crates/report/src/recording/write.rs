@@ -21,8 +21,8 @@ use ::parquet::file::metadata::KeyValue;
 use ::parquet::file::properties::{WriterProperties, WriterPropertiesPtr};
 use ::parquet::file::writer::SerializedFileWriter;
 use ::parquet::schema::types::{Type, TypePtr};
-use closeranks_sim::output::parts::{PART_ROWS, part_ticks};
-use closeranks_sim::output::record::Record;
+use closeranks_sim::output::parts::part_ticks;
+use closeranks_sim::output::record::{PART_ROWS, Record};
 
 use crate::recording::columns::{AXES, Column, columns};
 

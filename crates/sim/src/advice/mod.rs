@@ -20,10 +20,11 @@ pub mod patch;
 pub mod question;
 pub mod team;
 
-use closeranks_core::controller::budget::knowledge::Assume;
+use closeranks_core::controller::budget::settings::Assume;
 use closeranks_core::equations::link::LinkShape;
 use closeranks_core::settings::field::Field;
-use closeranks_core::settings::range::{Allowed, ParamsError};
+use closeranks_core::settings::params::ParamsError;
+use closeranks_core::settings::range::Allowed;
 
 use crate::advice::cost::Cost;
 use crate::advice::limits::Limits;

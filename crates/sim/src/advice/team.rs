@@ -1,8 +1,9 @@
 //! Who counts for whom, and which F and n go together.
 
-use closeranks_core::controller::budget::knowledge::Assume;
+use closeranks_core::controller::budget::settings::Assume;
 use closeranks_core::robot::neighbor::RobotId;
-use closeranks_core::settings::params::{Params, ROBOTS_MAX};
+use closeranks_core::settings::params::Params;
+use closeranks_core::settings::range::ROBOTS_MAX;
 
 use super::halving::last_whole;
 use super::level::most;

@@ -4,8 +4,10 @@ mod before;
 mod carry;
 mod distance;
 mod heard;
+mod held;
 mod mode;
 mod pairs;
+mod rest;
 pub mod robustness;
 mod time;
 pub(crate) mod truth;
@@ -124,6 +126,12 @@ impl<const D: usize> Monitors<D> {
     #[must_use]
     pub fn extremes(&self) -> &Extremes {
         &self.extremes
+    }
+
+    /// How many neighbours a robot must have at the start so that a controller without weights can keep enough.
+    #[must_use]
+    pub fn kept_degree(&self) -> u16 {
+        truth::keep(&self.params)
     }
 
     /// What the theorem of `budget` came to.

@@ -1,6 +1,6 @@
 //! The state of a team as only the world knows it: what the theorems are about.
 
-use closeranks_core::controller::budget::knowledge::{Assume, Sighting};
+use closeranks_core::controller::budget::knowledge::Sighting;
 use closeranks_core::equations::link::{Link, LinkShape};
 use closeranks_core::num::subtract;
 use closeranks_core::robot::neighbor::RobotId;
@@ -97,11 +97,17 @@ impl Truth {
             let shape = &params.kept().link;
             weigh(shape, pairs, pairs.references_m2(), counts, &mut self.h, degrees, scratch);
         }
+        let lists = params.controller().tells_lists();
+        if lists {
+            // Without weights it is the degree itself that is kept.
+            self.h.clear();
+            self.h.extend(self.degrees.iter().map(|degree| f64::from(*degree)));
+        }
         for h in &mut self.h {
             *h -= required;
         }
         self.h_own.clone_from(&self.h);
-        if free {
+        if free && !lists {
             for (robot, own) in self.h_own.iter_mut().enumerate() {
                 *own = trimmed(params, frame, robot) - required;
             }
@@ -159,9 +165,14 @@ pub(crate) fn required<const D: usize>(params: &Params<D>) -> u16 {
     faults + if free { (robots - faults) / 2 } else { robots / 2 }
 }
 
+/// How many neighbours a robot of `links` must count on: those that it needs, and with free liars as many more as may lie.
+pub(crate) fn keep<const D: usize>(params: &Params<D>) -> u16 {
+    required(params) + if is_free(params) { params.settings().team.faults } else { 0 }
+}
+
 /// True if malicious robots may move as they like.
 pub(crate) fn is_free<const D: usize>(params: &Params<D>) -> bool {
-    params.budget().is_some_and(|budget| budget.assume == Assume::Free)
+    !params.controller().is_obeyed()
 }
 
 /// The trimmed sum T_i of a robot that senses exactly.

@@ -11,12 +11,14 @@ use closeranks_core::equations::link::LinkShape;
 use closeranks_core::num::{Vector, sqrt};
 use closeranks_core::program::InputBox;
 use closeranks_core::settings::field::Parts;
-use closeranks_core::settings::params::{Params, Settings};
-use closeranks_core::settings::range::ParamsError;
-use closeranks_core::settings::{self, BudgetSettings, Clock, ComposedSettings, Errors, LinkSettings, Team};
+use closeranks_core::settings::params::{Params, ParamsError, Settings};
+use closeranks_core::settings::{
+    self, BudgetSettings, Clock, ComposedSettings, Errors, LinkSettings, LinksSettings, Team,
+};
 
 use crate::attack::Attack;
 pub use crate::controllers::Controller;
+use crate::controllers::Parameters;
 use crate::faults::Faults;
 use crate::law::Law;
 use crate::plant::Plant;
@@ -49,6 +51,8 @@ pub struct Scenario {
     pub composed: ComposedSettings,
     /// Parameters of `budget`.
     pub budget: BudgetSettings,
+    /// Parameters of `links`.
+    pub links: LinksSettings,
     /// When things happen, and how old they may be: the tick τ₁, its multiple τ₂, and ages.
     pub clock: Clock,
     /// Stated bounds of errors.
@@ -116,6 +120,7 @@ impl Default for Scenario {
             controller: Controller::Composed,
             composed: ComposedSettings::default(),
             budget: BudgetSettings::default(),
+            links: LinksSettings::default(),
             clock: Clock::default(),
             errors: Errors::default(),
             start: Start::Inside,
@@ -195,7 +200,7 @@ impl Scenario {
             team: self.team,
             link: self.link,
             limits: settings::Limits { distance_min_m: *distance_min_m, input },
-            controller: self.controller.settings(self),
+            controller: self.controller.settings(&self.parameters()),
             clock: self.clock,
             errors: self.errors,
         })
@@ -209,6 +214,11 @@ impl Scenario {
         }
     }
 
+    /// Parameters of all controllers.
+    pub(crate) fn parameters(&self) -> Parameters {
+        Parameters { composed: self.composed, budget: self.budget, links: self.links }
+    }
+
     /// Every number of the settings, for the table of [`settings::field`], whatever the controller.
     pub(crate) fn parts(&mut self) -> Parts<'_> {
         let move_max_m = self.move_max_m();
@@ -218,6 +228,7 @@ impl Scenario {
             distance_min_m: &mut self.limits.distance_min_m,
             composed: Some(&mut self.composed),
             budget: Some(&mut self.budget),
+            links: Some(&mut self.links),
             clock: &mut self.clock,
             errors: &mut self.errors,
             distance_limit_m: f64::INFINITY,

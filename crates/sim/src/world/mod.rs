@@ -5,8 +5,7 @@ pub mod given;
 
 use closeranks_core::program::Outcome;
 use closeranks_core::robot::error::RobotError;
-use closeranks_core::settings::params::Params;
-use closeranks_core::settings::range::ParamsError;
+use closeranks_core::settings::params::{Params, ParamsError};
 
 use crate::attack::liars::Liars;
 use crate::controllers::{Answer, Global, TeamView, Velocities};
@@ -47,7 +46,9 @@ pub struct Options {
 pub struct Run {
     /// Every tick, if it was asked for.
     pub record: Option<Record>,
-    /// Exact robustness of every consensus round, if it was asked for and the team is small enough.
+    /// Exact robustness of every consensus round, if it was asked for and the team is small enough; of a run with more than
+    /// [`ROUNDS_MAX`](crate::monitors::robustness::ROUNDS_MAX) rounds, those that
+    /// [`thin`](crate::monitors::robustness::thin) keeps.
     pub rounds: Vec<Round>,
     /// The table's row.
     pub summary: Summary,
@@ -149,7 +150,7 @@ impl<const D: usize> World<D> {
         Ok(Self {
             params,
             robots: engine::robots(scenario, params, &frame, &values, options.engine)?,
-            global: scenario.controller.global(scenario),
+            global: scenario.controller.global(&scenario.parameters()),
             answers: Vec::new(),
             bodies: Bodies::new(scenario.plant, scenario.tick_s(), &frame.positions_m),
             liars: Liars::new(scenario),
@@ -263,6 +264,16 @@ impl<const D: usize> World<D> {
     /// What was recorded, if anything was asked for.
     pub(crate) fn record_mut(&mut self) -> Option<&mut Record> {
         self.record.as_mut()
+    }
+
+    /// Whether there are so many rounds that whoever wants each of them should take them.
+    pub(crate) fn has_many_rounds(&self) -> bool {
+        self.watcher.as_ref().is_some_and(Watcher::is_full)
+    }
+
+    /// Hands over the rounds since they were last taken, if they were asked for.
+    pub(crate) fn take_rounds(&mut self) -> Vec<Round> {
+        self.watcher.as_mut().map(Watcher::take).unwrap_or_default()
     }
 
     fn watch_round(&mut self, tick: u32) {

@@ -5,7 +5,6 @@
 
 use crate::controller::budget::settings::fraction_of_rate;
 use crate::num::sqrt;
-use crate::settings::BudgetSettings;
 
 /// α, 1/s: the rate at which h may be lost.
 const RATE_PER_S: f64 = 16.0;
@@ -78,19 +77,17 @@ impl Conditions {
         let slack_m2 = 2.0 * self.radius_m * self.width_m();
         (1.0 / (slack_m2 * slack_m2)).min(Q2_MAX)
     }
-}
 
-impl BudgetSettings {
-    /// What is set, and for the rest what is chosen for these conditions.
+    /// What is chosen for these conditions.
     //= theory sec:own-weight
     #[must_use]
-    pub fn weight(&self, of: &Conditions) -> Weight {
-        let rate = |rate_per_s| fraction_of_rate(rate_per_s, of.period_s);
+    pub fn chosen(&self) -> Weight {
+        let rate = |rate_per_s| fraction_of_rate(rate_per_s, self.period_s);
         Weight {
-            q2: self.q2.unwrap_or_else(|| of.q2()),
-            epsilon: self.epsilon.unwrap_or_else(|| BELOW_LIMIT * of.epsilon_limit()),
-            gamma: self.gamma.unwrap_or_else(|| rate(RATE_PER_S)),
-            gamma_c: self.gamma_c.unwrap_or_else(|| rate(RATE_C_PER_S)),
+            q2: self.q2(),
+            epsilon: BELOW_LIMIT * self.epsilon_limit(),
+            gamma: rate(RATE_PER_S),
+            gamma_c: rate(RATE_C_PER_S),
         }
     }
 }
@@ -98,10 +95,10 @@ impl BudgetSettings {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::controller::budget::knowledge::Assume;
+    use crate::controller::budget::settings::Assume;
     use crate::equations::link::{Link, LinkShape};
     use crate::settings::params::Params;
-    use crate::settings::{Clock, Controller, Errors, Settings, Team};
+    use crate::settings::{BudgetSettings, Clock, Controller, Errors, Settings, Team};
 
     /// n = 11, F = 2, R = 3 m, 1.5 m/s along each axis, ticks of 5 ms.
     const PAPER: Conditions =
