@@ -7,6 +7,7 @@ pub mod clock;
 pub mod controller;
 pub mod field;
 pub mod params;
+mod parts;
 pub mod range;
 
 pub use clock::Clock;
