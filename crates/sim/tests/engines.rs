@@ -188,7 +188,7 @@ fn budget_from_starts_inside_and_outside() {
             seed: u64::from(index),
             attack: level_attack.into(),
             link: LinkSettings { q2, ..budget("start").link },
-            budget: BudgetSettings { trust, ..budget("start").budget },
+            budget: BudgetSettings { trust, q2: (q2 != 0.3).then_some(q2), ..budget("start").budget },
             ..budget("start")
         });
     }
@@ -227,7 +227,7 @@ fn budget_with_other_ticks_holds_clocks_and_ranges() {
         same_bits(&Scenario {
             attack: LevelAttack::Bias(3.5).into(),
             clock: Clock { level_period: tau_1, value_period: tau_2, ..budget("ticks").clock },
-            link: LinkSettings { q2, ..budget("ticks").link },
+            budget: BudgetSettings { q2: (q2 != 0.3).then_some(q2), ..budget("ticks").budget },
             ..budget("ticks")
         });
     }

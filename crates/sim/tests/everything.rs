@@ -29,6 +29,7 @@ fn default_of(row: &Row) -> f64 {
         clock: &mut clock,
         errors: &mut errors,
         distance_limit_m: f64::INFINITY,
+        move_max_m: 0.005 * 1.5 * 2.0_f64.sqrt(),
     };
     (row.get)(&parts).expect("both controllers are there")
 }
@@ -52,7 +53,7 @@ fn written_for(row: &Row) -> f64 {
 fn every_number_of_the_table_stands_in_the_file_with_its_default() {
     for row in &TABLE {
         let (written, default) = (written_for(row), default_of(row));
-        // Two defaults are computed and have more digits than are of use in a file.
+        // Some defaults are computed and have more digits than are of use in a file.
         assert!(
             (written - default).abs() <= 1e-3 * default.abs(),
             "{}: {written} in everything.toml, {default} by default",

@@ -44,9 +44,20 @@ impl<const D: usize> AnyController<D> {
     pub(crate) fn new(settings: &Settings<D>, link: LinkShape) -> Self {
         match &settings.controller {
             Controller::Composed(of) => Self::Composed(ComposedController::new(settings, of, link)),
-            Controller::Budget(of) => Self::Budget(BudgetController::new(settings, of, link)),
+            Controller::Budget(of) => Self::Budget(BudgetController::new(settings, of)),
             Controller::Links(of) => Self::Links(LinksController::new(settings, of, link)),
             Controller::None => Self::None(Unfiltered::new(settings)),
+        }
+    }
+
+    /// The shape that it gives to links, where that of the settings is `link`. Only `budget` has one of its own.
+    #[must_use]
+    pub fn link(&self, link: LinkShape) -> LinkShape {
+        match self {
+            Self::Budget(controller) => {
+                LinkShape { radius_m: link.radius_m, ..*controller.budget.curvature.link() }
+            }
+            Self::Composed(_) | Self::Links(_) | Self::None(_) => link,
         }
     }
 

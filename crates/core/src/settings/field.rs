@@ -2,8 +2,9 @@
 
 pub use crate::settings::parts::Parts;
 
+use crate::controller::budget::weight::Q2_MAX;
 use crate::settings::epsilon_of;
-use crate::settings::parts::{budget, composed, links, time, whole};
+use crate::settings::parts::{budget, composed, conditions, links, time, weight, whole};
 use crate::settings::range::{Allowed, MAGNITUDE_MAX, ROBOTS_MAX};
 
 /// The name of a number in an error.
@@ -18,6 +19,8 @@ pub enum Field {
     WR,
     WC,
     Alpha,
+    OwnQ2,
+    OwnEpsilon,
     Gamma,
     GainSlope,
     GammaC,
@@ -68,7 +71,7 @@ const TEAM_MAX: f64 = ROBOTS_MAX as f64;
 const SECONDS: Allowed = Allowed::Closed(1e-6, 3_600.0);
 
 /// All numbers, in the order in which they are checked.
-pub const TABLE: [Row; 22] = [
+pub const TABLE: [Row; 24] = [
     Row {
         field: Field::Robots,
         name: "team.robots",
@@ -200,10 +203,30 @@ pub const TABLE: [Row; 22] = [
         why: "",
     },
     Row {
+        field: Field::OwnQ2,
+        name: "controller.q2",
+        about: "budget: steepness of its own weight, 1/m^4; by default chosen for the task",
+        get: |of| Some(weight(of)?.q2),
+        set: |of, to| budget(of, |budget| budget.q2 = Some(to)),
+        range: Allowed::LeftOpen(0.0, Q2_MAX),
+        limit: None,
+        why: "",
+    },
+    Row {
+        field: Field::OwnEpsilon,
+        name: "controller.epsilon",
+        about: "budget: of q1 = 2 + epsilon of its own weight; by default a hair below 2/(need - 1)",
+        get: |of| Some(weight(of)?.epsilon),
+        set: |of, to| budget(of, |budget| budget.epsilon = Some(to)),
+        range: Allowed::Open(-3.0, 3.0),
+        limit: Some(|of| Allowed::Open(0.0, conditions(of).map_or(2.0, |of| of.epsilon_limit()))),
+        why: "below 2/(need - 1)",
+    },
+    Row {
         field: Field::Gamma,
         name: "controller.gamma",
-        about: "budget: fraction of h that may be lost in a tick; by default 1 - exp(-2 tau_1)",
-        get: |of| of.budget.as_ref().map(|budget| budget.gamma(of.clock.level_period)),
+        about: "budget: fraction of h that may be lost in a tick; by default chosen for the task",
+        get: |of| Some(weight(of)?.gamma),
         set: |of, to| budget(of, |budget| budget.gamma = Some(to)),
         range: FRACTION,
         limit: None,
@@ -222,9 +245,9 @@ pub const TABLE: [Row; 22] = [
     Row {
         field: Field::GammaC,
         name: "controller.gamma_c",
-        about: "budget: fraction of distance^2 - distance_min^2 that may be lost in a tick",
-        get: |of| of.budget.as_ref().map(|budget| budget.gamma_c),
-        set: |of, to| budget(of, |budget| budget.gamma_c = to),
+        about: "budget: fraction of distance^2 - distance_min^2 that may be lost in a tick; by default 1 - exp(-45 tau_1)",
+        get: |of| Some(weight(of)?.gamma_c),
+        set: |of, to| budget(of, |budget| budget.gamma_c = Some(to)),
         range: FRACTION,
         limit: None,
         why: "",

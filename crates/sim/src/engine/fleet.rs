@@ -243,7 +243,7 @@ impl<const D: usize, T: Transport> Fleet<D, T> {
     fn control(&mut self, frame: &mut Frame<D>, liars: &mut Liars) {
         let input = self.params.settings().limits.input;
         let mut scratch = self.memory.lend();
-        let mut ends: u32 = 0;
+        let (mut ends, own_way): (u32, bool) = (0, self.params.weighs_its_own_way());
         for (index, robot) in self.robots.iter_mut().enumerate() {
             if self.edges.downtime.down(index) {
                 stand(index, frame, &self.edges.downtime);
@@ -264,7 +264,7 @@ impl<const D: usize, T: Transport> Fleet<D, T> {
             frame.told[index] = robot.told_level();
             frame.phis[index] = match output.report.phi {
                 Some(phi) => phi,
-                None if frame.wants_phi => phi(robot, &self.composed),
+                None if frame.wants_phi && !own_way => phi(robot, &self.composed),
                 None => f64::NAN,
             };
             frame.outcomes[index] = output.report.outcome;

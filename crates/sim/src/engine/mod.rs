@@ -6,6 +6,7 @@ pub mod fleet;
 pub(crate) mod judge;
 mod links;
 pub mod memory;
+pub(crate) mod phi;
 pub(crate) mod robots;
 mod sees;
 pub mod team;

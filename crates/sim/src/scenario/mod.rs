@@ -7,7 +7,8 @@ pub mod start;
 
 use closeranks_core::equations::barrier::required_degree;
 use closeranks_core::equations::composition::Composed;
-use closeranks_core::num::Vector;
+use closeranks_core::equations::link::LinkShape;
+use closeranks_core::num::{Vector, sqrt};
 use closeranks_core::program::InputBox;
 use closeranks_core::settings::field::Parts;
 use closeranks_core::settings::params::{Params, ParamsError, Settings};
@@ -205,6 +206,14 @@ impl Scenario {
         })
     }
 
+    /// The shape that the controller gives to links. Levels and h of a run are about it; φ is about that of `link`.
+    pub fn link_shape(&self) -> Result<LinkShape, ParamsError> {
+        match self.dimension {
+            3 => self.params::<3>().map(|params| *params.link()),
+            _ => self.params::<2>().map(|params| *params.link()),
+        }
+    }
+
     /// Parameters of all controllers.
     pub(crate) fn parameters(&self) -> Parameters {
         Parameters { composed: self.composed, budget: self.budget, links: self.links }
@@ -212,6 +221,7 @@ impl Scenario {
 
     /// Every number of the settings, for the table of [`settings::field`], whatever the controller.
     pub(crate) fn parts(&mut self) -> Parts<'_> {
+        let move_max_m = self.move_max_m();
         Parts {
             team: &mut self.team,
             link: &mut self.link,
@@ -222,7 +232,15 @@ impl Scenario {
             clock: &mut self.clock,
             errors: &mut self.errors,
             distance_limit_m: f64::INFINITY,
+            move_max_m,
         }
+    }
+
+    /// ρ, the longest move of a robot in a tick, m.
+    fn move_max_m(&self) -> f64 {
+        let Limits { input_min_m_s, input_max_m_s, .. } = &self.limits;
+        let corner = input_min_m_s.iter().zip(input_max_m_s).map(|(low, high)| low.abs().max(high.abs()));
+        self.clock.hold_max().as_secs_f64() * sqrt(corner.fold(0.0, |sum, speed| sum + speed * speed))
     }
 
     /// The paper's composition, for whoever wants to know φ and φ_i, whatever the controller.
