@@ -216,12 +216,12 @@ const MUTANTS: [Mutant; 31] = [
         )],
     },
     Mutant {
-        name: "row dropped when a release is sent",
+        name: "links: row dropped when a release is sent",
         law: "held",
         lines: &[(PROTOCOL, "self.is_listed() || !self.is_released()", "self.is_listed()")],
     },
     Mutant {
-        name: "an older acknowledgement counts",
+        name: "links: an older acknowledgement counts",
         law: "held",
         lines: &[(
             PROTOCOL,
@@ -230,7 +230,7 @@ const MUTANTS: [Mutant; 31] = [
         )],
     },
     Mutant {
-        name: "counted on without being listed",
+        name: "links: counted on without being listed",
         law: "held",
         lines: &[
             (
@@ -242,7 +242,7 @@ const MUTANTS: [Mutant; 31] = [
         ],
     },
     Mutant {
-        name: "an acknowledgement is taken back",
+        name: "links: an acknowledgement is taken back",
         law: "degree",
         lines: &[(
             PROTOCOL,
@@ -251,27 +251,27 @@ const MUTANTS: [Mutant; 31] = [
         )],
     },
     Mutant {
-        name: "R without the hair",
+        name: "links: R without the hair",
         law: "held",
         lines: &[("core/src/controller/links/mod.rs", "const HAIR: f64 = 1e-9;", "const HAIR: f64 = 0.0;")],
     },
     Mutant {
-        name: "held rows give too much",
+        name: "links: held rows give too much",
         law: "held",
         lines: &[(ROWS, "0.25 * self.gamma * (self.radius_m", "0.6 * self.gamma * (self.radius_m")],
     },
     Mutant {
-        name: "|v|² left out of (held)",
+        name: "links: |v|² left out of (held)",
         law: "held",
         lines: &[(ROWS, "Row::far(offset, bound_m2)", "Row::new(*offset, 0.0, bound_m2)")],
     },
     Mutant {
-        name: "one release too many",
+        name: "links: one release too many",
         law: "degree",
         lines: &[(POLICY, "(!is_counted || counted > keep)", "(!is_counted || counted >= keep)")],
     },
     Mutant {
-        name: "free liars counted as normal",
+        name: "links: free liars counted as normal",
         law: "degree",
         lines: &[(
             LINKS,
@@ -280,7 +280,7 @@ const MUTANTS: [Mutant; 31] = [
         )],
     },
     Mutant {
-        name: "guaranteed without links that are counted on",
+        name: "links: guaranteed without links that are counted on",
         law: "mode",
         lines: &[(
             LINKS,

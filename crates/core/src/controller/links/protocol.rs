@@ -311,7 +311,7 @@ mod tests {
                     robots[me].act(draw());
                 } else if let Some(last) = robots[other].sent.len().checked_sub(1) {
                     let back = usize::try_from(draw() % 4).unwrap().min(last);
-                    let at = if draw() & 3 == 0 {
+                    let at = if draw() % 4 == 0 {
                         usize::try_from(draw()).unwrap() % (last + 1)
                     } else {
                         last - back
