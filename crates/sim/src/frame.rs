@@ -26,6 +26,8 @@ pub struct Frame<const D: usize> {
     pub told: Vec<f64>,
     /// h_i as the robot's controller has it: c_i − F′, or T_i − θ under `budget` with free liars.
     pub h: Vec<f64>,
+    /// Under `links`: whom each robot counts on, by number.
+    pub counted: Vec<Vec<u16>>,
     /// φ_i; NaN where nobody wants to know it, and of a robot that is down.
     pub phis: Vec<f64>,
     /// Whether somebody wants to know φ and φ_i, which not every controller uses.
@@ -96,6 +98,7 @@ impl<const D: usize> Frame<D> {
             levels: vec![0.0; robots],
             told: vec![0.0; robots],
             h: vec![0.0; robots],
+            counted: vec![Vec::new(); robots],
             phis: vec![f64::NAN; robots],
             wants_phi: true,
             held: values.clone(),

@@ -26,6 +26,8 @@ pub enum Law {
     /// `budget`: a normal robot moves no farther in a tick than it wishes, and than mending its own h and its own distances
     /// takes. So a team that wishes to rest is towed by nobody (sec:recovery).
     Untowed,
+    /// `links`: no link that a normal robot counts on is longer than R (thm:held).
+    Held,
     /// The global composition φ of the true levels is not negative (eq:composition).
     Composition,
     /// No φ_i is negative (eq:phi_i). Not a theorem: docs/theory, sec:phi.
@@ -44,7 +46,7 @@ impl Law {
     /// True if it is looked at only under a controller that promises it: it is about what the controller says of itself.
     #[must_use]
     pub fn is_own(self) -> bool {
-        matches!(self, Self::Decay | Self::Mode | Self::Untowed)
+        matches!(self, Self::Decay | Self::Mode | Self::Untowed | Self::Held)
     }
 
     /// All laws, in the order of reports.
@@ -59,13 +61,14 @@ impl Law {
         Self::Decay,
         Self::Mode,
         Self::Untowed,
+        Self::Held,
         Self::Composition,
         Self::Shares,
         Self::Feasible,
     ];
 
     /// How many laws there are.
-    pub const COUNT: usize = 13;
+    pub const COUNT: usize = 14;
 
     /// What thm:cbf-qp and thm:rs_robust promise for `composed` from a start in their safe set. That programs have solutions
     /// (c) is counted apart: docs/theory, sec:phi.
@@ -87,6 +90,21 @@ impl Law {
         Self::Feasible,
     ];
 
+    /// What `links` promises where its assumptions hold.
+    pub const LINKS: [Self; 11] = [
+        Self::Degree,
+        Self::Distance,
+        Self::Interval,
+        Self::Agreement,
+        Self::Input,
+        Self::Path,
+        Self::Decay,
+        Self::Mode,
+        Self::Untowed,
+        Self::Held,
+        Self::Feasible,
+    ];
+
     /// What a scenario expects if it says nothing.
     pub const EXPECTED: [Self; 5] =
         [Self::Degree, Self::Distance, Self::Interval, Self::Agreement, Self::Input];
@@ -105,6 +123,7 @@ impl Law {
             Self::Decay => "decay",
             Self::Mode => "mode",
             Self::Untowed => "untowed",
+            Self::Held => "held",
             Self::Composition => "composition",
             Self::Shares => "shares",
             Self::Feasible => "feasible",
@@ -125,6 +144,7 @@ impl Law {
             Self::Decay => "h and distances lose no more than their share in a tick",
             Self::Mode => "guaranteed is said where it is true, and only there",
             Self::Untowed => "a robot moves no more than it wishes and its own needs demand",
+            Self::Held => "a link that is counted on is no longer than radius_m",
             Self::Composition => "global phi >= 0",
             Self::Shares => "phi_i >= 0",
             Self::Feasible => "the program of a robot has a solution",

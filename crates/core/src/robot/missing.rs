@@ -13,13 +13,15 @@
 //! it may have left unseen, it is given up, and the robot says [`Reason::Overlooked`](crate::robot::report::Reason::Overlooked).
 //! One that was last sensed so near the rim that it may have left in a tick is taken for gone at once: nobody can tell.
 //!
-//! This is for controllers that promise something; others forget who is not observed.
+//! This is for controllers that reckon with those whom they do not see, such as `budget`; others forget who is not observed, or
+//! keep whom they hold.
 
 use core::time::Duration;
 
 use crate::num::{Vector, dot, length, subtract};
 use crate::robot::error::ObserveError;
 use crate::robot::neighbor::{NO_LINK, Slot};
+use crate::robot::report::Reason;
 use crate::robot::{Robot, Slots};
 
 /// Nobody whose distance is rounded is taken for one inside R: as a fraction of R.
@@ -53,13 +55,13 @@ impl Horizon {
 impl<const D: usize, S: Slots<D>> Robot<D, S> {
     /// Forgets whom it did not sense in this tick, but for those that are missing; says so when one is given up that was
     /// missing.
-    pub(crate) fn reckon(&mut self) {
+    pub(crate) fn settle(&mut self) {
         if self.neighbors().iter().all(|slot| slot.sensed) {
             return;
         }
         let (horizon, now, clock) = (self.horizon(), self.now, self.params.settings().clock);
-        let Some(own) = self.position.filter(|_| self.params.controller().promises()) else {
-            return self.keep(|slot| slot.sensed);
+        let Some(own) = self.position.filter(|_| self.params.controller().reckons()) else {
+            return self.forget_unsensed();
         };
         let mut overlooked = false;
         self.keep(|slot| {
@@ -76,7 +78,7 @@ impl<const D: usize, S: Slots<D>> Robot<D, S> {
     /// Notes that a robot within R may be overlooked, under a controller that promises something.
     pub(crate) fn overlook(&mut self) {
         if self.params.controller().promises() {
-            self.assurance.overlook(self.now);
+            self.assurance.note(self.now, Reason::Overlooked);
         }
     }
 
@@ -88,7 +90,8 @@ impl<const D: usize, S: Slots<D>> Robot<D, S> {
 
     /// The slot of the farthest robot that was not sensed in this tick. To give up one that is missing is to overlook it.
     pub(crate) fn farthest_unsensed(&mut self) -> Option<usize> {
-        let unsensed = self.neighbors().iter().enumerate().filter(|(_, slot)| !slot.sensed);
+        let unsensed =
+            self.neighbors().iter().enumerate().filter(|(_, slot)| !slot.sensed && !self.stays(slot));
         let distance_m2 = |slot: &Slot<D>| dot(&slot.offset_m, &slot.offset_m);
         let (index, slot) = unsensed.max_by(|(_, a), (_, b)| distance_m2(a).total_cmp(&distance_m2(b)))?;
         let (horizon, elapsed) = (self.horizon(), self.now.since(slot.sensed_at));

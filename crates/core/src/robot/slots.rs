@@ -1,8 +1,10 @@
 //! Slots of neighbours in order of their numbers. There are never more of them than were lent.
 
+use crate::controller::links::peer::Peer;
 use crate::num::Vector;
 use crate::robot::error::ObserveError;
 use crate::robot::neighbor::{RobotId, Slot};
+use crate::robot::report::Reason;
 use crate::robot::{Robot, Slots};
 
 impl<const D: usize, S: Slots<D>> Robot<D, S> {
@@ -18,11 +20,16 @@ impl<const D: usize, S: Slots<D>> Robot<D, S> {
             self.count -= 1;
         }
         let index = self.neighbors().partition_point(|slot| slot.id < id);
-        let slots = self.slots.as_mut();
+        let (slots, last) = (self.slots.as_mut(), self.ledger.numbers.last());
         slots.copy_within(index..self.count, index + 1);
-        slots[index] = Slot { id, ..Slot::default() };
+        slots[index] = Slot { id, peer: Peer::new(last), ..Slot::default() };
         self.count += 1;
         Ok(index)
+    }
+
+    /// True if a robot keeps its slot although it is not sensed.
+    pub(crate) fn stays(&self, slot: &Slot<D>) -> bool {
+        self.params.controller().keeps_unseen(slot)
     }
 
     /// The slot of `id`, if it has one. As a rule it is the one after that found last, because robots come in order.
@@ -44,7 +51,7 @@ impl<const D: usize, S: Slots<D>> Robot<D, S> {
         if slot.seen_before && self.params.controller().promises() {
             self.assurance.watch(&self.params, self.now, slot, offset_m);
         }
-        slot.sensed = false;
+        (slot.sensed, slot.peer) = (false, Peer::new(self.ledger.numbers.last()));
     }
 
     /// Keeps the slots for which `keep` says so.
@@ -59,5 +66,18 @@ impl<const D: usize, S: Slots<D>> Robot<D, S> {
             }
         }
         self.count = kept;
+    }
+
+    /// Frees the slots of robots that were not sensed in this tick, but for those that stay.
+    pub(crate) fn forget_unsensed(&mut self) {
+        let (controller, mut missed) = (*self.params.controller(), false);
+        self.keep(|slot| {
+            let stays = slot.sensed || controller.keeps_unseen(slot);
+            missed |= !stays && controller.misses(slot);
+            stays
+        });
+        if missed {
+            self.assurance.note(self.now, Reason::Unseen);
+        }
     }
 }

@@ -153,7 +153,7 @@ impl<const D: usize> Distances<D> {
 
     /// The fraction of `D − Δ_d²` that may be lost in a tick.
     fn gamma_c(&self) -> f64 {
-        self.params.budget().map_or(1.0, |budget| budget.gamma_c)
+        self.params.kept().gamma_c
     }
 
     /// True if (near) bounded how fast a pair could come closer: under `budget`, if it was linked.

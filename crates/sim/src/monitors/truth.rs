@@ -1,6 +1,6 @@
 //! The state of a team as only the world knows it: what the theorems are about.
 
-use closeranks_core::controller::budget::knowledge::{Assume, Sighting};
+use closeranks_core::controller::budget::knowledge::Sighting;
 use closeranks_core::equations::link::{Link, LinkShape};
 use closeranks_core::num::{sqrt, subtract};
 use closeranks_core::robot::neighbor::RobotId;
@@ -18,10 +18,12 @@ const PLACE_ROUNDING: f64 = 1e-14;
 /// True levels, degrees and distances of one tick.
 #[derive(Debug, Default)]
 pub(crate) struct Truth {
-    /// c_i within R.
+    /// c_i within R, of the weight that robots use.
     pub(crate) levels: Vec<f64>,
     /// δ_i: neighbours within R.
     pub(crate) neighbors: Vec<u16>,
+    /// c_i of the paper's weight, where somebody wants to know φ.
+    pub(crate) paper_levels: Vec<f64>,
     /// Neighbours that count: all, or with free liars the normal ones.
     pub(crate) degrees: Vec<u16>,
     /// What is kept at 0 or above: h_i of references; with free liars the sum over normal neighbours, less θ.
@@ -49,6 +51,7 @@ impl Clone for Truth {
     fn clone_from(&mut self, other: &Self) {
         self.levels.clone_from(&other.levels);
         self.neighbors.clone_from(&other.neighbors);
+        self.paper_levels.clone_from(&other.paper_levels);
         self.degrees.clone_from(&other.degrees);
         self.h.clone_from(&other.h);
         self.h_own.clone_from(&other.h_own);
@@ -75,6 +78,7 @@ impl Truth {
         let required = f64::from(required(params));
         if plain {
             self.levels.clone_from(&frame.levels);
+            self.paper_levels.clone_from(&frame.levels);
             self.degrees.clone_from(&frame.degrees);
             self.neighbors.clone_from(&frame.degrees);
             self.h.clear();
@@ -91,6 +95,12 @@ impl Truth {
         weigh(params.link(), pairs, positions_m2, |_| true, &mut self.levels, &mut self.degrees, scratch);
         self.h.clone_from(&self.levels);
         self.neighbors.clone_from(&self.degrees);
+        if frame.wants_phi && params.weighs_its_own_way() {
+            let (shape, sums) = (params.paper_link(), &mut self.paper_levels);
+            weigh(&shape, pairs, positions_m2, |_| true, sums, &mut self.degrees, scratch);
+        } else {
+            self.paper_levels.clone_from(&self.levels);
+        }
         if free {
             weigh(params.link(), pairs, positions_m2, counts, &mut self.h, &mut self.degrees, scratch);
         }
@@ -99,11 +109,17 @@ impl Truth {
             let shape = &params.kept().link;
             weigh(shape, pairs, pairs.references_m2(), counts, &mut self.h, degrees, scratch);
         }
+        let lists = params.controller().tells_lists();
+        if lists {
+            // Without weights it is the degree itself that is kept.
+            self.h.clear();
+            self.h.extend(self.degrees.iter().map(|degree| f64::from(*degree)));
+        }
         for h in &mut self.h {
             *h -= required;
         }
         self.h_own.clone_from(&self.h);
-        if free {
+        if free && !lists {
             for (robot, own) in self.h_own.iter_mut().enumerate() {
                 *own = trimmed(params, frame, robot) - required;
             }
@@ -117,6 +133,7 @@ impl Truth {
 
     fn resize(&mut self, count: usize) {
         self.levels.resize(count, 0.0);
+        self.paper_levels.resize(count, 0.0);
         self.degrees.resize(count, 0);
     }
 }
@@ -165,9 +182,14 @@ pub(crate) fn required<const D: usize>(params: &Params<D>) -> u16 {
     faults + if free { (robots - faults) / 2 } else { robots / 2 }
 }
 
+/// How many neighbours a robot of `links` must count on: those that it needs, and with free liars as many more as may lie.
+pub(crate) fn keep<const D: usize>(params: &Params<D>) -> u16 {
+    required(params) + if is_free(params) { params.settings().team.faults } else { 0 }
+}
+
 /// True if malicious robots may move as they like.
 pub(crate) fn is_free<const D: usize>(params: &Params<D>) -> bool {
-    params.budget().is_some_and(|budget| budget.assume == Assume::Free)
+    !params.controller().is_obeyed()
 }
 
 /// The trimmed sum T_i of a robot that senses exactly.

@@ -3,43 +3,10 @@
 //! It has two sources. What it *sees*, positions alone, bounds the level of the neighbour from below and from above. What it
 //! is *told* is a claim, which may be a lie; it counts only up to the upper bound.
 
-use crate::controller::budget::settings::Budget;
+use crate::controller::budget::settings::{Assume, Budget, Trust};
 use crate::controller::{Glimpse, Low};
-use crate::need::Keep;
 use crate::num::{Vector, larger};
 use crate::robot::neighbor::RobotId;
-
-/// What a robot believes about the levels of its neighbours.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Trust {
-    /// What was told, cut to what is possible.
-    Told,
-    /// The larger of what was told and what is seen.
-    ToldOrSeen,
-    /// What is seen alone. No level need be sent, so there is nothing to lie about.
-    Seen,
-}
-
-/// What malicious robots are assumed to do.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Assume {
-    /// They lie but move by the rows (Assumption 1): `h_k = Σ_j a_kj − F′`, `F′ = F + ⌊n/2⌋`.
-    Obedient,
-    /// They move as they like and tell every neighbour another value: `h_k = T_k − θ`, `θ = F + ⌊(n−F)/2⌋`, with T_k the
-    /// sum of the a_kj without its F largest terms.
-    Free,
-}
-
-impl Assume {
-    /// Which neighbours every robot must then keep enough of.
-    #[must_use]
-    pub fn keep(self) -> Keep {
-        match self {
-            Self::Obedient => Keep::Neighbors,
-            Self::Free => Keep::NormalNeighbors,
-        }
-    }
-}
 
 /// A level that a neighbour told: the sum of its weights, or the trimmed sum, by [`Assume`].
 #[derive(Clone, Copy, Debug, PartialEq)]

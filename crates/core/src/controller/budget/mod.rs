@@ -33,6 +33,7 @@
 
 pub mod control;
 pub mod curvature;
+pub mod errors;
 pub mod inequality;
 pub mod knowledge;
 pub mod margin;
@@ -40,6 +41,7 @@ mod recovery;
 pub mod rows;
 pub mod settings;
 pub mod survey;
+pub mod weight;
 
 use crate::controller::budget::inequality::{Neighbor, may_bind};
 use crate::controller::budget::knowledge::{Sighting, count};

@@ -58,13 +58,13 @@ impl Budget {
 
 impl<const D: usize> Rows<'_, D> {
     /// Counts a violation that is possible, and `certain` or not.
-    pub(super) fn count_violation(&mut self, certain: bool) {
+    pub(crate) fn count_violation(&mut self, certain: bool) {
         self.doubtful += 1;
         self.broken += usize::from(certain);
     }
 
     /// Raises the desired displacement along `direction` to at least `wanted_m`.
-    fn raise(&mut self, direction: &Vector<D>, wanted_m: f64) {
+    pub(crate) fn raise(&mut self, direction: &Vector<D>, wanted_m: f64) {
         let size = length(direction);
         if size > 0.0 && size.is_finite() && wanted_m > 0.0 {
             let unit = direction.map(|component| component / size);
