@@ -56,8 +56,8 @@ fn short_dropouts_cost_little() {
     let scenario = Scenario { faults: Faults { sensing, ..Faults::default() }, ..budget() };
     let run = run(&scenario, Options::default(), &mut |_| ()).unwrap();
     assert_eq!(run.summary.violations(&scenario).count(), 0);
-    // In the first tick nobody can know of whom it misses.
-    assert!(run.summary.covered_share > 0.7 && run.summary.guaranteed_share > 0.99);
+    // Whom it misses at the rim a robot cannot know, and who may be missing there says so for a while.
+    assert!(run.summary.guaranteed_share > 0.9, "{}", run.summary.guaranteed_share);
     assert!(run.summary.gyration_m > 1.3, "{}", run.summary.gyration_m);
 }
 
