@@ -3,7 +3,6 @@
 use closeranks_core::num::{Vector, length, subtract};
 use closeranks_core::settings::params::Params;
 
-use crate::faults::sensing::Sensing;
 use crate::faults::spell::Spell;
 use crate::parse::common::{FRACTION, small};
 use crate::parse::reader::{Reader, Section};
@@ -80,7 +79,7 @@ impl<const D: usize> Sight<D> {
     pub fn new(scenario: &Scenario, params: &Params<D>) -> Self {
         let (dropouts, robots) = (scenario.faults.sensing.dropouts, usize::from(scenario.team.robots));
         let drift = 1.0 + scenario.faults.clocks.drift_max;
-        let whole = scenario.faults.sensing == Sensing::default();
+        let whole = scenario.faults.sensing == Default::default();
         Self {
             dropouts,
             random: Random::new(scenario.seed, Stream::Dropouts),

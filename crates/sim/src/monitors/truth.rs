@@ -77,14 +77,7 @@ impl Truth {
         self.span_m = coordinates.fold(0.0, |most: f64, x| most.max(x.abs()));
         let required = f64::from(required(params));
         if plain {
-            self.levels.clone_from(&frame.levels);
-            self.paper_levels.clone_from(&frame.levels);
-            self.degrees.clone_from(&frame.degrees);
-            self.neighbors.clone_from(&frame.degrees);
-            self.h.clear();
-            self.h.extend(frame.levels.iter().map(|level| level - required));
-            self.h_own.clone_from(&self.h);
-            return;
+            return self.take(frame, required);
         }
         let free = is_free(params);
         let margin = params.kept().errors.away_m > 0.0;
@@ -124,6 +117,17 @@ impl Truth {
                 *own = trimmed(params, frame, robot) - required;
             }
         }
+    }
+
+    /// The truth as robots know it that sense exactly.
+    fn take<const D: usize>(&mut self, frame: &Frame<D>, required: f64) {
+        self.levels.clone_from(&frame.levels);
+        self.paper_levels.clone_from(&frame.levels);
+        self.degrees.clone_from(&frame.degrees);
+        self.neighbors.clone_from(&frame.degrees);
+        self.h.clear();
+        self.h.extend(frame.levels.iter().map(|level| level - required));
+        self.h_own.clone_from(&self.h);
     }
 
     /// How much a squared distance of about `distance_m2` (m²) may be rounded, m²: it scales with the numbers compared.
