@@ -79,7 +79,7 @@ impl<const D: usize> Sight<D> {
     pub fn new(scenario: &Scenario, params: &Params<D>) -> Self {
         let (dropouts, robots) = (scenario.faults.sensing.dropouts, usize::from(scenario.team.robots));
         let drift = 1.0 + scenario.faults.clocks.drift_max;
-        let whole = scenario.faults.sensing == Default::default();
+        let whole = scenario.faults.sensing.is_right();
         Self {
             dropouts,
             random: Random::new(scenario.seed, Stream::Dropouts),
@@ -129,13 +129,12 @@ impl<const D: usize> Sight<D> {
             return true;
         }
         self.misses[observer] |= within;
-        match self.last[place].filter(|last| self.can_be_known(own, last)) {
+        if let Some(last) = self.last[place].filter(|last| self.can_be_known(own, last)) {
             // Whoever holds it where it was not is mistaken even if it has left.
-            Some(last) => self.overlooks[observer] |= last.wrong,
-            None => {
-                self.overlooks[observer] |= within;
-                self.last[place] = None;
-            }
+            self.overlooks[observer] |= last.wrong;
+        } else {
+            self.overlooks[observer] |= within;
+            self.last[place] = None;
         }
         false
     }
