@@ -36,8 +36,11 @@ pub struct Slot<const D: usize> {
     /// True if it was sensed in the tick before and not yet in this one.
     pub(crate) seen_before: bool,
     pub(crate) offset_m: Vector<D>,
-    /// Where it was sensed, m.
+    /// Where it was sensed, m, and when.
     pub(crate) position_m: Vector<D>,
+    pub(crate) sensed_at: Instant,
+    /// How far it can have gone since, m; 0 unless it is missing.
+    pub(crate) unsensed_m: f64,
     pub(crate) link: Link<f64>,
     /// True if it is within R as sensed. It is false for a robot that only the margin of `budget` brings into view.
     pub(crate) linked: bool,
@@ -55,6 +58,8 @@ impl<const D: usize> Default for Slot<D> {
             seen_before: false,
             offset_m: [0.0; D],
             position_m: [0.0; D],
+            sensed_at: Instant::START,
+            unsensed_m: 0.0,
             link: NO_LINK,
             linked: false,
             told: None,
@@ -71,7 +76,13 @@ impl<const D: usize> Slot<D> {
         self.id
     }
 
-    /// x_i − x_j, m, as sensed.
+    /// True if it was not sensed in this tick, but must still be within R ([`missing`](crate::robot::missing)).
+    #[must_use]
+    pub fn is_missing(&self) -> bool {
+        self.unsensed_m > 0.0
+    }
+
+    /// x_i − x_j, m, as sensed; of a missing neighbour with x_j where it was last sensed.
     #[must_use]
     pub fn offset_m(&self) -> Vector<D> {
         self.offset_m

@@ -208,7 +208,7 @@ impl<const D: usize, C: Control<D> + Copy> Robots<D, C> {
         frame.velocities_m_s[robot] = decision.velocity_m_s;
         frame.outcomes[robot] = outcome;
         frame.modes[robot] =
-            self.controller.mode(&Standing { degree, need, h, phi, outcome, untold: 0, reason });
+            self.controller.mode(&Standing { degree, need, h, phi, outcome, untold: 0, missing: 0, reason });
         if let Some(phi) = phi {
             frame.phis[robot] = phi;
         }

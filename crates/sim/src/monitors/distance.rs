@@ -19,8 +19,6 @@ pub(crate) struct Distances<const D: usize> {
     malicious: Vec<bool>,
     /// Distances with a malicious robot may collide: it goes where it likes.
     free: bool,
-    /// Squares of distances are rounded by far less than this, m².
-    blur_m2: f64,
     /// Pairs of the last tick that were safe once and must have been ever since: no assumption was broken.
     apart: Vec<bool>,
     /// The same of a pair that was too far away to be among them.
@@ -36,11 +34,9 @@ pub(crate) struct Distances<const D: usize> {
 impl<const D: usize> Distances<D> {
     /// For the robots of `scenario`.
     pub(crate) fn new(scenario: &Scenario, params: Params<D>) -> Self {
-        let radius_m = params.link().radius_m;
         Self {
             malicious: scenario.malicious_mask(),
             free: scenario.attack.motion != MotionAttack::Obedient,
-            blur_m2: ROUNDING * radius_m * radius_m,
             params,
             apart: Vec::new(),
             far_apart: false,
@@ -97,7 +93,7 @@ impl<const D: usize> Distances<D> {
             let nears = rooms_m2.is_some_and(|[floor_m2, now_m2]| now_m2 < floor_m2);
             if distance_m2 < near_m2 || nears {
                 let pair = Pair { place, robots, distance_m2, rooms_m2 };
-                self.watch_pair(&pair, tick, frame, before, verdicts);
+                self.watch_pair(&pair, tick, (frame, truth), before, verdicts);
             }
         });
         self.least_m2 = least_m2;
@@ -125,7 +121,7 @@ impl<const D: usize> Distances<D> {
         &self,
         pair: &Pair,
         tick: u32,
-        frame: &Frame<D>,
+        (frame, truth): (&Frame<D>, &Truth),
         before: Option<&Before<D>>,
         verdicts: &mut Verdicts,
     ) {
@@ -137,7 +133,7 @@ impl<const D: usize> Distances<D> {
         let at = |seen, demanded| Violation { tick, robots, seen, demanded };
         let carried = before.is_some_and(|before| before.moves && self.was_apart(pair.place));
         let least_m = self.params.settings().limits.distance_min_m;
-        let limit_m2 = self.limit_m2(least_m);
+        let limit_m2 = limit_m2(least_m, truth);
         if pair.distance_m2 < limit_m2 {
             verdicts.broke(Law::Distance, at(sqrt(pair.distance_m2), least_m), carried);
         }
@@ -147,7 +143,10 @@ impl<const D: usize> Distances<D> {
         if path_m2 < limit_m2 {
             verdicts.broke(Law::Path, at(sqrt(path_m2), least_m), carried);
         }
-        if self.binds(pair.place, before) && floor_m2 >= 0.0 && now_m2 < floor_m2 - self.blur_m2 {
+        if self.binds(pair.place, before)
+            && floor_m2 >= 0.0
+            && now_m2 < floor_m2 - truth.rounding_m2(pair.distance_m2)
+        {
             verdicts.broke(Law::Decay, at(now_m2, floor_m2), carried);
         }
     }
@@ -155,11 +154,6 @@ impl<const D: usize> Distances<D> {
     /// The fraction of `D − Δ_d²` that may be lost in a tick.
     fn gamma_c(&self) -> f64 {
         self.params.kept().gamma_c
-    }
-
-    /// A pair at least `least_m` apart is no nearer than this, but for rounding, m².
-    fn limit_m2(&self, least_m: f64) -> f64 {
-        least_m * least_m - self.blur_m2
     }
 
     /// True if (near) bounded how fast a pair could come closer: under `budget`, if it was linked.
@@ -180,7 +174,7 @@ impl<const D: usize> Distances<D> {
 
     /// What is safe now, or was and must still be, must be so at the next tick. `inside` is false while nothing is promised.
     pub(crate) fn carry(&mut self, truth: &Truth, before: &Before<D>, inside: bool, moves: bool) {
-        let limit_m2 = self.limit_m2(self.params.kept().distance_min_m);
+        let limit_m2 = limit_m2(self.params.kept().distance_min_m, truth);
         let mut scratch = core::mem::take(&mut self.scratch);
         scratch.clear();
         scratch.extend(truth.pairs.references_m2().iter().enumerate().map(|(place, pair_m2)| {
@@ -199,6 +193,12 @@ struct Pair {
     distance_m2: f64,
     /// See [`Distances::rooms_m2`].
     rooms_m2: Option<[f64; 2]>,
+}
+
+/// A pair at least `least_m` apart is no nearer than this, but for rounding, m².
+fn limit_m2(least_m: f64, truth: &Truth) -> f64 {
+    let least_m2 = least_m * least_m;
+    least_m2 - truth.rounding_m2(least_m2)
 }
 
 /// Square of the least distance while an offset goes straight from `start` to `end`, m².

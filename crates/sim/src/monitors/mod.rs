@@ -128,6 +128,11 @@ impl<const D: usize> Monitors<D> {
         &self.extremes
     }
 
+    /// The state of the last tick as it is.
+    pub(crate) fn truth(&self) -> &Truth {
+        &self.truth
+    }
+
     /// How many neighbours a robot must have at the start so that a controller without weights can keep enough.
     #[must_use]
     pub fn kept_degree(&self) -> u16 {
