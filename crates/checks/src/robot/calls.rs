@@ -3,7 +3,7 @@
 use closeranks_core::controller::links::protocol::{Entry, Number};
 use closeranks_core::controller::links::wire::{Head, Item, LinkMessage, bytes_max};
 use closeranks_core::message::{MESSAGE_BYTES, Message};
-use closeranks_core::num::is_finite;
+use closeranks_core::num::{Vector, is_finite};
 use closeranks_core::robot::Robot;
 use closeranks_core::robot::neighbor::{RobotId, Slot};
 use closeranks_core::robot::scratch::Scratch;
@@ -129,7 +129,7 @@ impl<'memory, const D: usize> Play<'memory, D> {
         };
         let (number, acknowledged) = (near(self.now, source), near(self.now, source));
         let value = (choice & 1 == 0).then(|| source.number());
-        let wish_m_s = core::array::from_fn(|_| source.number());
+        let wish_m_s: Vector<D> = core::array::from_fn(|_| source.number());
         let head = Head { number: Number(number), value, price_m: source.near().abs(), wish_m_s };
         let entry = Entry { listed: choice & 2 == 0, acknowledged: Number(acknowledged) };
         let item = Item { id: self.robot.id(), entry, promised: choice & 4 == 0 };
