@@ -3,7 +3,7 @@
 use crate::controller::budget::control::BudgetController;
 use crate::controller::composed::ComposedController;
 use crate::controller::none::Unfiltered;
-use crate::controller::{Control, Decision, Standing, View};
+use crate::controller::{Control, Decision, Kept, Standing, View};
 use crate::equations::link::LinkShape;
 use crate::need::Need;
 use crate::num::Vector;
@@ -58,6 +58,18 @@ impl<const D: usize> AnyController<D> {
     #[must_use]
     pub fn promises(&self) -> bool {
         dispatch!(self, controller => controller.promises())
+    }
+
+    /// What it keeps ([`Control::kept`]).
+    #[must_use]
+    pub fn kept(&self, link: &LinkShape, distance_min_m: f64) -> Kept {
+        dispatch!(self, controller => controller.kept(link, distance_min_m))
+    }
+
+    /// True if malicious robots are assumed to move as its rows allow ([`Control::is_obeyed`]).
+    #[must_use]
+    pub fn is_obeyed(&self) -> bool {
+        dispatch!(self, controller => controller.is_obeyed())
     }
 
     /// How much scratch a robot needs ([`Control::needs`]).

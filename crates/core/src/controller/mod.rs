@@ -13,11 +13,14 @@
 pub mod any;
 pub mod budget;
 pub mod composed;
+pub mod kept;
+pub mod links;
 pub mod none;
 
 pub use any::AnyController;
+pub use kept::Kept;
 
-use crate::equations::link::Link;
+use crate::equations::link::{Link, LinkShape};
 use crate::need::Need;
 use crate::num::{Vector, subtract};
 use crate::program::Outcome;
@@ -197,6 +200,16 @@ pub trait Control<const D: usize> {
     /// True if the controller promises something that rests on what the robot can watch: its moves, its clock.
     fn promises(&self) -> bool {
         false
+    }
+
+    /// What it keeps where links are `link` and no two robots may come nearer than `distance_min_m`.
+    fn kept(&self, link: &LinkShape, distance_min_m: f64) -> Kept {
+        Kept::plain(link, distance_min_m)
+    }
+
+    /// True if malicious robots are assumed to move as its rows allow (Assumption 1 of the paper).
+    fn is_obeyed(&self) -> bool {
+        true
     }
 
     /// How much scratch a robot needs for up to so many neighbours: at least a number for the value of each.

@@ -2,7 +2,6 @@
 
 use core::time::Duration;
 
-use crate::controller::budget::settings::{Assume, Budget};
 use crate::num::{Vector, add_scaled, length, subtract};
 use crate::robot::neighbor::Slot;
 use crate::robot::report::Reason;
@@ -36,7 +35,7 @@ impl<const D: usize> Assurance<D> {
     /// Notes when it is not where it should be, or was not called in time. It then begins anew from where it is.
     pub(crate) fn place(&mut self, params: &Params<D>, now: Instant, sensed: Vector<D>) -> Vector<D> {
         self.anew = true;
-        let Some(Budget { errors, .. }) = params.budget() else { return sensed };
+        let errors = params.kept().errors;
         let Some((then, position, velocity)) = self.last else { return sensed };
         let (elapsed, hold_max) = (now.since(then), params.settings().clock.hold_max());
         let expected = add_scaled(&position, elapsed.min(hold_max).as_secs_f64(), &velocity);
@@ -59,12 +58,11 @@ impl<const D: usize> Assurance<D> {
     /// Notes a neighbour that went farther since the last tick than it can.
     pub(crate) fn watch(&mut self, params: &Params<D>, now: Instant, slot: &Slot<D>, offset_m: &Vector<D>) {
         let Some((then, _, _)) = self.last else { return };
-        let Some(budget) = params.budget() else { return };
-        if budget.assume != Assume::Obedient || now.since(then) > params.settings().clock.hold_max() {
+        if !params.controller().is_obeyed() || now.since(then) > params.settings().clock.hold_max() {
             return;
         }
         let went_m = length(&subtract(offset_m, &slot.offset_m));
-        let most_m = 2.0 * params.reach().longest_m() + 2.0 * budget.errors.offset_m;
+        let most_m = 2.0 * params.reach().longest_m() + 2.0 * params.kept().errors.offset_m;
         if went_m > most_m * (1.0 + CLOCK) + ROUNDING {
             self.broken = Some((now, Reason::Moved));
         }

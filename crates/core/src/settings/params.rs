@@ -1,8 +1,7 @@
 //! Checked settings: what a robot is told once, constant from then on.
 
-use crate::controller::AnyController;
-use crate::controller::budget::errors::ErrorBounds;
 use crate::controller::budget::settings::Budget;
+use crate::controller::{AnyController, Kept};
 use crate::equations::composition::Composed;
 use crate::equations::link::LinkShape;
 use crate::need::{Keep, Need};
@@ -33,17 +32,6 @@ pub struct ParamsError {
     pub value: f64,
     /// What it may be.
     pub allowed: Allowed,
-}
-
-/// What a controller keeps among references: where velocities have taken each robot ([`ErrorBounds`]).
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Kept {
-    /// The shape of their links.
-    pub link: LinkShape,
-    /// How near two of them may come, m.
-    pub distance_min_m: f64,
-    /// How far they are from the robots.
-    pub errors: ErrorBounds,
 }
 
 impl<const D: usize> Params<D> {
@@ -111,18 +99,7 @@ impl<const D: usize> Params<D> {
     /// What the controller keeps. With stated errors this is about references and not about positions.
     #[must_use]
     pub fn kept(&self) -> Kept {
-        match self.budget() {
-            Some(budget) => Kept {
-                link: *budget.curvature.link(),
-                distance_min_m: budget.distance_min_m,
-                errors: budget.errors,
-            },
-            None => Kept {
-                link: self.link,
-                distance_min_m: self.settings.limits.distance_min_m,
-                errors: ErrorBounds::NONE,
-            },
-        }
+        self.controller.kept(&self.link, self.settings.limits.distance_min_m)
     }
 
     /// The displacements of one tick, `T U_i`.

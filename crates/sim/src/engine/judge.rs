@@ -1,6 +1,5 @@
 //! Which assumptions of the theorem hold in a tick, as only the world can know.
 
-use closeranks_core::controller::budget::settings::Assume;
 use closeranks_core::settings::params::Params;
 
 use crate::attack::MotionAttack;
@@ -34,7 +33,7 @@ impl Judge {
     /// For the robots of `scenario`.
     pub(crate) fn new<const D: usize>(scenario: &Scenario, params: &Params<D>) -> Self {
         let settings = params.settings();
-        let obedient = scenario.budget.assume == Assume::Obedient;
+        let obedient = params.controller().is_obeyed();
         let disobedient = scenario.attack.motion != MotionAttack::Obedient && !scenario.malicious.is_empty();
         Self {
             malicious: scenario.malicious_mask(),

@@ -154,7 +154,7 @@ impl<const D: usize> Distances<D> {
 
     /// The fraction of `D − Δ_d²` that may be lost in a tick.
     fn gamma_c(&self) -> f64 {
-        self.params.budget().map_or(1.0, |budget| budget.gamma_c)
+        self.params.kept().gamma_c
     }
 
     /// A pair at least `least_m` apart is no nearer than this, but for rounding, m².

@@ -1,7 +1,6 @@
 //! The state of a team as only the world knows it: what the theorems are about.
 
 use closeranks_core::controller::budget::knowledge::Sighting;
-use closeranks_core::controller::budget::settings::Assume;
 use closeranks_core::equations::link::{Link, LinkShape};
 use closeranks_core::num::subtract;
 use closeranks_core::robot::neighbor::RobotId;
@@ -151,7 +150,7 @@ pub(crate) fn required<const D: usize>(params: &Params<D>) -> u16 {
 
 /// True if malicious robots may move as they like.
 pub(crate) fn is_free<const D: usize>(params: &Params<D>) -> bool {
-    params.budget().is_some_and(|budget| budget.assume == Assume::Free)
+    !params.controller().is_obeyed()
 }
 
 /// The trimmed sum T_i of a robot that senses exactly.

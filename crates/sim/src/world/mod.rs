@@ -45,7 +45,9 @@ pub struct Options {
 pub struct Run {
     /// Every tick, if it was asked for.
     pub record: Option<Record>,
-    /// Exact robustness of every consensus round, if it was asked for and the team is small enough.
+    /// Exact robustness of every consensus round, if it was asked for and the team is small enough; of a run with more than
+    /// [`ROUNDS_MAX`](crate::monitors::robustness::ROUNDS_MAX) rounds, those that
+    /// [`thin`](crate::monitors::robustness::thin) keeps.
     pub rounds: Vec<Round>,
     /// The table's row.
     pub summary: Summary,
@@ -255,6 +257,16 @@ impl<const D: usize> World<D> {
     /// What was recorded, if anything was asked for.
     pub(crate) fn record_mut(&mut self) -> Option<&mut Record> {
         self.record.as_mut()
+    }
+
+    /// Whether there are so many rounds that whoever wants each of them should take them.
+    pub(crate) fn has_many_rounds(&self) -> bool {
+        self.watcher.as_ref().is_some_and(Watcher::is_full)
+    }
+
+    /// Hands over the rounds since they were last taken, if they were asked for.
+    pub(crate) fn take_rounds(&mut self) -> Vec<Round> {
+        self.watcher.as_mut().map(Watcher::take).unwrap_or_default()
     }
 
     fn watch_round(&mut self, tick: u32) {

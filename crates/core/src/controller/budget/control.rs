@@ -8,7 +8,7 @@ use crate::controller::budget::inequality::{self, Pair};
 use crate::controller::budget::knowledge::{Claim, KnownMargin, Sighting};
 use crate::controller::budget::rows::{Memory, Rows};
 use crate::controller::budget::settings::{Assume, Budget, Form};
-use crate::controller::{Batch, Control, Decision, Glimpse, Motion, Neighbor, Own, Standing, View};
+use crate::controller::{Batch, Control, Decision, Glimpse, Kept, Motion, Neighbor, Own, Standing, View};
 use crate::equations::link::{Link, LinkShape};
 use crate::need::{Keep, Need};
 use crate::num::{Vector, sqrt};
@@ -123,6 +123,15 @@ impl<const D: usize> Control<D> for BudgetController<D> {
 
     fn promises(&self) -> bool {
         true
+    }
+
+    fn kept(&self, _link: &LinkShape, _distance_min_m: f64) -> Kept {
+        let Budget { distance_min_m, gamma_c, errors, .. } = self.budget;
+        Kept { link: *self.budget.curvature.link(), distance_min_m, gamma_c, errors }
+    }
+
+    fn is_obeyed(&self) -> bool {
+        self.budget.assume == Assume::Obedient
     }
 
     fn needs(&self, neighbors: usize) -> Needs {
