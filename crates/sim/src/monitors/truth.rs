@@ -14,7 +14,7 @@ use crate::monitors::pairs::Pairs;
 pub(crate) const ROUNDING: f64 = 1e-11;
 
 /// True levels, degrees and distances of one tick.
-#[derive(Debug, Default)]
+#[derive(Clone, Debug, Default)]
 pub(crate) struct Truth {
     /// c_i within R.
     pub(crate) levels: Vec<f64>,
@@ -30,24 +30,6 @@ pub(crate) struct Truth {
     pub(crate) least_m2: f64,
     /// Memory for the weights and the slopes of all pairs.
     scratch: [Vec<f64>; 2],
-}
-
-impl Clone for Truth {
-    fn clone(&self) -> Self {
-        let mut clone = Self::default();
-        clone.clone_from(self);
-        clone
-    }
-
-    /// Copies into the memory that is there.
-    fn clone_from(&mut self, other: &Self) {
-        self.levels.clone_from(&other.levels);
-        self.degrees.clone_from(&other.degrees);
-        self.h.clone_from(&other.h);
-        self.h_own.clone_from(&other.h_own);
-        self.pairs.clone_from(&other.pairs);
-        self.least_m2 = other.least_m2;
-    }
 }
 
 impl Truth {
