@@ -52,9 +52,11 @@ const SEAM: [&str; 4] = [
 ];
 
 /// Lines that look like such a choice and are none, by file and a part of the line. Each needs a reason.
-const NO_CHOICE: [(&str, &str); 3] = [
+const NO_CHOICE: [(&str, &str); 4] = [
     // One generic engine for each kind of the closed enum: the compiler asks for the arm, and all arms are alike.
     ("crates/sim/src/engine/mod.rs", "Box::new(Team::new("),
+    // Robots that keep lists of links hold what a team at once does not.
+    ("crates/sim/src/engine/mod.rs", "AnyController::Links(_) => Box::new(Fleet::new("),
     // The runs of one sweep are told apart, whatever their controllers are.
     ("crates/sim/src/sweep/mod.rs", ".controller == controller"),
     ("crates/report/src/sweep/tally.rs", ".controller == controller"),

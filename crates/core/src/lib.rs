@@ -109,6 +109,7 @@ pub mod time;
 pub mod wmsr;
 
 pub use crate::controller::budget::settings::{Assume, Trust};
+pub use crate::controller::links::wire::{LinkMessage, Notice};
 pub use crate::equations::composition::PhiSplit;
 pub use crate::message::{MESSAGE_BYTES, Message, MessageError, VALUE_MAX};
 pub use crate::need::{Keep, Need};
@@ -125,6 +126,7 @@ pub use crate::settings::field::Field;
 pub use crate::settings::params::{Params, ParamsError};
 pub use crate::settings::range::Allowed;
 pub use crate::settings::{
-    BudgetSettings, Clock, ComposedSettings, Controller, Errors, Limits, LinkSettings, Settings, Team,
+    BudgetSettings, Clock, ComposedSettings, Controller, Errors, Limits, LinkSettings, LinksSettings,
+    Settings, Team,
 };
 pub use crate::time::Instant;

@@ -16,7 +16,7 @@ mod budget_literal;
 mod budget_team;
 mod seeded;
 
-const TEAMS: core::ops::Range<u64> = 0..80;
+const TEAMS: core::ops::Range<u64> = 0..120;
 /// Mutants need so many teams, because where everybody sees everybody a stale claim is cut to the truth.
 const TEAMS_FOR_MUTANTS: core::ops::Range<u64> = 0..240;
 const TICKS: usize = 25;

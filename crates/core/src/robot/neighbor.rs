@@ -2,16 +2,15 @@
 
 use core::time::Duration;
 
+use crate::controller::links::peer::Peer;
+use crate::controller::links::protocol::Number;
 use crate::equations::link::Link;
 use crate::num::Vector;
+pub use crate::robot::id::RobotId;
 use crate::time::Instant;
 
 /// Stands for the link to a robot that is out of range.
 pub(crate) const NO_LINK: Link<f64> = Link { weight: 0.0, slope: 0.0 };
-
-/// Number of a robot in its team; the paper counts from 1.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub struct RobotId(pub u16);
 
 /// What a neighbour told, and when it was received.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -44,6 +43,8 @@ pub struct Slot<const D: usize> {
     pub(crate) linked: bool,
     pub(crate) told: Option<Told>,
     pub(crate) discarded: bool,
+    /// What `links` holds of it.
+    pub(crate) peer: Peer<D>,
 }
 
 impl<const D: usize> Default for Slot<D> {
@@ -58,6 +59,7 @@ impl<const D: usize> Default for Slot<D> {
             linked: false,
             told: None,
             discarded: false,
+            peer: Peer::new(Number::NONE),
         }
     }
 }
@@ -97,6 +99,12 @@ impl<const D: usize> Slot<D> {
     #[must_use]
     pub fn told_value(&self) -> Option<f64> {
         self.told.and_then(|told| told.value)
+    }
+
+    /// True if `links` lists it.
+    #[must_use]
+    pub fn is_listed(&self) -> bool {
+        self.peer.hold.is_listed()
     }
 
     /// True if W-MSR discarded its value in the last consensus round.

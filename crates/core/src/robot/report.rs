@@ -73,8 +73,7 @@ pub enum Reason {
     Degree,
     /// The program had no solution.
     Infeasible,
-    /// `composed`: φ_i < 0, outside Z_i (thm:cbf-qp). `budget`: h_i < 0, a neighbour's h certainly negative, or a pair too
-    /// close.
+    /// `composed`: φ_i < 0, outside Z_i (thm:cbf-qp). `budget`: h_i < 0, or another robot too close.
     OutsideSafeSet,
     /// More time than a velocity may be held has passed since the last tick. It is said for
     /// [`told_max`](crate::settings::Clock::told_max) more, because until then a level told before may be worth less than it says.
@@ -87,6 +86,10 @@ pub enum Reason {
     Uncertain,
     /// A neighbour has told no level.
     Untold,
+    /// `links`: the robot counts on fewer neighbours than it must.
+    Uncounted,
+    /// `links`: a neighbour that others may rest on was not sensed for longer than `told_max`.
+    Unseen,
     /// There is no controller: the desired velocity is only cut to its box.
     Unfiltered,
     /// `tick` was called again without `sense`: the robot stands still, because it does not know where it is by now.

@@ -41,7 +41,7 @@ pub(crate) fn known<const D: usize>(
         Trust::ToldOrSeen => told.max(seen),
         Trust::Seen => seen,
     };
-    KnownMargin { budget: believed.max(0.0), deficit: (-most).max(0.0), degree_max }
+    KnownMargin { budget: believed.max(0.0), degree_max }
 }
 
 fn interval<const D: usize>(

@@ -88,10 +88,6 @@ impl<const D: usize> Tick<'_, D> {
             let spend = budget.loss_max(known.budget) / (known.degree_max + 1.0);
             self.push(&gradient, wrong, |gradient| Row::far_level(gradient, bend, spend));
         }
-        if known.deficit > 0.0 {
-            self.broken += 1;
-            self.raise(&gradient, (known.deficit / length(&gradient)).min(move_m));
-        }
     }
 
     fn near(&mut self, offset_m: &Vector<D>) {

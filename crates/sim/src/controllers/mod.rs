@@ -10,7 +10,7 @@ pub mod orca;
 use closeranks_core::num::Vector;
 use closeranks_core::program::Outcome;
 use closeranks_core::settings::params::Params;
-use closeranks_core::settings::{self, BudgetSettings, ComposedSettings};
+use closeranks_core::settings::{self, BudgetSettings, ComposedSettings, LinksSettings};
 
 use crate::law::Law;
 
@@ -58,6 +58,8 @@ pub enum Inside {
     Shares,
     /// Every h_i of a normal robot is not negative, and no two robots are closer than Δ_d.
     Margins,
+    /// Every normal robot has as many neighbours as it must count on, and no two robots are closer than Δ_d.
+    Degrees,
 }
 
 /// Which violations of what a controller promises count against it.
@@ -76,6 +78,8 @@ pub struct Parameters {
     pub composed: ComposedSettings,
     /// Parameters of `budget`.
     pub budget: BudgetSettings,
+    /// Parameters of `links`.
+    pub links: LinksSettings,
 }
 
 /// How a controller is made.
@@ -181,6 +185,19 @@ controllers! {
             expects: &Law::EXPECTED,
             inside: Inside::Shares,
             make: Make::Local(|of| settings::Controller::Composed(of.composed)),
+        },
+        /// Ours without weights (docs/links.md).
+        Links: Row {
+            name: "links",
+            about: "ours, without weights: robots agree on the links that they keep",
+            knows: Knows::Local,
+            guarantees: true,
+            uses_phi: false,
+            promises: &Law::LINKS,
+            counted: Counted::Covered,
+            expects: &Law::LINKS,
+            inside: Inside::Degrees,
+            make: Make::Local(|scenario| settings::Controller::Links(scenario.links)),
         },
         /// None: the desired velocity, cut to the box. What the paper's robots would do unfiltered.
         None: Row {

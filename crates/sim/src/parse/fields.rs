@@ -25,10 +25,11 @@ pub(super) fn read(reader: &mut Reader, table: &DeTable<'_>) -> Scenario {
     let mut root = Section::root(table);
     let mut scenario = Scenario::default();
     let expect = head(reader, &mut root, &mut scenario);
-    let tables: [(&'static str, Fill); 7] = [
+    let tables: [(&'static str, Fill); 8] = [
         ("team", team),
         ("link", link),
         ("controller", controller),
+        ("links", links),
         ("clock", clock),
         ("start", start),
         ("values", values),
@@ -100,11 +101,19 @@ fn controller(reader: &mut Reader, section: &mut Section<'_>, scenario: &mut Sce
     let trusts = [("told", Trust::Told), ("told-or-seen", Trust::ToldOrSeen), ("seen", Trust::Seen)];
     set(&mut scenario.budget.trust, reader.word(section, "trust", &trusts));
     let assumptions = [("obedient", Assume::Obedient), ("free", Assume::Free)];
-    set(&mut scenario.budget.assume, reader.word(section, "assume", &assumptions));
+    let assumed = reader.word(section, "assume", &assumptions);
+    set(&mut scenario.budget.assume, assumed);
+    set(&mut scenario.links.assume, assumed);
     let limits = &mut scenario.limits;
     let speed = format!("a finite number (m/s), {ANY}");
     set(&mut limits.input_min_m_s, reader.list(section, "input_min_m_s", &speed, inside));
     set(&mut limits.input_max_m_s, reader.list(section, "input_max_m_s", &speed, inside));
+}
+
+fn links(reader: &mut Reader, section: &mut Section<'_>, scenario: &mut Scenario) {
+    numbers(reader, section, "links", scenario);
+    let sides = [("none", false), ("right", true)];
+    set(&mut scenario.links.pass_right, reader.word(section, "pass", &sides));
 }
 
 fn clock(reader: &mut Reader, section: &mut Section<'_>, scenario: &mut Scenario) {

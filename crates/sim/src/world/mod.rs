@@ -12,6 +12,7 @@ use crate::controllers::{Answer, Global, TeamView, Velocities};
 use crate::engine;
 pub use crate::engine::Engine;
 use crate::engine::judge::Judge;
+use crate::engine::phi::PaperPhi;
 use crate::engine::robots::Robots;
 use crate::frame::Frame;
 use crate::monitors::Monitors;
@@ -127,6 +128,7 @@ pub struct World<const D: usize> {
     liars: Liars,
     bodies: Bodies<D>,
     judge: Judge,
+    paper_phi: Option<PaperPhi>,
     monitors: Monitors<D>,
     collector: Collector,
     record: Option<Record>,
@@ -153,6 +155,7 @@ impl<const D: usize> World<D> {
             bodies: Bodies::new(scenario.plant, scenario.tick_s(), &frame.positions_m),
             liars: Liars::new(scenario),
             judge: Judge::new(scenario, &params),
+            paper_phi: PaperPhi::new(scenario, &params).filter(|_| wants_phi),
             monitors: Monitors::new(scenario, params),
             collector: Collector::default(),
             record: options.record.then(|| Record::new(scenario, scenario.composition().required)),
@@ -226,6 +229,10 @@ impl<const D: usize> World<D> {
         self.robots.step(&mut self.frame, &mut self.liars);
         for (outcome, answer) in self.frame.outcomes.iter_mut().zip(&self.answers) {
             *outcome = answer.outcome;
+        }
+        if let Some(phi) = &mut self.paper_phi {
+            let edges = self.robots.edges();
+            phi.fill(&mut self.frame, |robot| edges.is_some_and(|edges| edges.downtime.down(robot)));
         }
         self.judge.judge(tick, &mut self.frame, self.robots.as_ref(), &self.bodies);
         self.monitors.watch(tick, &self.frame);

@@ -211,7 +211,7 @@ impl Pair {
 }
 
 /// True where a row is needed: unless its left-hand side is never more than its bound, and where either is NaN.
-pub(super) fn may_bind(lhs_max: f64, bound: f64) -> bool {
+pub(crate) fn may_bind(lhs_max: f64, bound: f64) -> bool {
     lhs_max > bound || lhs_max.is_nan() || bound.is_nan()
 }
 

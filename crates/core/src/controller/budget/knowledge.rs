@@ -64,8 +64,6 @@ pub struct Seen<'a> {
 pub struct KnownMargin {
     /// b_ij ≥ 0: for an honest robot that the theorem covers, never more than h_j⁺.
     pub budget: f64,
-    /// By how much h_j is certainly below 0; at least 0.
-    pub deficit: f64,
     /// δ⁺_ij: at least the number of neighbours that count for j, and at least 1.
     pub degree_max: f64,
 }
@@ -111,11 +109,7 @@ impl Budget {
             Trust::ToldOrSeen => larger(told, h_min),
             Trust::Seen => h_min,
         };
-        KnownMargin {
-            budget: larger(believed, 0.0),
-            deficit: larger(-h_max, 0.0),
-            degree_max: larger(seen.degree, 1.0),
-        }
+        KnownMargin { budget: larger(believed, 0.0), degree_max: larger(seen.degree, 1.0) }
     }
 
     /// What robot i knows of j in a world in which all sense exactly and hear the same.
@@ -141,7 +135,7 @@ impl Budget {
             Low::Known(low) => low,
             Low::Asked(_) if self.is_as_claimed(glimpse) => {
                 let degree_max = larger(degree, 1.0);
-                return KnownMargin { budget: discounted_claim, deficit: 0.0, degree_max };
+                return KnownMargin { budget: discounted_claim, degree_max };
             }
             Low::Asked(low) => low(),
         };
