@@ -28,6 +28,8 @@ pub struct Frame<const D: usize> {
     pub h: Vec<f64>,
     /// Under `links`: whom each robot counts on, by number.
     pub counted: Vec<Vec<u16>>,
+    /// Under `links`: for whom each robot keeps its row, by number.
+    pub rows: Vec<Vec<u16>>,
     /// φ_i; NaN where nobody wants to know it, and of a robot that is down.
     pub phis: Vec<f64>,
     /// Whether somebody wants to know φ and φ_i, which not every controller uses.
@@ -99,6 +101,7 @@ impl<const D: usize> Frame<D> {
             told: vec![0.0; robots],
             h: vec![0.0; robots],
             counted: vec![Vec::new(); robots],
+            rows: vec![Vec::new(); robots],
             phis: vec![f64::NAN; robots],
             wants_phi: true,
             held: values.clone(),

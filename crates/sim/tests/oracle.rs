@@ -278,7 +278,7 @@ const MUTANTS: [Mutant; 33] = [
     },
     Mutant {
         name: "links: R without the hair",
-        law: "held",
+        law: "degree",
         lines: &[("core/src/controller/links/mod.rs", "const HAIR: f64 = 1e-9;", "const HAIR: f64 = 0.0;")],
     },
     Mutant {

@@ -3,6 +3,7 @@
 mod answer;
 mod assurance;
 pub mod error;
+pub mod id;
 mod lists;
 pub mod memory;
 pub mod missing;

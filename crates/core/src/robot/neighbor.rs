@@ -6,14 +6,11 @@ use crate::controller::links::peer::Peer;
 use crate::controller::links::protocol::Number;
 use crate::equations::link::Link;
 use crate::num::Vector;
+pub use crate::robot::id::RobotId;
 use crate::time::Instant;
 
 /// Stands for the link to a robot that is out of range.
 pub(crate) const NO_LINK: Link<f64> = Link { weight: 0.0, slope: 0.0 };
-
-/// Number of a robot in its team; the paper counts from 1.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub struct RobotId(pub u16);
 
 /// What a neighbour told, and when it was received.
 #[derive(Clone, Copy, Debug, PartialEq)]

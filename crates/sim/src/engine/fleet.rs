@@ -279,6 +279,8 @@ impl<const D: usize, T: Transport> Fleet<D, T> {
             if self.lists {
                 frame.counted[index].clear();
                 frame.counted[index].extend(robot.counted().map(|id| id.0));
+                frame.rows[index].clear();
+                frame.rows[index].extend(robot.keeps_rows_for().map(|id| id.0));
             }
             ends += u32::from(output.report.degree);
             if output.report.round.is_some() {

@@ -16,7 +16,7 @@ pub(crate) const ROUNDING: f64 = 1e-11;
 const PLACE_ROUNDING: f64 = 1e-14;
 
 /// True levels, degrees and distances of one tick.
-#[derive(Debug, Default)]
+#[derive(Clone, Debug, Default)]
 pub(crate) struct Truth {
     /// c_i within R, of the weight that robots use.
     pub(crate) levels: Vec<f64>,
@@ -38,27 +38,6 @@ pub(crate) struct Truth {
     pub(crate) span_m: f64,
     /// Memory for the weights and the slopes of all pairs.
     scratch: [Vec<f64>; 2],
-}
-
-impl Clone for Truth {
-    fn clone(&self) -> Self {
-        let mut clone = Self::default();
-        clone.clone_from(self);
-        clone
-    }
-
-    /// Copies into the memory that is there.
-    fn clone_from(&mut self, other: &Self) {
-        self.levels.clone_from(&other.levels);
-        self.neighbors.clone_from(&other.neighbors);
-        self.paper_levels.clone_from(&other.paper_levels);
-        self.degrees.clone_from(&other.degrees);
-        self.h.clone_from(&other.h);
-        self.h_own.clone_from(&other.h_own);
-        self.pairs.clone_from(&other.pairs);
-        self.least_m2 = other.least_m2;
-        self.span_m = other.span_m;
-    }
 }
 
 impl Truth {
