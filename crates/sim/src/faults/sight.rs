@@ -4,7 +4,6 @@ use closeranks_core::num::{Vector, length, subtract};
 use closeranks_core::settings::params::Params;
 
 use crate::faults::dropouts::Dropouts;
-use crate::faults::sensing::Sensing;
 use crate::random::{Random, Stream};
 use crate::scenario::Scenario;
 
@@ -103,13 +102,12 @@ impl<const D: usize> Sight<D> {
             return true;
         }
         self.misses[observer] |= within;
-        match self.last[place].filter(|last| self.can_be_known(own, last)) {
+        if let Some(last) = self.last[place].filter(|last| self.can_be_known(own, last)) {
             // Whoever holds it where it was not is mistaken even if it has left.
-            Some(last) => self.overlooks[observer] |= last.wrong,
-            None => {
-                self.overlooks[observer] |= within;
-                self.last[place] = None;
-            }
+            self.overlooks[observer] |= last.wrong;
+        } else {
+            self.overlooks[observer] |= within;
+            self.last[place] = None;
         }
         false
     }
