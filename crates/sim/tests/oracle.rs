@@ -35,7 +35,7 @@ const ROWS: &str = "core/src/controller/links/rows.rs";
 const LINKS: &str = "core/src/controller/links/control.rs";
 const INEQUALITY: &str = "core/src/controller/budget/inequality.rs";
 
-const MUTANTS: [Mutant; 33] = [
+const MUTANTS: [Mutant; 32] = [
     Mutant {
         name: "gradient with the wrong sign",
         law: "decay",
@@ -266,15 +266,6 @@ const MUTANTS: [Mutant; 33] = [
             ),
             (POLICY, "(peer.deal.released, peer.held) = (true, false);", "peer.deal.released = true;"),
         ],
-    },
-    Mutant {
-        name: "links: an acknowledgement is taken back",
-        law: "degree",
-        lines: &[(
-            PROTOCOL,
-            "self.acknowledged = self.acknowledged.max(acknowledged);",
-            "self.acknowledged = acknowledged;",
-        )],
     },
     Mutant {
         name: "links: R without the hair",
