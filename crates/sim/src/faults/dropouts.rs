@@ -3,7 +3,6 @@
 use closeranks_core::num::{Vector, length, subtract};
 use closeranks_core::settings::params::Params;
 
-use crate::faults::sensing::Sensing;
 use crate::faults::spell::Spell;
 use crate::parse::common::{FRACTION, small};
 use crate::parse::reader::{Reader, Section};
@@ -80,12 +79,15 @@ impl<const D: usize> Sight<D> {
     pub fn new(scenario: &Scenario, params: &Params<D>) -> Self {
         let (dropouts, robots) = (scenario.faults.sensing.dropouts, usize::from(scenario.team.robots));
         let drift = 1.0 + scenario.faults.clocks.drift_max;
-        let whole = scenario.faults.sensing == Sensing::default();
+        // Only some controllers reckon with everybody whom they do not sense.
+        let reckons = params.controller().reckons();
+        let sight_m = params.link().radius_m * (1.0 - HAIR) - 2.0 * params.kept().errors.offset_m;
+        let whole = scenario.faults.sensing.is_right();
         Self {
             dropouts,
             random: Random::new(scenario.seed, Stream::Dropouts),
             robots,
-            radius_m: params.link().radius_m * (1.0 - HAIR) - 2.0 * params.kept().errors.offset_m,
+            radius_m: if reckons { sight_m } else { 0.0 },
             move_m: params.reach().longest_m() * drift,
             time_s: 0.0,
             tick: 0,
@@ -130,13 +132,12 @@ impl<const D: usize> Sight<D> {
             return true;
         }
         self.misses[observer] |= within;
-        match self.last[place].filter(|last| self.can_be_known(own, last)) {
+        if let Some(last) = self.last[place].filter(|last| self.can_be_known(own, last)) {
             // Whoever holds it where it was not is mistaken even if it has left.
-            Some(last) => self.overlooks[observer] |= last.wrong,
-            None => {
-                self.overlooks[observer] |= within;
-                self.last[place] = None;
-            }
+            self.overlooks[observer] |= last.wrong;
+        } else {
+            self.overlooks[observer] |= within;
+            self.last[place] = None;
         }
         false
     }

@@ -1,5 +1,6 @@
 //! Distances of robots from tick to tick: how near they come, between ticks too, and how fast.
 
+use closeranks_core::controller::Kept;
 use closeranks_core::num::{Vector, add_scaled, dot, sqrt, subtract};
 use closeranks_core::settings::params::Params;
 
@@ -16,6 +17,7 @@ use crate::scenario::Scenario;
 #[derive(Clone, Debug)]
 pub(crate) struct Distances<const D: usize> {
     params: Params<D>,
+    kept: Kept,
     malicious: Vec<bool>,
     /// Distances with a malicious robot may collide: it goes where it likes.
     free: bool,
@@ -37,6 +39,7 @@ impl<const D: usize> Distances<D> {
         Self {
             malicious: scenario.malicious_mask(),
             free: scenario.attack.motion != MotionAttack::Obedient,
+            kept: params.kept(),
             params,
             apart: Vec::new(),
             far_apart: false,
@@ -110,11 +113,11 @@ impl<const D: usize> Distances<D> {
     /// `D − Δ_d²` of two references, m²: the least that must be left of it since the tick before, and what is left. Of a pair
     /// that was too far away to be bounded nothing need be left.
     fn rooms_m2(&self, place: usize, truth: &Truth, before: &Before<D>) -> [f64; 2] {
-        let least_m = self.params.kept().distance_min_m;
+        let least_m = self.kept.distance_min_m;
         let now = truth.pairs.references_m2()[place] - least_m * least_m;
         let Some(then) = self.places.then(place) else { return [f64::NEG_INFINITY, now] };
         let then = before.truth.pairs.references_m2()[then] - least_m * least_m;
-        [(1.0 - self.gamma_c()) * then, now]
+        [(1.0 - self.kept.gamma_c) * then, now]
     }
 
     fn watch_pair(
@@ -151,14 +154,9 @@ impl<const D: usize> Distances<D> {
         }
     }
 
-    /// The fraction of `D − Δ_d²` that may be lost in a tick.
-    fn gamma_c(&self) -> f64 {
-        self.params.kept().gamma_c
-    }
-
     /// True if (near) bounded how fast a pair could come closer: under `budget`, if it was linked.
     fn binds(&self, place: usize, before: &Before<D>) -> bool {
-        let radius_m = self.params.kept().link.radius_m;
+        let radius_m = self.kept.link.radius_m;
         let budget = self.params.controller().promises();
         let then = self.places.then(place).map(|then| before.truth.pairs.references_m2()[then]);
         budget && then.is_some_and(|then_m2| then_m2 <= radius_m * radius_m)
@@ -174,7 +172,7 @@ impl<const D: usize> Distances<D> {
 
     /// What is safe now, or was and must still be, must be so at the next tick. `inside` is false while nothing is promised.
     pub(crate) fn carry(&mut self, truth: &Truth, before: &Before<D>, inside: bool, moves: bool) {
-        let limit_m2 = limit_m2(self.params.kept().distance_min_m, truth);
+        let limit_m2 = limit_m2(self.kept.distance_min_m, truth);
         let mut scratch = core::mem::take(&mut self.scratch);
         scratch.clear();
         scratch.extend(truth.pairs.references_m2().iter().enumerate().map(|(place, pair_m2)| {

@@ -16,7 +16,7 @@ pub(crate) const ROUNDING: f64 = 1e-11;
 const PLACE_ROUNDING: f64 = 1e-14;
 
 /// True levels, degrees and distances of one tick.
-#[derive(Debug, Default)]
+#[derive(Clone, Debug, Default)]
 pub(crate) struct Truth {
     /// c_i within R, of the weight that robots use.
     pub(crate) levels: Vec<f64>,
@@ -40,27 +40,6 @@ pub(crate) struct Truth {
     scratch: [Vec<f64>; 2],
 }
 
-impl Clone for Truth {
-    fn clone(&self) -> Self {
-        let mut clone = Self::default();
-        clone.clone_from(self);
-        clone
-    }
-
-    /// Copies into the memory that is there.
-    fn clone_from(&mut self, other: &Self) {
-        self.levels.clone_from(&other.levels);
-        self.neighbors.clone_from(&other.neighbors);
-        self.paper_levels.clone_from(&other.paper_levels);
-        self.degrees.clone_from(&other.degrees);
-        self.h.clone_from(&other.h);
-        self.h_own.clone_from(&other.h_own);
-        self.pairs.clone_from(&other.pairs);
-        self.least_m2 = other.least_m2;
-        self.span_m = other.span_m;
-    }
-}
-
 impl Truth {
     /// The truth of `frame`. A team of `composed` in a perfect world knows it itself: then nothing is computed twice.
     pub(crate) fn look<const D: usize>(
@@ -77,14 +56,7 @@ impl Truth {
         self.span_m = coordinates.fold(0.0, |most: f64, x| most.max(x.abs()));
         let required = f64::from(required(params));
         if plain {
-            self.levels.clone_from(&frame.levels);
-            self.paper_levels.clone_from(&frame.levels);
-            self.degrees.clone_from(&frame.degrees);
-            self.neighbors.clone_from(&frame.degrees);
-            self.h.clear();
-            self.h.extend(frame.levels.iter().map(|level| level - required));
-            self.h_own.clone_from(&self.h);
-            return;
+            return self.take(frame, required);
         }
         let free = is_free(params);
         let margin = params.kept().errors.away_m > 0.0;
@@ -124,6 +96,17 @@ impl Truth {
                 *own = trimmed(params, frame, robot) - required;
             }
         }
+    }
+
+    /// The truth as robots know it that sense exactly.
+    fn take<const D: usize>(&mut self, frame: &Frame<D>, required: f64) {
+        self.levels.clone_from(&frame.levels);
+        self.paper_levels.clone_from(&frame.levels);
+        self.degrees.clone_from(&frame.degrees);
+        self.neighbors.clone_from(&frame.degrees);
+        self.h.clear();
+        self.h.extend(frame.levels.iter().map(|level| level - required));
+        self.h_own.clone_from(&self.h);
     }
 
     /// How much a squared distance of about `distance_m2` (m²) may be rounded, m²: it scales with the numbers compared.
