@@ -81,9 +81,13 @@ impl Truth {
             let shape = &params.kept().link;
             weigh(shape, pairs, pairs.references_m2(), counts, &mut self.h, degrees, scratch);
         }
+        self.margins(params, frame, required);
+    }
+
+    /// h from what was weighed: sums less what is needed, or the degree itself where links have no weights.
+    fn margins<const D: usize>(&mut self, params: &Params<D>, frame: &Frame<D>, required: f64) {
         let lists = params.controller().tells_lists();
         if lists {
-            // Without weights it is the degree itself that is kept.
             self.h.clear();
             self.h.extend(self.degrees.iter().map(|degree| f64::from(*degree)));
         }
@@ -91,7 +95,7 @@ impl Truth {
             *h -= required;
         }
         self.h_own.clone_from(&self.h);
-        if free && !lists {
+        if is_free(params) && !lists {
             for (robot, own) in self.h_own.iter_mut().enumerate() {
                 *own = trimmed(params, frame, robot) - required;
             }
