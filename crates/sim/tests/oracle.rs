@@ -12,7 +12,6 @@
 //! ```
 #![expect(clippy::unwrap_used, reason = "helpers of tests")]
 
-#[path = "oracle/mutants.rs"]
 mod mutants;
 
 use std::fs;

@@ -1,4 +1,4 @@
-//! The mutants: which lines are replaced by what, and the law that must notice.
+//! Broken programs that the campaign must catch, each by the law that is there for it.
 
 /// A broken program: what is wrong, the law that must notice, and the lines that are other than they should be.
 pub(crate) struct Mutant {
@@ -15,7 +15,7 @@ const ROWS: &str = "core/src/controller/links/rows.rs";
 const LINKS: &str = "core/src/controller/links/control.rs";
 const INEQUALITY: &str = "core/src/controller/budget/inequality.rs";
 
-pub(crate) const MUTANTS: [Mutant; 33] = [
+pub(crate) const MUTANTS: [Mutant; 32] = [
     Mutant {
         name: "gradient with the wrong sign",
         law: "decay",
@@ -246,15 +246,6 @@ pub(crate) const MUTANTS: [Mutant; 33] = [
             ),
             (POLICY, "(peer.deal.released, peer.held) = (true, false);", "peer.deal.released = true;"),
         ],
-    },
-    Mutant {
-        name: "links: an acknowledgement is taken back",
-        law: "degree",
-        lines: &[(
-            PROTOCOL,
-            "self.acknowledged = self.acknowledged.max(acknowledged);",
-            "self.acknowledged = acknowledged;",
-        )],
     },
     Mutant {
         name: "links: R without the hair",
