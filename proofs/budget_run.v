@@ -61,7 +61,7 @@ Lemma all_so_far : 0 <= h 0%N -> forall p, (forall k, (k <= p)%N -> 0 <= h k) /\
   forall m, (m <= p)%N -> decayed gamma q m (h (p - m)%N) <= h p.
 Proof.
 move=> h0; elim=> [|p [old left_p]].
-  split=> [k|m]; rewrite leqn0 => /eqP -> //; by rewrite decayed_0; lra.
+  by split=> [k|m]; rewrite leqn0 => /eqP -> //; rewrite subn0 decayed_0 //; exact: Rle_refl.
 have hp := old p (leqnn p).
 have ok b : used p b -> b <= pos (h p).
   case/known => // -[m mp le]; apply: Rle_trans le _.
@@ -69,7 +69,7 @@ have ok b : used p b -> b <= pos (h p).
   by rewrite /pos !Rmax_left; [exact: left_p | lra | lra].
 have [hp1 kept] := one_tick hp ok; split=> [k | [|m] mp].
 - by rewrite leq_eqVlt => /orP [/eqP -> // | ]; rewrite ltnS; exact: old.
-- by rewrite subn0 decayed_0; lra.
+- by rewrite subn0 decayed_0 //; exact: Rle_refl.
 rewrite subSS decayed_S //; last by apply: old; exact: leq_subr.
 apply: Rle_trans kept; apply: part_mono => //; first lra; last exact: left_p.
 by apply: decayed_nonneg => //; apply: old; exact: leq_subr.

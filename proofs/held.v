@@ -77,7 +77,7 @@ Hypothesis moves : forall p i c, x p.+1 i c = x p i c + v p i c.
 Hypothesis obey : forall p i j, i \notin A -> i != j -> active (holds (s p) i j) ->
   held_row gamma rad (offset (x p) i j) (v p i).
 
-Definition counts_on p i j := counts (last (s p) i) (holds (s p) i j).
+Definition counts_on p i j := counts (holds (s p) i j).
 Definition linked p i j := sq (offset (x p) i j) <= rad * rad.
 
 Lemma reachable_at p : reachable A (s p).

@@ -1,9 +1,9 @@
 (* Held links, the protocol (crates/core/src/controller/links/protocol.rs, lem:counted).
 
    In words. Robot i lists neighbours that it wants to keep. Each of its messages has a number and says of every robot
-   whether i lists it and which message of it is the newest that i has. Robot i counts on j while the newest message of j that
-   i has acknowledges one that i sent since it lists j. Robot i has a row for j unless i does not list j, and the newest
-   message of j that i has does not list i although it acknowledges a message of the present life of i.
+   whether i lists it and which message of it is the newest that i has. Robot i counts on j while it lists j, once j has
+   acknowledged a message that i sent since it lists j. Robot i has a row for j unless i does not list j, the newest message of j
+   that i has does not list i, and j has acknowledged a message of the present life of i.
 
    `counted_is_held`: if normal robot i counts on normal robot j, then j has a row for i, and i one for j. Any number of
    robots; messages are lost, late, doubled and reordered; robots begin anew without memory, alone or for one neighbour; robots in A say what they
@@ -26,19 +26,27 @@ Record word := Word { of_number : nat; of_entry : entry }.
 Definition word_to (i : V) (m : message) := Word (number m) (says m i).
 
 (* What i holds of j. *)
-Record hold := Hold { born : nat; since : option nat; heard : option word }.
-Definition fresh last := Hold last None None.
+Record hold := Hold {
+  born : nat;              (* number of the last message of i before this began *)
+  since : option nat;      (* while i lists j: number of the last message of i before it began to *)
+  heard : option word;     (* the newest message of j *)
+  known : nat              (* the highest number that j has acknowledged, of those that were sent *)
+}.
+Definition fresh last := Hold last None None 0.
 Definition lists (h : hold) : bool := since h.
 Definition list_from last (h : hold) :=
-  Hold (born h) (Some (if since h is Some a then a else last)) (heard h).
-Definition release (h : hold) := Hold (born h) None (heard h).
+  Hold (born h) (Some (if since h is Some a then a else last)) (heard h) (known h).
+Definition release (h : hold) := Hold (born h) None (heard h) (known h).
 Definition newer (w : word) (h : hold) := if heard h is Some w' then of_number w' < of_number w else true.
-Definition hear (w : word) (h : hold) := if newer w h then Hold (born h) (since h) (Some w) else h.
+Definition hear last (w : word) (h : hold) :=
+  if newer w h then
+    let a := acked (of_entry w) in
+    Hold (born h) (since h) (Some w) (if a <= last then maxn (known h) a else known h)
+  else h.
 Definition entry_of (h : hold) := Entry (lists h) (if heard h is Some w then of_number w else 0).
-Definition counts last (h : hold) :=
-  if (since h, heard h) is (Some a, Some w) then a < acked (of_entry w) <= last else false.
+Definition counts (h : hold) := if since h is Some a then a < known h else false.
 Definition released (h : hold) :=
-  if heard h is Some w then ~~ listed (of_entry w) && (born h < acked (of_entry w)) else false.
+  (born h < known h) && (if heard h is Some w then ~~ listed (of_entry w) else false).
 Definition active (h : hold) := lists h || ~~ released h.
 
 Record state := State {
@@ -57,7 +65,7 @@ Inductive step (s : state) : state -> Prop :=
 | Releases i j : step s (State (last s) (set2 i j (release (holds s i j)) (holds s)) (sent s))
 | Sends i n : last s i < n ->
     step s (State (set1 i n (last s)) (holds s) (add i (Message n (fun j => entry_of (holds s i j))) (sent s)))
-| Hears i j m : sent s j m -> step s (State (last s) (set2 i j (hear (word_to i m) (holds s i j)) (holds s)) (sent s))
+| Hears i j m : sent s j m -> step s (State (last s) (set2 i j (hear (last s i) (word_to i m) (holds s i j)) (holds s)) (sent s))
 | Forgets i j : step s (State (last s) (set2 i j (fresh (last s i)) (holds s)) (sent s))
 | Restarts i n : last s i <= n ->
     step s (State (set1 i n (last s)) (set1 i (fun _ => fresh n) (holds s)) (sent s))
@@ -75,6 +83,10 @@ Record invariant (s : state) (i j : V) : Prop := Invariant {
   since_born : forall a, since (holds s i j) = Some a -> born (holds s i j) <= a <= last s i;
   numbered : forall m, sent s i m -> number m <= last s i;
   heard_sent : forall w, heard (holds s i j) = Some w -> exists2 m, sent s j m & w = word_to i m;
+  (* what j has acknowledged, it has acknowledged in a message that is not newer than the newest *)
+  known_said : 0 < known (holds s i j) -> exists2 m, sent s j m &
+    known (holds s i j) = acked (says m i) /\
+    number m <= (if heard (holds s i j) is Some w then of_number w else 0);
   (* every message after `since` lists j *)
   all_list : forall a m, since (holds s i j) = Some a -> sent s i m -> a < number m -> listed (says m j);
   (* what i acknowledges was sent by j *)
@@ -114,20 +126,21 @@ Proof.
 elim=> [|{}s s' _ IH st]; first by move=> i j _ _; split.
 case: st => [k l|k l|k n lt|k l m sm|k l|k n le|k m kA].
 - move=> i j iA jA; apply: change => // {i j iA jA} kA lA; have I := IH k l kA lA.
-  have [bs sb nu hs al ak ah li] := I; split; rewrite /= ?set2_same //=.
+  have [bs sb nu hs kn al ak ah li] := I; split; rewrite /= ?set2_same //=.
   + by move=> a; case E: (since _) => [a'|] [<-]; [exact: sb | rewrite bs leqnn].
   + move=> a m; case E: (since _) => [a'|] [<-]; first exact: al.
     by move=> /nu; rewrite leqNgt => /negbTE ->.
 - move=> i j iA jA; apply: change => // {i j iA jA} kA lA; have I := IH k l kA lA.
-  by have [bs sb nu hs al ak ah li] := I; split; rewrite /= ?set2_same.
+  by have [bs sb nu hs kn al ak ah li] := I; split; rewrite /= ?set2_same.
 - move=> i j iA jA; have I := IH i j iA jA; have J := IH j i jA iA.
-  have [bs sb nu hs al ak ah li] := I.
+  have [bs sb nu hs kn al ak ah li] := I.
   have up v : last s v <= set1 k n (last s) v by rewrite /set1; case: eqP => // ->; exact: ltnW.
   split=> /=.
   + exact: leq_trans (up i).
   + by move=> a /sb /andP [-> h]; exact: leq_trans (up i).
   + move=> m [/nu h | [-> ->]]; [exact: leq_trans (up i) | by rewrite /set1 eqxx].
   + by move=> w /hs [m sm ->]; exists m => //; left.
+  + by move=> /kn [m sm h]; exists m => //; left.
   + move=> a m E [sm | [Ei ->]] /=; first exact: al E sm.
     by rewrite -Ei /lists E.
   + move=> m [/ak h | [Ei ->]] /=; apply: leq_trans (up j) => //.
@@ -139,17 +152,23 @@ case: st => [k l|k l|k n lt|k l m sm|k l|k n le|k m kA].
     move=> le [sm' | [Ej ->]] /=; first exact: li.
     move=> _; have := ak m sm; rewrite Ej => h; exact: leq_ltn_trans h lt.
 - move=> i j iA jA; apply: change => // {i j iA jA} kA lA; have I := IH k l kA lA.
-  have [bs sb nu hs al ak ah li] := I; rewrite /hear; case: ifP => // nw; split; rewrite /= ?set2_same //=.
+  have [bs sb nu hs kn al ak ah li] := I; rewrite /hear; case: ifP => // nw; split; rewrite /= ?set2_same //=.
   + by move=> w [<-]; exists m.
+  + have old : 0 < known (holds s k l) -> exists2 m0, sent s l m0 &
+        known (holds s k l) = acked (says m0 k) /\ number m0 <= number m.
+      move=> /kn [m0 s0 [E le]]; exists m0; rewrite // E; split=> //; apply: leq_trans le _.
+      by move: nw; rewrite /newer; case: (heard _) => // w /ltnW.
+    case: ifP => // le; case: (leqP (acked (says m k)) (known (holds s k l))) => big; first exact: old.
+    by move=> _; exists m.
   + move=> m' sm' lt; apply: leq_trans (ah m' sm' lt) _; move: nw; rewrite /newer.
     by case: (heard _) => // w /ltnW.
 - move=> i j iA jA; apply: change => // {i j iA jA} kA lA; have I := IH k l kA lA.
-  have J := IH l k lA kA; have [bs sb nu hs al ak ah li] := I.
+  have J := IH l k lA kA; have [bs sb nu hs kn al ak ah li] := I.
   split; rewrite /= ?set2_same //=.
   + by move=> m /nu; rewrite leqNgt => /negbTE ->.
   + by move=> m m' _ _ /(ack_sent J); rewrite leqNgt => /negbTE ->.
 - move=> i j iA jA; have I := IH i j iA jA; have J := IH j i jA iA.
-  have [bs sb nu hs al ak ah li] := I.
+  have [bs sb nu hs kn al ak ah li] := I.
   have up v : last s v <= set1 k n (last s) v by rewrite /set1; case: eqP => // ->.
   have [Ek | ne] := altP (i =P k); last first.
     have E : set1 k (fun=> fresh n) (holds s) i j = holds s i j by rewrite /set1 (negbTE ne).
@@ -166,12 +185,13 @@ case: st => [k l|k l|k n lt|k l m sm|k l|k n le|k m kA].
   + move=> m /nu h lt; have := leq_trans h (up i); rewrite /set1 Ek eqxx leqNgt lt //.
   + move=> m m' _ _ /(ack_sent J); rewrite Ek => h lt.
     by have := leq_trans lt (leq_trans h le); rewrite ltnn.
-- move=> i j iA jA; have I := IH i j iA jA; have [bs sb nu hs al ak ah li] := I.
+- move=> i j iA jA; have I := IH i j iA jA; have [bs sb nu hs kn al ak ah li] := I.
   have ik : i <> k by move=> E; move: iA; rewrite E kA.
   have jk : j <> k by move=> E; move: jA; rewrite E kA.
   split=> //=.
   + by move=> m' [/nu | []].
   + by move=> w /hs [m' sm ->]; exists m' => //; left.
+  + by move=> /kn [m' sm h]; exists m' => //; left.
   + by move=> a m' E [/(al a m' E) | []].
   + by move=> m' [/ak | []].
   + by move=> m' [/ah | []].
@@ -180,20 +200,23 @@ Qed.
 
 (* lem:counted *)
 Theorem counted_is_held s i j : reachable s -> i \notin A -> j \notin A ->
-  counts (last s i) (holds s i j) -> active (holds s i j) /\ active (holds s j i).
+  counts (holds s i j) -> active (holds s i j) /\ active (holds s j i).
 Proof.
 move=> re iA jA; have I := invariant_holds re iA jA; have J := invariant_holds re jA iA.
-rewrite /counts; case Es: (since _) => [a|//]; case Eh: (heard _) => [w|//] /andP [aw wl].
-split; first by rewrite /active /lists Es.
-apply/orP; right; apply/negP; rewrite /released; case Eh': (heard _) => [w'|//] /andP [nl knows].
-have [m mj Ew] := heard_sent I Eh; have [m' mi Ew'] := heard_sent J Eh'.
-rewrite Ew' /= in nl knows; rewrite Ew /= in aw wl.
+rewrite /counts; case Es: (since _) => [a|//] ak; split; first by rewrite /active /lists Es.
+apply/orP; right; apply/negP => /andP [knows]; case Eh: (heard _) => [w|//] nl.
+(* m acknowledges to i what i counts on; m' is the newest message of i that j has; m'' showed j that i knows its life. *)
+have [m mj [Em _]] := known_said I (leq_ltn_trans (leq0n _) ak).
+have [m' mi Ew] := heard_sent J Eh.
+have [m'' mi' [Em'' older]] := known_said J (leq_ltn_trans (leq0n _) knows).
+rewrite Eh Ew /= in older; rewrite Ew /= in nl.
 have old : number m' <= a.
   by rewrite leqNgt; apply/negP => lt; move: nl; rewrite (all_list I Es mi lt).
+rewrite Em in ak; rewrite Em'' in knows.
 have [earlier | present] := leqP (number m) (born (holds s j i)).
-  have := lives J mj earlier mi knows; rewrite ltnNge => /negP; apply.
-  by apply: leq_trans old (ltnW aw).
-have := ack_heard J mj present; rewrite Eh' Ew' /= leqNgt => /negP; apply.
-exact: leq_ltn_trans old aw.
+  have lt := lives J mj earlier mi' knows.
+  by have := leq_trans (leq_trans lt older) old; rewrite leqNgt ltnS (ltnW ak).
+have := ack_heard J mj present; rewrite Eh Ew /= leqNgt => /negP; apply.
+exact: leq_ltn_trans old ak.
 Qed.
 End Protocol.

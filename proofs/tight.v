@@ -160,10 +160,11 @@ Proof.
 move=> _ Fn; pose s := n./2; pose t := n - n./2.
 have st : s <= t <= s.+1 by rewrite /s /t; lia.
 have Ft : F <= t by rewrite /t; lia.
+have Fs : F <= s by rewrite /s; lia.
 exists [finType of robots s t], (@hears s t F), (@value s t R); split.
 - by rewrite card_sum !card_ord /s /t; lia.
 - by case=> u; rewrite inE eqxx.
-- move=> u; have := hears_many st Ft u; apply: leq_trans; rewrite /s; lia.
+- move=> u; have := hears_many st Ft Fs u; apply: leq_trans; rewrite /s; lia.
 - have [s0 | s0] := posnP s; [right; rewrite /s in s0; lia | left].
   have t0 : 0 < t by case/andP: st => h _; apply: leq_trans h.
   by exists (inl (Ordinal s0)), (inr (Ordinal t0)) => /eqP; rewrite oner_eq0.
