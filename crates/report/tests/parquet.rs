@@ -12,8 +12,13 @@ use closeranks_sim::world::{Options, run};
 use parquet::file::reader::{FileReader, SerializedFileReader};
 use parquet::record::{Field, Row};
 
-const METADATA: Metadata<'_> =
-    Metadata { scenario: "name = \"a <b> & 'c'\"\n", seed: u64::MAX, version: "0.1.0", commit: "abc" };
+const METADATA: Metadata<'_> = Metadata {
+    scenario: "name = \"a <b> & 'c'\"\n",
+    seed: u64::MAX,
+    version: "0.1.0",
+    commit: "abc",
+    weight: [2.1, 0.3],
+};
 
 fn record(scenario: &Scenario) -> Record {
     run(scenario, Options { record: true, ..Options::default() }, &mut |_| ()).unwrap().record.unwrap()

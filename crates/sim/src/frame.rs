@@ -6,7 +6,7 @@ use closeranks_core::robot::report::{Mode, Reason};
 
 /// State of every robot in one tick; index 0 is robot 1.
 ///
-/// A robot that is down in this tick (crashed, or missing it) has stopped, has no φ_i and is free; its degree, levels, h, value
+/// A robot that is down in this tick (crashed, or missing it: `down`) has stopped, has no φ_i and is free; its degree, levels, h, value
 /// and what it heard are those of the last tick in which it ran.
 #[derive(Clone, Debug)]
 pub struct Frame<const D: usize> {
@@ -26,6 +26,8 @@ pub struct Frame<const D: usize> {
     pub told: Vec<f64>,
     /// h_i as the robot's controller has it: c_i − F′, or T_i − θ under `budget` with free liars.
     pub h: Vec<f64>,
+    /// Under `links`: whom each robot counts on, by number.
+    pub counted: Vec<Vec<u16>>,
     /// φ_i; NaN where nobody wants to know it, and of a robot that is down.
     pub phis: Vec<f64>,
     /// Whether somebody wants to know φ and φ_i, which not every controller uses.
@@ -38,6 +40,8 @@ pub struct Frame<const D: usize> {
     pub modes: Vec<Mode>,
     /// Values that each robot used in the last round, and how many of them were those of normal robots.
     pub heard: Vec<[u16; 2]>,
+    /// Robots that do not run in this tick.
+    pub down: Vec<bool>,
     /// What the theorem is about, m: where velocities have taken each robot if a tracking error is stated, else its position.
     pub references_m: Vec<Vector<D>>,
     /// What the theorem rests on, and whether it holds.
@@ -85,12 +89,14 @@ impl<const D: usize> Frame<D> {
             levels: vec![0.0; robots],
             told: vec![0.0; robots],
             h: vec![0.0; robots],
+            counted: vec![Vec::new(); robots],
             phis: vec![f64::NAN; robots],
             wants_phi: true,
             values,
             outcomes: vec![Outcome::Free; robots],
             modes: vec![Mode::Degraded(Reason::ContinuousTime); robots],
             heard: vec![[0; 2]; robots],
+            down: vec![false; robots],
             assumptions: Assumptions::all_hold(robots),
             links: 0,
         }

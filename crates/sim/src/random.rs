@@ -26,6 +26,8 @@ pub enum Stream {
     Faces = 9,
     /// Where disobedient malicious robots go.
     Motion = 10,
+    /// What malicious robots tell of held links.
+    Lists = 11,
 }
 
 /// A generator for one purpose.

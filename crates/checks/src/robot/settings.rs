@@ -1,9 +1,10 @@
 //! Settings of any kind, from ordinary to refused.
 
-use closeranks_core::controller::budget::knowledge::{Assume, Trust};
+use closeranks_core::controller::budget::settings::{Assume, Trust};
 use closeranks_core::equations::composition::PhiSplit;
 use closeranks_core::settings::field::TABLE;
-use closeranks_core::settings::params::{Controller, MAGNITUDE_MAX, Settings};
+use closeranks_core::settings::params::{Controller, Settings};
+use closeranks_core::settings::range::MAGNITUDE_MAX;
 use closeranks_core::settings::{BudgetSettings, ComposedSettings};
 
 use crate::source::Source;

@@ -27,7 +27,7 @@ pub(crate) const PATHS: &str = "The way of every robot from its start (small cir
     the shaded region is closer than is allowed.";
 
 /// What the figure of barriers and values shows.
-pub(crate) const SERIES: &str = "h_i of every robot, with its number: normal robots must stay above 0. Values y_i; where they agree \
+pub(crate) const SERIES: &str = "h_i of every robot, with its number, of the weight that its controller gives to links: normal robots must stay above 0. Values y_i; where they agree \
     early the small panel shows how; what malicious robots say is in orange behind.";
 
 /// The last line of a page.

@@ -19,7 +19,8 @@ use crate::folder::Folder;
 /// What a file of ours says about itself.
 pub(crate) fn metadata<'a>(text: &'a str, scenario: &Scenario) -> Metadata<'a> {
     let (version, commit) = (env!("CARGO_PKG_VERSION"), env!("CLOSERANKS_COMMIT"));
-    Metadata { scenario: text, seed: scenario.seed, version, commit }
+    let weight = scenario.link_shape().map_or([f64::NAN; 2], |link| [link.q1, link.q2]);
+    Metadata { scenario: text, seed: scenario.seed, version, commit, weight }
 }
 
 /// Writes one run.

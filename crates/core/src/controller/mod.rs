@@ -8,6 +8,7 @@
 //! | --- | --- | --- | --- |
 //! | the paper's | [`composed`] | told levels | nothing in discrete time |
 //! | ours | [`budget`] | positions, and told levels if trusted | docs/budget.md |
+//! | ours, without weights | [`links`] | positions, lists and acknowledgements | docs/links.md |
 //! | none | [`none`] | nothing | nothing |
 
 pub mod any;
@@ -20,6 +21,7 @@ pub mod none;
 pub use any::AnyController;
 pub use kept::Kept;
 
+use crate::controller::links::peer::Ledger;
 use crate::equations::link::{Link, LinkShape};
 use crate::need::Need;
 use crate::num::{Vector, subtract};
@@ -66,6 +68,8 @@ pub struct View<'a, const D: usize> {
     pub told_level: f64,
     /// The velocity of the tick before, m/s.
     pub before_m_s: Vector<D>,
+    /// What it holds of its own messages, under `links`.
+    pub ledger: &'a Ledger<D>,
     /// Its neighbours in order of their numbers; some may not be sensed in this tick.
     pub slots: &'a [Slot<D>],
 }
@@ -220,6 +224,32 @@ pub trait Control<const D: usize> {
     /// True if a whole team can be computed at once where nothing goes wrong: decisions rest on levels and links alone.
     fn can_be_computed_at_once(&self) -> bool {
         true
+    }
+
+    /// True if a robot tells lists of links in place of its level.
+    fn tells_lists(&self) -> bool {
+        false
+    }
+
+    /// True if a neighbour that is not sensed keeps its slot, because others may rest on it.
+    fn keeps_unseen(&self, _slot: &Slot<D>) -> bool {
+        false
+    }
+
+    /// True if a neighbour that loses its slot should have been sensed, because others may rest on it.
+    fn misses(&self, _slot: &Slot<D>) -> bool {
+        false
+    }
+
+    /// Decides on the lists that are told in this tick.
+    fn agree(
+        &self,
+        _id: RobotId,
+        _ledger: &mut Ledger<D>,
+        _slots: &mut [Slot<D>],
+        _now: Instant,
+        _scratch: &mut Scratch<'_, D>,
+    ) {
     }
 
     /// What a robot on its own has to tell of its connectivity: c_i, the sum of the weights of its links.

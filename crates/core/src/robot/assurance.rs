@@ -68,6 +68,11 @@ impl<const D: usize> Assurance<D> {
         }
     }
 
+    /// Notes that an assumption was seen broken.
+    pub(crate) fn note(&mut self, now: Instant, reason: Reason) {
+        self.broken = Some((now, reason));
+    }
+
     /// Notes what the rows of this tick say about its state. What is only uncertain does not count while the theorem carries
     /// the last certain state on.
     pub(crate) fn doubt(&mut self, now: Instant, doubt: Option<Reason>) {

@@ -1,7 +1,10 @@
 //! One robot as a state machine without inputs or outputs of its own.
 
+mod answer;
 mod assurance;
 pub mod error;
+mod lists;
+pub mod memory;
 pub mod neighbor;
 pub mod report;
 mod round;
@@ -10,7 +13,9 @@ pub mod sized;
 mod slots;
 
 use crate::controller::View;
-use crate::message::{Message, VALUE_MAX};
+use crate::controller::links::peer::Ledger;
+use crate::controller::links::protocol::Number;
+use crate::message::{Message, MessageError, VALUE_MAX, VERSION};
 use crate::num::{Vector, dot, is_finite, subtract};
 use crate::robot::assurance::Assurance;
 use crate::robot::error::{ObserveError, Observed, ReceiveError, RobotError, SenseError};
@@ -72,12 +77,14 @@ pub struct Robot<const D: usize, S> {
     /// The slot to look at first when one is looked for.
     pub(crate) next: usize,
     pub(crate) now: Instant,
-    position: Option<Vector<D>>,
+    pub(crate) position: Option<Vector<D>>,
     /// Whether `sense` was called since the last tick.
     sensed_now: bool,
     /// The velocity that was last decided on, m/s.
     pub(crate) before: Vector<D>,
     pub(crate) assurance: Assurance<D>,
+    /// What it holds of its own messages, under `links`.
+    pub(crate) ledger: Ledger<D>,
     level_timer: Timer,
     value_timer: Timer,
     sequence: u32,
@@ -115,6 +122,7 @@ impl<const D: usize, S: Slots<D>> Robot<D, S> {
             sensed_now: false,
             before: [0.0; D],
             assurance: Assurance::NEW,
+            ledger: Ledger::begin(Number::NONE),
             level_timer: Timer::new(Instant::START, clock.level_period),
             value_timer: Timer::new(Instant::START, clock.value_period),
             sequence: 0,
@@ -136,6 +144,7 @@ impl<const D: usize, S: Slots<D>> Robot<D, S> {
         }
         (self.count, self.position, self.sequence) = (0, None, 0);
         (self.assurance, self.before) = (Assurance::NEW, [0.0; D]);
+        self.ledger = Ledger::begin(self.ledger.numbers.last());
         (self.round, self.round_news) = (None, false);
         (self.level, self.told_level, self.value, self.next_value) = (0.0, 0.0, value, value);
         Ok(())
@@ -152,6 +161,10 @@ impl<const D: usize, S: Slots<D>> Robot<D, S> {
             return Err(SenseError::TimeFell);
         }
         self.now = now;
+        if self.ledger.looked_at.is_none() && self.count == 0 {
+            // Numbers of earlier lives are not above the time at which this one begins.
+            self.ledger = Ledger::begin(self.ledger.numbers.last().max(Number(now.as_nanos())));
+        }
         if !is_finite(&position) {
             return Err(SenseError::NotFinite);
         }
@@ -175,7 +188,7 @@ impl<const D: usize, S: Slots<D>> Robot<D, S> {
         }
         let offset_m = subtract(&own, &position);
         let distance_m2 = dot(&offset_m, &offset_m);
-        let link = self.params.link().link_at(distance_m2);
+        let link = self.link_at(distance_m2);
         if link.is_none() && distance_m2 > self.params.sight_m2() {
             self.lose(id);
             return Ok(Observed::OutOfRange);
@@ -199,10 +212,13 @@ impl<const D: usize, S: Slots<D>> Robot<D, S> {
     //= paper eq:connectivity
     pub fn share(&mut self, scratch: &mut Scratch<'_, D>) -> Option<Message> {
         self.position.filter(|_| scratch.is_for(self.slots.as_ref().len()))?;
+        self.reckon();
         self.forget_unsensed();
         let level_due = self.level_timer.fires(self.now);
         let value_due = self.value_timer.fires_in_turn(self.now, self.params.settings().clock.hold_max());
         if level_due {
+            let (controller, slots) = (self.params.controller(), &mut self.slots.as_mut()[..self.count]);
+            controller.agree(self.id, &mut self.ledger, slots, self.now, scratch);
             self.level = self.params.controller().level(&self.view(), scratch);
             self.level_at = self.now;
             self.told_level = self.level;
@@ -213,12 +229,19 @@ impl<const D: usize, S: Slots<D>> Robot<D, S> {
         if !level_due && !value_due {
             return None;
         }
+        let value = value_due.then_some(self.value);
+        if self.params.controller().tells_lists() {
+            self.ledger.head(self.now, value)?;
+        }
         self.sequence = self.sequence.saturating_add(1);
-        Message::new(self.sequence, self.level_at, self.told_level, value_due.then_some(self.value)).ok()
+        Message::new(self.sequence, self.level_at, self.told_level, value).ok()
     }
 
-    /// Takes a message that arrived from `sender`.
+    /// Takes a message that arrived from `sender`. Under `links` messages are of another kind ([`receive_bytes`](Self::receive_bytes)).
     pub fn receive(&mut self, sender: RobotId, message: &Message) -> Result<(), ReceiveError> {
+        if self.params.controller().tells_lists() {
+            return Err(ReceiveError::Bytes(MessageError::Version(VERSION)));
+        }
         let (now, stamp) = (self.now, message.stamp());
         let in_round = message.value().is_some() && self.in_round(stamp);
         let index = self.find(sender).ok_or(ReceiveError::NotNeighbor)?;
@@ -266,6 +289,7 @@ impl<const D: usize, S: Slots<D>> Robot<D, S> {
         let desired = if known { desired } else { [0.0; D] };
         let decision = self.params.controller().alone(&self.view(), &desired, scratch);
         self.before = decision.velocity_m_s;
+        self.ledger.wish_m_s = self.params.settings().limits.input.clip(&desired);
         self.assurance.doubt(self.now, decision.doubt);
         let mut report = self.report(Some(&decision), round);
         if !known {
@@ -284,6 +308,7 @@ impl<const D: usize, S: Slots<D>> Robot<D, S> {
             now: self.now,
             told_level: self.told_level,
             before_m_s: self.before,
+            ledger: &self.ledger,
             slots: self.neighbors(),
         }
     }
@@ -324,6 +349,11 @@ impl<const D: usize, S: Slots<D>> Robot<D, S> {
     #[must_use]
     pub fn told_level(&self) -> f64 {
         self.told_level
+    }
+
+    /// Whom the robot counts on, under `links`: neighbours that keep the link to it as it keeps the link to them.
+    pub fn counted(&self) -> impl Iterator<Item = RobotId> + Clone {
+        self.neighbors().iter().filter(|slot| slot.peer.is_counted()).map(|slot| slot.id)
     }
 
     /// The neighbours in order of their number.

@@ -2,6 +2,8 @@
 
 use core::time::Duration;
 
+use crate::controller::links::peer::Peer;
+use crate::controller::links::protocol::Number;
 use crate::equations::link::Link;
 use crate::num::Vector;
 use crate::time::Instant;
@@ -44,6 +46,8 @@ pub struct Slot<const D: usize> {
     pub(crate) linked: bool,
     pub(crate) told: Option<Told>,
     pub(crate) discarded: bool,
+    /// What `links` holds of it.
+    pub(crate) peer: Peer<D>,
 }
 
 impl<const D: usize> Default for Slot<D> {
@@ -58,6 +62,7 @@ impl<const D: usize> Default for Slot<D> {
             linked: false,
             told: None,
             discarded: false,
+            peer: Peer::new(Number::NONE),
         }
     }
 }
@@ -97,6 +102,12 @@ impl<const D: usize> Slot<D> {
     #[must_use]
     pub fn told_value(&self) -> Option<f64> {
         self.told.and_then(|told| told.value)
+    }
+
+    /// True if `links` lists it.
+    #[must_use]
+    pub fn is_listed(&self) -> bool {
+        self.peer.hold.is_listed()
     }
 
     /// True if W-MSR discarded its value in the last consensus round.

@@ -1,7 +1,9 @@
 //! Slots of neighbours in order of their numbers. There are never more of them than were lent.
 
+use crate::controller::links::peer::Peer;
 use crate::robot::error::ObserveError;
 use crate::robot::neighbor::{RobotId, Slot};
+use crate::robot::report::Reason;
 use crate::robot::{Robot, Slots};
 
 impl<const D: usize, S: Slots<D>> Robot<D, S> {
@@ -12,17 +14,25 @@ impl<const D: usize, S: Slots<D>> Robot<D, S> {
             return Ok(index);
         }
         if self.count == self.slots.as_ref().len() {
-            let unsensed =
-                self.neighbors().iter().rposition(|slot| !slot.sensed).ok_or(ObserveError::Full)?;
+            let unsensed = self
+                .neighbors()
+                .iter()
+                .rposition(|slot| !slot.sensed && !self.stays(slot))
+                .ok_or(ObserveError::Full)?;
             self.slots.as_mut().copy_within(unsensed + 1..self.count, unsensed);
             self.count -= 1;
         }
         let index = self.neighbors().partition_point(|slot| slot.id < id);
-        let slots = self.slots.as_mut();
+        let (slots, last) = (self.slots.as_mut(), self.ledger.numbers.last());
         slots.copy_within(index..self.count, index + 1);
-        slots[index] = Slot { id, ..Slot::default() };
+        slots[index] = Slot { id, peer: Peer::new(last), ..Slot::default() };
         self.count += 1;
         Ok(index)
+    }
+
+    /// True if a robot keeps its slot although it is not sensed.
+    fn stays(&self, slot: &Slot<D>) -> bool {
+        self.params.controller().keeps_unseen(slot)
     }
 
     /// The slot of `id`, if it has one. As a rule it is the one after that found last, because robots come in order.
@@ -40,15 +50,22 @@ impl<const D: usize, S: Slots<D>> Robot<D, S> {
     /// A robot seen out of range is not a neighbour, whatever was observed before.
     pub(crate) fn lose(&mut self, id: RobotId) {
         if let Some(index) = self.find(id) {
-            self.slots.as_mut()[index].sensed = false;
+            let slot = &mut self.slots.as_mut()[index];
+            (slot.sensed, slot.peer) = (false, Peer::new(self.ledger.numbers.last()));
         }
     }
 
-    /// Frees the slots of robots that were not sensed in this tick.
+    /// Frees the slots of robots that were not sensed in this tick, but for those that stay.
     pub(crate) fn forget_unsensed(&mut self) {
-        let (mut kept, slots) = (0, self.slots.as_mut());
+        let mut kept = 0;
         for index in 0..self.count {
-            if slots[index].sensed {
+            let slot = &self.slots.as_ref()[index];
+            let stays = !slot.sensed && self.stays(slot);
+            if !slot.sensed && !stays && self.params.controller().misses(slot) {
+                self.assurance.note(self.now, Reason::Unseen);
+            }
+            let slots = self.slots.as_mut();
+            if slots[index].sensed || stays {
                 if kept < index {
                     slots[kept] = slots[index];
                 }

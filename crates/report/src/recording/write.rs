@@ -7,8 +7,9 @@
 //! outcome string: free, active or infeasible
 //! ```
 //!
-//! Ticks run from 0 to the last, both included. The file's key-value metadata are `scenario` (TOML), `seed`, `version` and
-//! `commit`. The same record and metadata give the same bytes.
+//! Ticks run from 0 to the last, both included. The file's key-value metadata are `scenario` (TOML), `seed`, `version`, `commit`,
+//! and `q1` and `q2` of the weight that the controller gives to links: `level`, `told` and `h` are about that one, `phi_i` about
+//! the paper's, which is that of the scenario. The same record and metadata give the same bytes.
 
 use core::ops::Range;
 use std::io::Write;
@@ -20,13 +21,13 @@ use ::parquet::file::metadata::KeyValue;
 use ::parquet::file::properties::{WriterProperties, WriterPropertiesPtr};
 use ::parquet::file::writer::SerializedFileWriter;
 use ::parquet::schema::types::{Type, TypePtr};
-use closeranks_sim::output::parts::{PART_ROWS, part_ticks};
-use closeranks_sim::output::record::Record;
+use closeranks_sim::output::parts::part_ticks;
+use closeranks_sim::output::record::{PART_ROWS, Record};
 
 use crate::recording::columns::{AXES, Column, columns};
 
 /// What a file says about itself.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Metadata<'a> {
     /// The scenario in TOML.
     pub scenario: &'a str,
@@ -36,6 +37,8 @@ pub struct Metadata<'a> {
     pub version: &'a str,
     /// Commit of the program.
     pub commit: &'a str,
+    /// q₁ and q₂ (1/m⁴) of the weight of a link, as the controller has it.
+    pub weight: [f64; 2],
 }
 
 /// Why there is no file.
@@ -121,11 +124,14 @@ fn schema(columns: &[Column<'_>]) -> Result<TypePtr, ParquetError> {
 /// Snappy everywhere; dictionaries only where values repeat.
 pub(crate) fn properties(metadata: &Metadata<'_>) -> WriterPropertiesPtr {
     let seed = metadata.seed.to_string();
+    let [q1, q2] = metadata.weight.map(|number| number.to_string());
     let pairs = [
         ("scenario", metadata.scenario),
         ("seed", &seed),
         ("version", metadata.version),
         ("commit", metadata.commit),
+        ("q1", &q1),
+        ("q2", &q2),
     ];
     let pairs = pairs.map(|(key, value)| KeyValue::new(key.to_owned(), value.to_owned()));
     let mut properties = WriterProperties::builder()

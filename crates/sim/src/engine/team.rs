@@ -6,7 +6,6 @@
 
 use closeranks_core::controller::{Control, Decision, Glimpse, Low, Motion, Neighbor, Own, Standing};
 use closeranks_core::equations::barrier::degree_barrier;
-use closeranks_core::equations::composition::{Composed, Sum};
 use closeranks_core::num::{dot, sqrt, subtract};
 use closeranks_core::robot::neighbor::RobotId;
 use closeranks_core::robot::scratch::Scratch;
@@ -17,10 +16,10 @@ use crate::engine::consensus::Consensus;
 use crate::engine::dense::{DENSE_MAX, Dense};
 use crate::engine::links::{Linked, Links};
 use crate::engine::memory::Memory;
+use crate::engine::phi::Phi;
 use crate::engine::sees::{Around, Half, Sees};
 use crate::frame::Frame;
 use crate::geometry::near::small;
-use crate::geometry::squared_distance;
 use crate::scenario::Scenario;
 
 /// A team in a perfect network.
@@ -28,7 +27,8 @@ use crate::scenario::Scenario;
 pub struct Team<const D: usize, C: Control<D>> {
     robots: Robots<D, C>,
     consensus: Consensus,
-    phi: Phi,
+    /// φ_i of a controller that does not use it, from what all told; `None` where that is of another weight than φ.
+    phi: Option<Phi>,
     memory: Memory<D>,
     tick: u32,
 }
@@ -50,15 +50,6 @@ struct Robots<const D: usize, C: Control<D>> {
     known: Vec<C::Known>,
 }
 
-/// φ_i of controllers that do not use it.
-#[derive(Clone, Debug)]
-struct Phi {
-    composed: Composed,
-    terms: Vec<f64>,
-    sums: Vec<Sum<0, f64>>,
-    radius_m2: f64,
-}
-
 impl<const D: usize, C: Control<D> + Copy> Team<D, C> {
     /// The team of `scenario` under `controller`, that of `params`, with initial `values`.
     #[must_use]
@@ -78,7 +69,7 @@ impl<const D: usize, C: Control<D> + Copy> Team<D, C> {
         Self {
             robots,
             consensus: Consensus::new(scenario, values),
-            phi: Phi::new(scenario),
+            phi: (!params.weighs_its_own_way()).then(|| Phi::new(scenario)),
             memory: Memory::new(&params, count),
             tick: 0,
         }
@@ -99,8 +90,8 @@ impl<const D: usize, C: Control<D> + Copy> Team<D, C> {
         }
         robots.add(frame);
         robots.control(frame, &mut self.memory.lend());
-        if frame.wants_phi && !C::USES_PHI {
-            self.phi.fill(robots.links.by_second(), frame);
+        if let Some(phi) = self.phi.as_mut().filter(|_| frame.wants_phi && !C::USES_PHI) {
+            phi.fill(robots.links.by_second(), &frame.told, &frame.positions_m, &mut frame.phis);
         }
         self.tick = self.tick.saturating_add(1);
     }
@@ -286,56 +277,6 @@ fn glimpse<'a, const D: usize, Told>(frame: &Frame<D>, told: &'a [Told], other: 
         unseen_near: 0,
         distance_m: 0.0,
         low: Low::Known(0.0),
-    }
-}
-
-impl Phi {
-    fn new(scenario: &Scenario) -> Self {
-        let radius_m2 = scenario.link.radius_m * scenario.link.radius_m;
-        Self { composed: scenario.composition(), terms: Vec::new(), sums: Vec::new(), radius_m2 }
-    }
-
-    /// φ_i of every robot, from what all told and all distances.
-    fn fill<'a, const D: usize>(
-        &mut self,
-        links: impl Iterator<Item = (usize, &'a [u16])>,
-        frame: &mut Frame<D>,
-    ) {
-        let composed = self.composed;
-        self.terms.clear();
-        self.terms.extend(frame.told.iter().map(|told| composed.degree_term::<f64>(*told)));
-        self.sums.clear();
-        self.sums.extend(self.terms.iter().map(|term| Sum::new(*term)));
-        for (second, firsts) in links {
-            for first in firsts.iter().map(|first| usize::from(*first)) {
-                let distance_m2 = squared_distance(&frame.positions_m[first], &frame.positions_m[second]);
-                let collision = composed.collision_term(distance_m2);
-                for (end, other) in [(first, second), (second, first)] {
-                    self.sums[end].add_told(composed.shared(self.terms[other]));
-                    self.sums[end].add_link(&[], 0.0, collision);
-                }
-            }
-        }
-        for robot in 0..frame.told.len() {
-            let phi = self.sums[robot].phi(&composed);
-            frame.phis[robot] = if phi.is_finite() { phi } else { self.careful(robot, frame) };
-        }
-    }
-
-    /// φ_i of a robot whose plain sums overflowed.
-    fn careful<const D: usize>(&self, robot: usize, frame: &Frame<D>) -> f64 {
-        let own = &frame.positions_m[robot];
-        let others =
-            frame.positions_m.iter().zip(&frame.told).enumerate().filter(|(other, _)| *other != robot);
-        let near = others.filter_map(|(_, (position, told))| {
-            let distance_m2 = squared_distance(own, position);
-            (self.radius_m2 - distance_m2 >= 0.0).then_some((distance_m2, *told))
-        });
-        self.composed.phi(
-            frame.told[robot],
-            near.clone().map(|(_, told)| told),
-            near.map(|(distance, _)| distance),
-        )
     }
 }
 

@@ -4,8 +4,10 @@ mod before;
 mod carry;
 mod distance;
 mod heard;
+mod held;
 mod mode;
 mod pairs;
+mod rest;
 pub mod robustness;
 mod time;
 pub(crate) mod truth;
@@ -126,6 +128,12 @@ impl<const D: usize> Monitors<D> {
         &self.extremes
     }
 
+    /// How many neighbours a robot must have at the start so that a controller without weights can keep enough.
+    #[must_use]
+    pub fn kept_degree(&self) -> u16 {
+        truth::keep(&self.params)
+    }
+
     /// What the theorem of `budget` came to.
     #[must_use]
     pub(crate) fn carry(&self) -> &Carry<D> {
@@ -173,14 +181,15 @@ impl<const D: usize> Monitors<D> {
         self.extremes.distance_min_m = sqrt(self.carry.least_m2());
     }
 
-    /// φ of the true levels.
+    /// φ of the true levels, of the paper's weight whatever the controller.
     //= paper eq:composition
     fn watch_composition(&mut self, tick: u32) {
         let (composed, radius_m) = (self.composed, self.params.link().radius_m);
         let near = self.truth.pairs.references_m2().iter().filter(|pair| **pair <= radius_m * radius_m);
         let collisions: f64 =
             near.map(|pair| composed.collision_term::<f64>(*pair)).fold(0.0, |sum, term| sum + term);
-        let degrees: f64 = self.truth.levels.iter().map(|level| composed.degree_term::<f64>(*level)).sum();
+        let degrees: f64 =
+            self.truth.paper_levels.iter().map(|level| composed.degree_term::<f64>(*level)).sum();
         let phi = 1.0 - degrees - collisions;
         self.extremes.phi_global_min = self.extremes.phi_global_min.min(phi);
         if phi < 0.0 {

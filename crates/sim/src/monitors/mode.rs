@@ -3,8 +3,9 @@
 use closeranks_core::robot::report::Mode;
 use closeranks_core::settings::params::Params;
 
-use crate::attack::MotionAttack;
+use crate::attack::{Attack, LevelAttack, ListsAttack, MotionAttack};
 use crate::faults::Clocks;
+use crate::faults::network::Network;
 use crate::frame::Frame;
 use crate::law::{Law, Verdicts, Violation};
 use crate::monitors::time::{fraction, longer_ago, since};
@@ -16,6 +17,7 @@ const NOTICE_TICKS: u64 = 2;
 
 /// Watches the modes of normal robots under `budget`.
 #[derive(Clone, Debug)]
+#[expect(clippy::struct_excessive_bools, reason = "four facts, each with its own life")]
 pub(crate) struct ModeWatch<const D: usize> {
     params: Params<D>,
     malicious: Vec<bool>,
@@ -23,6 +25,11 @@ pub(crate) struct ModeWatch<const D: usize> {
     free: bool,
     /// Robots know their own state exactly.
     exact: bool,
+    /// Whether lists of links are lost or lied about, so that nobody need count on anybody.
+    deaf: bool,
+    /// Whether an assumption was broken once, and when each robot last sensed something wrong.
+    broken: bool,
+    wrong: Vec<Option<u32>>,
     /// How much more h may seem to be than it is.
     blur: f64,
     told_ticks: u64,
@@ -34,6 +41,14 @@ pub(crate) struct ModeWatch<const D: usize> {
     recovery_ticks: u32,
 }
 
+/// True if robots of `links` may not hear each other, or are lied to about links.
+fn is_deaf<const D: usize>(scenario: &Scenario, params: &Params<D>) -> bool {
+    let Attack { level, lists, .. } = scenario.attack;
+    let told = !matches!(level, LevelAttack::Silent | LevelAttack::Garbage) && lists == ListsAttack::None;
+    let heard = scenario.faults.network == Network::default() && (told || scenario.malicious.is_empty());
+    params.controller().tells_lists() && !heard
+}
+
 impl<const D: usize> ModeWatch<D> {
     /// For the robots of `scenario`, who may use a level for `told_ticks`.
     pub(crate) fn new(scenario: &Scenario, params: Params<D>, told_ticks: u64) -> Self {
@@ -43,10 +58,14 @@ impl<const D: usize> ModeWatch<D> {
             malicious: scenario.malicious_mask(),
             free: scenario.attack.motion != MotionAttack::Obedient,
             exact: errors.offset_m == 0.0 && steady,
+            deaf: is_deaf(scenario, &params),
+            broken: false,
+            wrong: vec![None; usize::from(scenario.team.robots)],
             told_ticks,
             blur: 4.0 * errors.offset_m * fall_max * f64::from(scenario.team.robots),
             params,
-            unwell: None,
+            // Lists must have been exchanged once.
+            unwell: params.controller().tells_lists().then_some(0),
             counted: [0; 3],
             recovery_ticks: 0,
         }
@@ -62,8 +81,13 @@ impl<const D: usize> ModeWatch<D> {
         if !well {
             self.unwell = Some(tick);
         }
-        let healed =
-            self.exact && longer_ago(self.unwell, tick, self.told_ticks.saturating_add(NOTICE_TICKS));
+        let healed = self.exact
+            && !self.deaf
+            && longer_ago(self.unwell, tick, self.told_ticks.saturating_add(NOTICE_TICKS));
+        self.broken |= frame.assumptions.broken;
+        for (last, wrong) in self.wrong.iter_mut().zip(&frame.assumptions.sensed_wrong) {
+            *last = if *wrong { Some(tick) } else { *last };
+        }
         let mut all = true;
         for (robot, index) in (1_u16..).zip(0..truth.h.len()).filter(|(_, k)| !self.malicious[*k]) {
             let guaranteed = frame.modes[index] == Mode::Guaranteed;
@@ -74,7 +98,10 @@ impl<const D: usize> ModeWatch<D> {
             }
             let at = |seen| Violation { tick, robots: [robot, 0], seen, demanded: 0.0 };
             if guaranteed && !frame.assumptions.sensed_wrong[index] && self.untrue(index, truth, &crowded) {
-                verdicts.broke(Law::Mode, at(truth.h[index]), true);
+                let misled =
+                    !longer_ago(self.wrong[index], tick, self.told_ticks) || !self.exact && self.broken;
+                let covered = !self.params.controller().tells_lists() || !misled;
+                verdicts.broke(Law::Mode, at(truth.h[index]), covered);
             }
             if !guaranteed && healed {
                 verdicts.broke(Law::Mode, at(f64::from(since(self.unwell, tick))), true);

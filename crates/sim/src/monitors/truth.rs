@@ -16,8 +16,10 @@ pub(crate) const ROUNDING: f64 = 1e-11;
 /// True levels, degrees and distances of one tick.
 #[derive(Debug, Default)]
 pub(crate) struct Truth {
-    /// c_i within R.
+    /// c_i within R, of the weight that robots use.
     pub(crate) levels: Vec<f64>,
+    /// c_i of the paper's weight, where somebody wants to know φ.
+    pub(crate) paper_levels: Vec<f64>,
     /// Neighbours that count: all, or with free liars the normal ones.
     pub(crate) degrees: Vec<u16>,
     /// What is kept at 0 or above: h_i of references; with free liars the sum over normal neighbours, less θ.
@@ -42,6 +44,7 @@ impl Clone for Truth {
     /// Copies into the memory that is there.
     fn clone_from(&mut self, other: &Self) {
         self.levels.clone_from(&other.levels);
+        self.paper_levels.clone_from(&other.paper_levels);
         self.degrees.clone_from(&other.degrees);
         self.h.clone_from(&other.h);
         self.h_own.clone_from(&other.h_own);
@@ -65,6 +68,7 @@ impl Truth {
         let required = f64::from(required(params));
         if plain {
             self.levels.clone_from(&frame.levels);
+            self.paper_levels.clone_from(&frame.levels);
             self.degrees.clone_from(&frame.degrees);
             self.h.clear();
             self.h.extend(frame.levels.iter().map(|level| level - required));
@@ -79,6 +83,12 @@ impl Truth {
         let positions_m2 = pairs.positions_m2();
         weigh(params.link(), pairs, positions_m2, |_| true, &mut self.levels, &mut self.degrees, scratch);
         self.h.clone_from(&self.levels);
+        if frame.wants_phi && params.weighs_its_own_way() {
+            let (shape, sums) = (params.paper_link(), &mut self.paper_levels);
+            weigh(&shape, pairs, positions_m2, |_| true, sums, &mut self.degrees, scratch);
+        } else {
+            self.paper_levels.clone_from(&self.levels);
+        }
         if free {
             weigh(params.link(), pairs, positions_m2, counts, &mut self.h, &mut self.degrees, scratch);
         }
@@ -87,11 +97,17 @@ impl Truth {
             let shape = &params.kept().link;
             weigh(shape, pairs, pairs.references_m2(), counts, &mut self.h, degrees, scratch);
         }
+        let lists = params.controller().tells_lists();
+        if lists {
+            // Without weights it is the degree itself that is kept.
+            self.h.clear();
+            self.h.extend(self.degrees.iter().map(|degree| f64::from(*degree)));
+        }
         for h in &mut self.h {
             *h -= required;
         }
         self.h_own.clone_from(&self.h);
-        if free {
+        if free && !lists {
             for (robot, own) in self.h_own.iter_mut().enumerate() {
                 *own = trimmed(params, frame, robot) - required;
             }
@@ -100,6 +116,7 @@ impl Truth {
 
     fn resize(&mut self, count: usize) {
         self.levels.resize(count, 0.0);
+        self.paper_levels.resize(count, 0.0);
         self.degrees.resize(count, 0);
     }
 }
@@ -146,6 +163,11 @@ pub(crate) fn required<const D: usize>(params: &Params<D>) -> u16 {
     let Team { robots, faults } = params.settings().team;
     let free = is_free(params);
     faults + if free { (robots - faults) / 2 } else { robots / 2 }
+}
+
+/// How many neighbours a robot of `links` must count on: those that it needs, and with free liars as many more as may lie.
+pub(crate) fn keep<const D: usize>(params: &Params<D>) -> u16 {
+    required(params) + if is_free(params) { params.settings().team.faults } else { 0 }
 }
 
 /// True if malicious robots may move as they like.

@@ -1,12 +1,9 @@
 //! Long runs, recorded part by part: what is held in memory does not grow with the length of the run.
 
 use crate::monitors::robustness::Round;
-use crate::output::record::Record;
+use crate::output::record::{PART_ROWS, Record};
 use crate::scenario::Scenario;
 use crate::world::{Options, Run, RunError, World};
-
-/// Rows (ticks × robots) of a part at most, unless a single tick has more.
-pub const PART_ROWS: usize = 1 << 18;
 
 /// Ticks of a full part of a team of so many robots.
 #[must_use]

@@ -4,8 +4,10 @@ use closeranks_core::equations::barrier::degree_barrier;
 use closeranks_core::program::Outcome;
 
 use crate::frame::Frame;
-use crate::output::parts::PART_ROWS;
 use crate::scenario::Scenario;
+
+/// Rows (ticks × robots) of a part of a long run at most, unless a single tick has more.
+pub const PART_ROWS: usize = 1 << 18;
 
 /// Columns of a run, or of a part of one. Row `place·n + index` belongs to robot `index + 1` at the tick `ticks[place]`. In the
 /// record of a whole run ticks go from 0 to the last, both included, and each is its own place.

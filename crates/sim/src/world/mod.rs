@@ -5,14 +5,14 @@ pub mod given;
 
 use closeranks_core::program::Outcome;
 use closeranks_core::robot::error::RobotError;
-use closeranks_core::settings::params::Params;
-use closeranks_core::settings::range::ParamsError;
+use closeranks_core::settings::params::{Params, ParamsError};
 
 use crate::attack::liars::Liars;
 use crate::controllers::{Answer, Global, TeamView, Velocities};
 use crate::engine;
 pub use crate::engine::Engine;
 use crate::engine::judge::Judge;
+use crate::engine::phi::PaperPhi;
 use crate::engine::robots::Robots;
 use crate::frame::Frame;
 use crate::monitors::Monitors;
@@ -128,6 +128,7 @@ pub struct World<const D: usize> {
     liars: Liars,
     bodies: Bodies<D>,
     judge: Judge,
+    paper_phi: Option<PaperPhi>,
     monitors: Monitors<D>,
     collector: Collector,
     record: Option<Record>,
@@ -149,11 +150,12 @@ impl<const D: usize> World<D> {
         Ok(Self {
             params,
             robots: engine::robots(scenario, params, &frame, &values, options.engine)?,
-            global: scenario.controller.global(scenario),
+            global: scenario.controller.global(&scenario.parameters()),
             answers: Vec::new(),
             bodies: Bodies::new(scenario.plant, scenario.tick_s(), &frame.positions_m),
             liars: Liars::new(scenario),
             judge: Judge::new(scenario, &params),
+            paper_phi: PaperPhi::new(scenario, &params).filter(|_| wants_phi),
             monitors: Monitors::new(scenario, params),
             collector: Collector::default(),
             record: options.record.then(|| Record::new(scenario, scenario.composition().required)),
@@ -227,6 +229,10 @@ impl<const D: usize> World<D> {
         self.robots.step(&mut self.frame, &mut self.liars);
         for (outcome, answer) in self.frame.outcomes.iter_mut().zip(&self.answers) {
             *outcome = answer.outcome;
+        }
+        if let Some(phi) = &mut self.paper_phi {
+            let edges = self.robots.edges();
+            phi.fill(&mut self.frame, |robot| edges.is_some_and(|edges| edges.downtime.down(robot)));
         }
         self.judge.judge(tick, &mut self.frame, self.robots.as_ref(), &self.bodies);
         self.monitors.watch(tick, &self.frame);

@@ -5,12 +5,12 @@ use core::time::Duration;
 use crate::controller::budget::Move;
 use crate::controller::budget::curvature::Curvature;
 use crate::controller::budget::inequality::{self, Pair};
-use crate::controller::budget::knowledge::{Assume, Claim, KnownMargin, Sighting};
+use crate::controller::budget::knowledge::{Claim, KnownMargin, Sighting};
 use crate::controller::budget::rows::{Memory, Rows};
-use crate::controller::budget::settings::{Budget, Form};
+use crate::controller::budget::settings::{Assume, Budget, Form};
 use crate::controller::{Batch, Control, Decision, Glimpse, Kept, Motion, Neighbor, Own, Standing, View};
 use crate::equations::link::{Link, LinkShape};
-use crate::need::{Keep, Need};
+use crate::need::Need;
 use crate::num::{Vector, sqrt};
 use crate::program::InputBox;
 use crate::program::balls::reach::Reach;
@@ -32,22 +32,20 @@ pub struct BudgetController<const D: usize> {
 }
 
 impl<const D: usize> BudgetController<D> {
-    pub(crate) fn new(settings: &Settings<D>, parameters: &BudgetSettings, link: LinkShape) -> Self {
-        let keep = match parameters.assume {
-            Assume::Obedient => Keep::Neighbors,
-            Assume::Free => Keep::NormalNeighbors,
-        };
+    pub(crate) fn new(settings: &Settings<D>, parameters: &BudgetSettings) -> Self {
         let (errors, reach) = (settings.error_bounds(), settings.reach());
-        let link = LinkShape { radius_m: link.radius_m - 2.0 * errors.away_m, ..link };
+        let weight = parameters.weight(&settings.conditions(parameters));
+        let radius_m = settings.link.radius_m - 2.0 * errors.away_m;
+        let link = LinkShape { radius_m, q1: 2.0 + weight.epsilon, q2: weight.q2 };
         let budget = Budget {
             curvature: Curvature::new(link),
-            need: Need::new(settings.team.robots, settings.team.faults, keep),
+            need: parameters.need(settings.team.robots, settings.team.faults),
             faults: settings.team.faults,
             distance_min_m: settings.limits.distance_min_m + 2.0 * errors.away_m,
             move_max_m: reach.longest_m(),
-            gamma: parameters.gamma(settings.clock.level_period),
+            gamma: weight.gamma,
             gain_slope: parameters.gain_slope,
-            gamma_c: parameters.gamma_c,
+            gamma_c: weight.gamma_c,
             trust: parameters.trust,
             assume: parameters.assume,
             form: Form::Level,
@@ -244,13 +242,11 @@ fn ticks(age: Duration, period: Duration) -> Option<u32> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::equations::link::LinkShape;
 
     fn controller(level_period: Duration) -> BudgetController<2> {
         let clock = Clock { level_period, told_max: Duration::MAX, ..Clock::default() };
-        let link = LinkShape { radius_m: 3.0, q1: 2.099, q2: 0.3 };
         let parameters = BudgetSettings { gamma: Some(0.5), ..BudgetSettings::default() };
-        BudgetController::new(&Settings { clock, ..Settings::default() }, &parameters, link)
+        BudgetController::new(&Settings { clock, ..Settings::default() }, &parameters)
     }
 
     #[test]

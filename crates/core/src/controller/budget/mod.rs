@@ -33,6 +33,7 @@
 
 pub mod control;
 pub mod curvature;
+pub mod errors;
 pub mod inequality;
 pub mod knowledge;
 pub mod margin;
@@ -40,6 +41,7 @@ mod recovery;
 pub mod rows;
 pub mod settings;
 pub mod survey;
+pub mod weight;
 
 use crate::controller::budget::inequality::{Neighbor, may_bind};
 use crate::controller::budget::knowledge::{Sighting, count};
@@ -167,7 +169,7 @@ impl Budget {
             own.gradient_error += pair.gradient_error;
         }
         let far_is_slack = self.form() == Form::Level && self.far_level_is_slack(pair.lhs_max, known);
-        if !(far_is_slack && known.deficit <= 0.0) {
+        if !far_is_slack {
             self.push_far(own, neighbor, &gradient, rows);
         }
         if !pair.near_is_slack {
@@ -175,7 +177,8 @@ impl Budget {
         }
     }
 
-    /// (far) or (far′) for a neighbour, and recovery of its h_k. Only a robot that counts for another one can weaken it.
+    /// (far) or (far′) for a neighbour. Only a robot that counts for another one can weaken it. Where h_k is below 0 the row
+    /// lets nothing be taken; mending it is for robot k (sec:recovery).
     #[inline(never)]
     fn push_far<const D: usize>(
         &self,
@@ -185,7 +188,6 @@ impl Budget {
         rows: &mut Rows<'_, D>,
     ) {
         let Neighbor { id, offset_m, pair, known } = neighbor;
-        let i_count = self.need.counts(*id, own.id);
         match self.form() {
             Form::Link => {
                 let (beta_m2, error_m) = (self.beta_of(own, neighbor), self.errors.offset_m);
@@ -193,16 +195,13 @@ impl Budget {
                     rows.push(offset_m, error_m, |offset| Row::far(offset, beta_m2));
                 }
             }
-            Form::Level if !i_count || self.far_level_is_slack(pair.lhs_max, known) => {}
+            Form::Level if !self.need.counts(*id, own.id) => {}
             Form::Level => {
                 let spend = self.spend(known);
                 rows.push(gradient, pair.gradient_error, |gradient| {
                     Row::far_level(gradient, pair.bend, spend)
                 });
             }
-        }
-        if i_count && known.deficit > 0.0 {
-            self.recover_neighbor(known.deficit, gradient, rows);
         }
     }
 

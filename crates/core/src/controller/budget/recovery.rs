@@ -1,8 +1,11 @@
 //! Recovery: how a robot mends what is violated, such as a start outside of the safe set.
 //!
 //! Where h_k or a distance is below its limit, the right-hand side of its row is 0, so that it cannot get worse. In addition
-//! the desired displacement is raised along the gradient of what is violated, by what would mend it to first order, but by no
-//! more than the longest move ρ.
+//! the desired displacement is raised along the gradient of the robot's own h_i and of its own distances, where these are
+//! violated, by what would mend them to first order, but by no more than the longest move ρ.
+//!
+//! A robot does not mend the h_k of another one. Robot k mends it itself; and if k lies and walks off, whoever mended its h_k
+//! would be towed behind it.
 
 use crate::controller::budget::Own;
 use crate::controller::budget::inequality::Pair;
@@ -11,19 +14,6 @@ use crate::controller::budget::settings::Budget;
 use crate::num::{Vector, add_scaled, dot, length};
 
 impl Budget {
-    /// Recovery of a neighbour's h_k, which is certainly below 0 by `deficit`. The robot's own move changes h_k along
-    /// `gradient`, 1/m.
-    //= theory sec:recovery
-    pub(super) fn recover_neighbor<const D: usize>(
-        &self,
-        deficit: f64,
-        gradient: &Vector<D>,
-        rows: &mut Rows<'_, D>,
-    ) {
-        rows.count_violation(true);
-        rows.raise(gradient, self.mend_m(deficit, gradient));
-    }
-
     /// Recovery of the robot's own h_i, if it is below 0.
     //= theory sec:recovery
     pub(super) fn recover_own<const D: usize>(&self, own: &Own<D>, rows: &mut Rows<'_, D>) {
@@ -55,13 +45,13 @@ impl Budget {
 
 impl<const D: usize> Rows<'_, D> {
     /// Counts a violation that is possible, and `certain` or not.
-    fn count_violation(&mut self, certain: bool) {
+    pub(crate) fn count_violation(&mut self, certain: bool) {
         self.doubtful += 1;
         self.broken += usize::from(certain);
     }
 
     /// Raises the desired displacement along `direction` to at least `wanted_m`.
-    fn raise(&mut self, direction: &Vector<D>, wanted_m: f64) {
+    pub(crate) fn raise(&mut self, direction: &Vector<D>, wanted_m: f64) {
         let size = length(direction);
         if size > 0.0 && size.is_finite() && wanted_m > 0.0 {
             let unit = direction.map(|component| component / size);

@@ -1,8 +1,8 @@
 //! The protocol of held links as a pure state machine: who lists whom, who counts on whom, and whose row is active.
 //!
-//! Robot i *lists* neighbours that it wants to keep, and every message of i says whom it lists and, for each neighbour, the
-//! number of the newest message that it has of it. Robot i *counts on* j while j has acknowledged a message s such that every message
-//! from s to now lists j. To release j is to stop listing it, and to stop counting on it in that moment.
+//! Robot i *lists* neighbours that it wants to keep. Every message of i says whom it lists and, for each neighbour, the number
+//! of the newest message that it has of it. Robot i *counts on* j once j has acknowledged a message s such that every message from s to
+//! now lists j. To release j is to stop listing it, and to stop counting on it in that moment.
 //!
 //! One robot needs its own [`Numbers`] and one [`Hold`] for each other robot. A tick is:
 //!
@@ -10,8 +10,9 @@
 //! list, release            whom i wants to keep from now on
 //! numbers.next()           the number of the message that is sent now
 //! hold.entry()             what that message says to each neighbour
-//! hold.hear(word)          what a message of the neighbour says to i
-//! hold.counts(), is_active()
+//! hold.hear(word, last)    what a message of the neighbour says to i
+//! hold.counts()            whether i counts on it
+//! hold.is_active()         whether i keeps its row for it
 //! ```
 //!
 //! # What is proved of it
@@ -25,19 +26,20 @@
 //! | nobody can send in another's name | the transport |
 //! | every message says what [`Hold::entry`] says at that time | the robot, which builds messages from nothing else |
 //!
-//! *Proof.* Let i count on j: the newest word that i has of j acknowledges a, with after < a ≤ last, where `after` is the
-//! number of the last message of i before it began to list j. So every message of i with a number above `after` lists j. Suppose that
-//! the row of j for i is not active. Then the newest message m′ that j has of i in its present life does not list j, so its number is
-//! at most `after`, and it acknowledges a message of the present life of j. The word that acknowledges a was sent by j
+//! *Proof.* Let i count on j: j has acknowledged a > `after`, the number of the last message of i before it began to list j, so that
+//! every message of i with a number above `after` lists j. As `after` is at least the number with which the present life of i
+//! began, a is of this life. Suppose that the row of j for i is not active. Then the newest message m′ that j has of i in its
+//! present life does not list j, so its number is at most `after`; and m′ or an older message of i acknowledges a message of
+//! the present life of j, so m′ was sent after that life began. The message that acknowledges a was sent by j
 //!
-//! 1. in its present life: then j had received the message a > `after` of i, which is newer than m′, and m′ would not be the newest;
-//! 2. in an earlier life. When i sent m′ it had heard the present life of j. If that was in the present life of i, the newest
-//!    word of i is of the present life of j and not of the earlier one. If it was in an earlier life of i, then a, which was
-//!    acknowledged before the present life of j began, is a number of an earlier life of i. But `after` is at least the
-//!    number with which the present life of i began, and a > `after`. Both are contradictions. ∎
+//! 1. in its present life: then j had received a, which is newer than m′, and m′ would not be the newest;
+//! 2. in an earlier life: then a was sent before the present life of j began and m′ after it, so the number of m′ is above a > `after`.
 //!
-//! So no clock is needed to outlive late messages: a message that does not list j lets j drop its row only if it acknowledges the
-//! present life of j. What is forgotten about one neighbour alone begins a new life of that [`Hold`], by the same proof.
+//! Both are contradictions. ∎
+//!
+//! So no clock is needed to outlive late messages: a message that does not list j lets j drop its row only once i is known to have
+//! heard the present life of j. What is forgotten about one neighbour alone begins a new life of that [`Hold`], by the same proof.
+//! What was acknowledged once stays acknowledged: a liar cannot take it back.
 //!
 //! Whatever a malicious j says, it moves the row of i for j and whether i counts on j, nothing else. An acknowledgement of
 //! what was never sent counts for nothing. One of what was sent and not received binds the liar: it is assumed to obey the rows of those
@@ -108,13 +110,15 @@ pub struct Hold {
     listed_after: Option<Number>,
     /// The newest message of j, as far as it is about i.
     heard: Option<Word>,
+    /// The highest number that j has acknowledged in messages that were the newest, of those that were sent.
+    acknowledged: Number,
 }
 
 impl Hold {
     /// Nothing is known of j, and i does not list it. `last` is the number of the newest message of i.
     #[must_use]
     pub fn new(last: Number) -> Self {
-        Self { born: last, listed_after: None, heard: None }
+        Self { born: last, listed_after: None, heard: None, acknowledged: Number::NONE }
     }
 
     /// Lists j from the next message on; `last` is the number of the newest message of i. Nothing changes if j is listed.
@@ -134,10 +138,16 @@ impl Hold {
     }
 
     /// Takes what a message of j says to i. False if it is not newer than the newest one: then it is not used.
-    pub fn hear(&mut self, word: Word) -> bool {
+    ///
+    /// `last` is the number of the newest message of i. To acknowledge a later one is a lie, and counts for nothing.
+    pub fn hear(&mut self, word: Word, last: Number) -> bool {
         let newer = self.heard.is_none_or(|heard| word.number > heard.number);
         if newer {
             self.heard = Some(word);
+            let acknowledged = word.entry.acknowledged;
+            if acknowledged <= last {
+                self.acknowledged = self.acknowledged.max(acknowledged);
+            }
         }
         newer
     }
@@ -155,16 +165,14 @@ impl Hold {
         Entry { listed: self.is_listed(), acknowledged }
     }
 
-    /// True if i counts on j: the newest message of j acknowledges one since i lists j. `last` is the number of the newest
-    /// message of i; what acknowledges a later one is a lie.
+    /// True if i counts on j: it has acknowledged a message since i lists it.
     #[must_use]
-    pub fn counts(&self, last: Number) -> bool {
-        let (Some(after), Some(word)) = (self.listed_after, self.heard) else { return false };
-        after < word.entry.acknowledged && word.entry.acknowledged <= last
+    pub fn counts(&self) -> bool {
+        self.listed_after.is_some_and(|after| after < self.acknowledged)
     }
 
-    /// True if i keeps its row for j: unless i does not list j, and the newest message of j does not list i although it
-    /// acknowledges a message of i since this state began.
+    /// True if i keeps its row for j: unless i does not list j, and the newest message of j does not list i although j has
+    /// acknowledged a message of i since this state began.
     #[must_use]
     pub fn is_active(&self) -> bool {
         self.is_listed() || !self.is_released()
@@ -173,7 +181,7 @@ impl Hold {
     /// True if the newest message of j releases i, as [`is_active`](Self::is_active) says.
     #[must_use]
     pub fn is_released(&self) -> bool {
-        self.heard.is_some_and(|word| !word.entry.listed && word.entry.acknowledged > self.born)
+        self.acknowledged > self.born && self.heard.is_some_and(|word| !word.entry.listed)
     }
 
     /// True if the newest message of j lists i.
@@ -209,26 +217,34 @@ mod tests {
     fn who_is_listed_and_has_said_so_is_counted_on() {
         let mut numbers = Numbers::begin(number(7));
         let mut hold = Hold::new(numbers.last());
-        assert!(hold.is_active() && !hold.counts(numbers.last()));
+        assert!(hold.is_active() && !hold.counts());
         hold.list(numbers.last());
         assert_eq!(numbers.next(Number::NONE), Some(number(8)));
-        assert!(hold.hear(word(1, true, 7)) && !hold.counts(numbers.last()), "of an earlier life");
-        assert!(hold.hear(word(2, true, 9)) && !hold.counts(numbers.last()), "never sent");
-        assert!(hold.hear(word(3, false, 8)) && hold.counts(numbers.last()));
-        assert!(!hold.hear(word(3, false, 0)) && !hold.hear(word(2, false, 0)), "not newer");
+        assert!(hold.hear(word(1, true, 7), numbers.last()) && !hold.counts(), "of an earlier life");
+        assert!(hold.hear(word(2, true, 9), numbers.last()) && !hold.counts(), "never sent");
+        assert!(hold.hear(word(3, false, 8), numbers.last()) && hold.counts());
+        assert!(
+            !hold.hear(word(3, false, 0), numbers.last()) && !hold.hear(word(2, false, 0), numbers.last()),
+            "not newer"
+        );
+        assert!(hold.hear(word(4, false, 0), numbers.last()) && hold.counts(), "nothing is taken back");
         hold.release();
-        assert!(!hold.counts(numbers.last()) && !hold.is_active());
+        assert!(!hold.counts() && !hold.is_active());
         hold.list(numbers.last());
-        assert!(!hold.counts(numbers.last()), "what is acknowledged is older than the new list");
+        assert!(!hold.counts(), "what is acknowledged is older than the new list");
     }
 
     #[test]
     fn a_row_is_dropped_when_both_have_let_go_and_know_each_other() {
+        let numbers = Numbers::begin(number(6));
         let mut hold = Hold::new(number(5));
-        assert!(hold.hear(word(1, false, 0)) && hold.is_active(), "it does not know this life");
-        assert!(hold.hear(word(2, false, 5)) && hold.is_active(), "nor does it now");
-        assert!(hold.hear(word(3, true, 6)) && hold.is_active());
-        assert!(hold.hear(word(4, false, 6)) && !hold.is_active());
+        assert!(
+            hold.hear(word(1, false, 0), numbers.last()) && hold.is_active(),
+            "it does not know this life"
+        );
+        assert!(hold.hear(word(2, false, 5), numbers.last()) && hold.is_active(), "nor does it now");
+        assert!(hold.hear(word(3, true, 6), numbers.last()) && hold.is_active());
+        assert!(hold.hear(word(4, false, 6), numbers.last()) && !hold.is_active());
         hold.list(number(6));
         assert!(hold.is_active());
     }
@@ -241,8 +257,8 @@ mod tests {
         assert_eq!(numbers.last(), number(u64::MAX));
         let mut hold = Hold::new(numbers.last());
         hold.list(numbers.last());
-        hold.hear(word(1, true, u64::MAX));
-        assert!(!hold.counts(numbers.last()), "no message since has a number");
+        hold.hear(word(1, true, u64::MAX), numbers.last());
+        assert!(!hold.counts(), "no message since has a number");
     }
 
     /// One robot of a pair, and all messages that it ever sent in any life.
@@ -295,16 +311,17 @@ mod tests {
                     robots[me].act(draw());
                 } else if let Some(last) = robots[other].sent.len().checked_sub(1) {
                     let back = usize::try_from(draw() % 4).unwrap().min(last);
-                    let at = if draw() & 3 == 0 {
+                    let at = if draw() % 4 == 0 {
                         usize::try_from(draw()).unwrap() % (last + 1)
                     } else {
                         last - back
                     };
                     let word = robots[other].sent[at];
-                    robots[me].hold.hear(word);
+                    let last = robots[me].numbers.last();
+                    robots[me].hold.hear(word, last);
                 }
                 for (i, j) in [(0, 1), (1, 0)] {
-                    let counts = robots[i].hold.counts(robots[i].numbers.last());
+                    let counts = robots[i].hold.counts();
                     assert!(!counts || robots[j].hold.is_active());
                     counted += u32::from(counts);
                     dropped += u32::from(!robots[j].hold.is_active());
