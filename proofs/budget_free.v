@@ -20,7 +20,8 @@ Lemma choose (V : finType) (X Y : {set V}) m : X \subset Y -> (m <= #|Y|)%N ->
 Proof.
 move=> XY mY; pose s := enum X ++ enum (Y :\: X).
 have us : uniq s.
-  rewrite cat_uniq !enum_uniq andbT /=; apply/hasPn => j; rewrite !mem_enum inE => /andP [jX _] //.
+  rewrite cat_uniq !enum_uniq andbT /=; apply/hasPn => j; rewrite mem_enum inE => /andP [jX _].
+  by change (j \notin enum X); rewrite mem_enum.
 have ss : size s = #|Y| by rewrite size_cat -!cardE -(cardsID X Y) (setIidPr XY).
 have ms : (m <= size s)%N by rewrite ss.
 exists [set j in take m s]; split.
