@@ -53,20 +53,20 @@ Definition S p (A' : {set V}) := \big[Rplus/0]_(j in ~: (k |: A')) a p j.
 Definition liars_among (A' : {set V}) := [/\ A \subset A', k \notin A' & #|A'| = F].
 
 Variable T : nat -> R.            (* the trimmed sum *)
-Hypothesis trimmed : forall p A', k \notin A' -> #|A'| = F -> T p <= S p A'.
+Hypothesis trimmed : forall p (A' : {set V}), k \notin A' -> #|A'| = F -> T p <= S p A'.
 Hypothesis start : INR th <= T 0%N.
 
 (* What k and its normal neighbours count on: seen, which is at most T - theta, or told, which was T - theta m ticks ago. *)
 Variable used : nat -> R -> Prop.
 Hypothesis known : forall p b, used p b ->
   b <= pos (T p - INR th) \/ exists2 m, (m <= p)%N & b <= decayed gamma q m (pos (T (p - m)%N - INR th)).
-Hypothesis tick : forall p A', liars_among A' -> (forall b, used p b -> b <= pos (S p A' - INR th)) ->
+Hypothesis tick : forall p (A' : {set V}), liars_among A' -> (forall b, used p b -> b <= pos (S p A' - INR th)) ->
   S p.+1 A' - INR th >= S p A' - INR th - loss gamma q (pos (S p A' - INR th)).
 
 Lemma pos_mono u v : u <= v -> pos u <= pos v.
 Proof. by move=> le; apply: Rle_max_compat_r. Qed.
 
-Theorem sums_stay A' : liars_among A' -> forall p, INR th <= S p A'.
+Theorem sums_stay (A' : {set V}) : liars_among A' -> forall p, INR th <= S p A'.
 Proof.
 move=> among; have [sub kA' cardA'] := among.
 have low p : pos (T p - INR th) <= pos (S p A' - INR th).
