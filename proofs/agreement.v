@@ -103,8 +103,6 @@ rewrite -(ltn_add2l #|(N i :&: C) :&: S|) cardsID.
 by apply: leq_trans (enough iA iC); rewrite addnC ltn_add2l.
 Qed.
 
-Definition middle_of := (M + m) / 2%:R.
-
 (* The members of C all come down from M, or all come up from m. *)
 Lemma middle : m <= M -> let d := (M - m) / 2%:R in
   (forall i, i \notin A -> i \in C -> y' i <= M - b * d) \/

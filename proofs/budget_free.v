@@ -1,6 +1,6 @@
 (* The controller budget with malicious robots that move as they like (docs/theory/budget.md, thm:free).
 
-   In words. T_k is the sum of the weights of k without its F largest, theta = F + floor((n - F)/2), and T_k >= theta at the start.
+   In words. T_k is the sum of the weights of k without its F largest, theta = F + floor((n - F)/2), T_k >= theta at the start.
    Normal robots move by (far) with h = T - theta. Then whatever the a <= F malicious robots A do or say, every
    normal robot k keeps at least theta + F - a normal neighbours, which is enough for thm:two-faced.
 

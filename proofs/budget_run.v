@@ -1,9 +1,9 @@
 (* The controller budget: whole runs (docs/theory/budget.md, thm:any-claim, sec:age).
 
-   In words. If no tick takes more than s(b) may take as long as nobody counts on more than max(h_k, 0), and everybody counts on no
-   more than it sees, or than what is left, after m ticks, of a true level told m ticks ago, then h_k >= 0 for ever if it is so
-   at the start. Whatever is lost, late, doubled or reordered only changes which m. One robot at a time: nothing is asked of
-   the state of others.
+   In words. Let no tick take more than s(h_k) from h_k as long as nobody counts on more than max(h_k, 0). Let everybody count on
+   no more than what it sees, or on what is left, after m ticks, of a true level that was told m ticks ago. Then h_k >= 0 for
+   ever if it is so at the start. Whatever is lost, late, doubled or reordered only changes which m. One robot at a time:
+   nothing is asked of the state of others.
 
    `tick` is what far_prime_tick and far_tick of budget.v give. `seen` is at most h_k by eq:interval, which is
    `interval_low` and `interval_high` here. *)

@@ -6,9 +6,9 @@
    that i has does not list i, and j has acknowledged a message of the present life of i.
 
    `counted_is_held`: if normal robot i counts on normal robot j, then j has a row for i, and i one for j. Any number of
-   robots; messages are lost, late, doubled and reordered; robots begin anew without memory, alone or for one neighbour; robots in A say what they
-   like to whom they like. Assumed: the numbers of a normal robot rise over all its lives, and nobody sends in the name of a
-   normal robot.
+   robots; messages are lost, late, doubled and reordered; robots begin anew without memory, alone or for one neighbour;
+   robots in A say what they like to whom they like. Assumed: the numbers of a normal robot rise over all its lives, and
+   nobody sends in the name of a normal robot.
 
    The network is a set of all messages that were ever sent. Any of them may arrive at any time, any number of times. *)
 

@@ -2,8 +2,8 @@
 
    In words. Each robot has a rank. The robots of rank 0 are the core. In every round each normal robot of the core hears at
    least F + floor(m/2) others of the core, which has m robots, and every other normal robot hears at least 2F + 1 robots
-   of lower ranks than its own; at most F of those that a normal robot hears are malicious, and within the core everybody tells everybody
-   the same. Then L + 1 rounds, where L is the highest rank of a normal robot, leave at most (1 - b^(L+1)/2) of the spread. Graphs
+   of lower ranks than its own; at most F of those that a normal robot hears are malicious, and within the core everybody
+   tells everybody the same. Then L + 1 rounds, where L is the highest rank of a normal robot, leave at most (1 - b^(L+1)/2) of the spread. Graphs
    and lies may change from round to round. Outside of the core a liar may tell each neighbour something else.
 
    `ranks_two_faced`: the same if liars of the core have two faces, with F + floor((m - a)/2) normal core neighbours, where a

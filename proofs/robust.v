@@ -35,7 +35,8 @@ move=> not; have [/existsP [S1 /existsP [S2 ok]] | no] := boolP [exists S1, [exi
   by exists S1, S2.
 case: not => S1 S2 n1 n2 dis.
 have := no; rewrite negb_exists => /forallP /(_ S1); rewrite negb_exists => /forallP /(_ S2).
-rewrite /refutes n1 n2 dis /= !negb_and !negbK -leqNgt => /or3P [/eqP | /eqP | ]; by [constructor 1 | constructor 2 | constructor 3].
+rewrite /refutes n1 n2 dis /= !negb_and !negbK -leqNgt => /or3P.
+by move=> [/eqP | /eqP | ]; [constructor 1 | constructor 2 | constructor 3].
 Qed.
 
 (* sec:bounds, "Degrees" *)

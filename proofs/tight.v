@@ -151,13 +151,13 @@ Qed.
 End Tight.
 
 (* sec:tight *)
-Theorem one_fewer_is_too_few n F (R : realFieldType) : F < n -> F.*2 < n ->
+Theorem one_fewer_is_too_few n F (R : realFieldType) : F.*2 < n ->
   exists (V : finType) (N : V -> {set V}) (x : V -> R),
   [/\ #|V| = n, forall u, u \notin N u, forall u, F + n./2 - 1 <= #|N u|,
       (exists u v, x u <> x v) \/ n = 1 &
       forall u b y, wmsr_step F b u x (N u) y -> y = x u].
 Proof.
-move=> _ Fn; pose s := n./2; pose t := n - n./2.
+move=> Fn; pose s := n./2; pose t := n - n./2.
 have st : s <= t <= s.+1 by rewrite /s /t; lia.
 have Ft : F <= t by rewrite /t; lia.
 have Fs : F <= s by rewrite /s; lia.

@@ -16,11 +16,14 @@ Let A : {set bool_finType} := set0.
 Let i : bool_finType := true.
 Let j : bool_finType := false.
 
-Definition lists_ (s : state bool_finType) i j := State (last s) (set2 i j (list_from (last s i) (holds s i j)) (holds s)) (@sent bool_finType s).
+Definition lists_ (s : state bool_finType) i j :=
+  State (last s) (set2 i j (list_from (last s i) (holds s i j)) (holds s)) (@sent bool_finType s).
 Definition sends_ (s : state bool_finType) i n := State (set1 i n (last s)) (holds s)
   (add i (Message n (fun j => entry_of (holds s i j))) (@sent bool_finType s)).
-Definition hears_ (s : state bool_finType) i j m := State (last s) (set2 i j (hear (last s i) (word_to i m) (holds s i j)) (holds s)) (@sent bool_finType s).
-Definition forgets_ (s : state bool_finType) i j := State (last s) (set2 i j (fresh (last s i)) (holds s)) (@sent bool_finType s).
+Definition hears_ (s : state bool_finType) i j m :=
+  State (last s) (set2 i j (hear (last s i) (word_to i m) (holds s i j)) (holds s)) (@sent bool_finType s).
+Definition forgets_ (s : state bool_finType) i j :=
+  State (last s) (set2 i j (fresh (last s i)) (holds s)) (@sent bool_finType s).
 Definition said (s : state bool_finType) i n := Message n (fun j => entry_of (@holds bool_finType s i j)).
 
 (* i lists j and says so; j hears it and answers; i hears that. j never lists i. *)
