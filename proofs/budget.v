@@ -6,7 +6,7 @@
    move. With (near) two robots keep D' - Dd^2 >= (1 - gamma_c)(D - Dd^2).
 
    Of the weight it is assumed: it is never negative, 0 out of range; for (far') the curvature bound kappa of
-   eq:curvature-bound; for (far) the slope bound L of eq:slope-bound. weights.v proves both bounds for the weight in use. Of s
+   eq:curvature-bound; for (far) the slope bound L of eq:slope-bound. curvature.v and weights.v prove both. Of s
    it is assumed that it never falls and is at least 0 (loss.v). *)
 
 From Coq Require Import Reals Lra Psatz.

@@ -6,7 +6,7 @@
    ticks, h_k >= 0 for every normal k, and no pair is closer than Dd.
 
    Assumed of the weight: never negative, 0 out of range, and the curvature bound of eq:curvature-bound for moves of at most rho.
-   Assumed of the settings: R - 2 rho >= Dd, as "out of range stays farther than Dd" (`far_stay_far`). *)
+   Assumed of the settings: R - 2 rho >= Dd. *)
 
 From Coq Require Import Reals Lra Psatz FunctionalExtensionality.
 From mathcomp Require Import all_ssreflect.
@@ -18,7 +18,9 @@ Section Team.
 Variables gamma q : R.
 Hypothesis gamma01 : 0 < gamma <= 1.
 Hypothesis q0 : 0 <= q.
-Variables (V : finType) (d : nat) (A : {set V}) (R2 rho2 : R).
+Variables (V : finType) (d : nat) (A : {set V}) (radius rho : R).
+Let R2 := radius * radius.
+Let rho2 := rho * rho.
 
 (* Weight and gradient of a link at an offset. *)
 Variables (weight : vec d -> R) (grad : vec d -> vec d).
@@ -127,12 +129,26 @@ by have := loss_range gamma01 q0 hp; lra.
 Qed.
 
 (* thm:any-claim, distances. *)
-Variables (gamma_c Dd2 : R).
+Variables (gamma_c Dd : R).
+Let Dd2 := Dd * Dd.
 Hypothesis gamma_c01 : 0 < gamma_c <= 1.
 Definition offset_at p t i j := moved (offset p i j) (times (t i) (v p i)) (times (t j) (v p j)).
 Hypothesis near : forall p i j, i != j -> in_range p i j -> near_row gamma_c Dd2 (offset p i j) (v p i).
-Hypothesis far_stay_far : forall p i j t, (forall i, 0 <= t i <= 1) -> ~~ in_range p i j ->
+Hypothesis rho_nonneg : 0 <= rho.
+Hypothesis Dd_nonneg : 0 <= Dd.
+Hypothesis room : Dd <= radius - 2 * rho.
+
+Lemma far_stay_far p i j t : (forall i, 0 <= t i <= 1) -> ~~ in_range p i j ->
   Dd2 <= sq (offset_at p t i j).
+Proof.
+move=> t01 out; rewrite /offset_at /moved; apply: (far_apart rho_nonneg Dd_nonneg room).
+  by move: out; rewrite /in_range; case: (Rle_dec _ _) => // no _; exact: Rnot_le_lt.
+have part k : sq (times (t k) (v p k)) <= rho * rho.
+  have := t01 k; have := sq_nonneg (v p k); have := longest p k; rewrite sq_times /rho2.
+  move: (sq _) (t k) => z u le z0 u01; have : u * u <= 1 by nra.
+  nra.
+have := sq_minus_le (times (t i) (v p i)) (times (t j) (v p j)); have := part i; have := part j; lra.
+Qed.
 
 Theorem stay_apart_between p i j t : i != j -> (forall i, 0 <= t i <= 1) ->
   Dd2 <= sq (offset p i j) -> Dd2 <= sq (offset_at p t i j).

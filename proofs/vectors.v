@@ -88,4 +88,40 @@ Definition moved (r v w : vec) : vec := plus r (minus v w).
 Lemma sq_moved r v w :
   sq (moved r v w) = sq r + 2 * dot r v - 2 * dot r w + sq (minus v w).
 Proof. by rewrite /moved sq_plus dot_minus_r; lra. Qed.
+Lemma cauchy_schwarz u w : dot u w * dot u w <= sq u * sq w.
+Proof.
+have u0 := sq_nonneg u; have w0 := sq_nonneg w.
+have all t : 0 <= sq u - 2 * t * dot u w + t * t * sq w.
+  have := sq_nonneg (minus u (times t w)); rewrite sq_minus dot_times_r sq_times; lra.
+case: (Rle_lt_dec (sq w) 0) => [w00 | pos].
+  have wz : sq w = 0 by lra.
+  case: (Req_dec (dot u w) 0) => [-> | ne]; first by rewrite wz; lra.
+  have := all ((sq u + 1) / (2 * dot u w)); rewrite wz.
+  have -> : 2 * ((sq u + 1) / (2 * dot u w)) * dot u w = sq u + 1 by field.
+  lra.
+have := all (dot u w / sq w).
+have -> : sq u - 2 * (dot u w / sq w) * dot u w + dot u w / sq w * (dot u w / sq w) * sq w =
+          (sq u * sq w - dot u w * dot u w) / sq w by field; lra.
+move=> h; have : 0 <= (sq u * sq w - dot u w * dot u w) / sq w * sq w by apply: Rmult_le_pos; lra.
+have -> : (sq u * sq w - dot u w * dot u w) / sq w * sq w = sq u * sq w - dot u w * dot u w by field; lra.
+lra.
+Qed.
+
+(* Who is farther away than R and can come nearer by at most 2 rho stays farther away than Dd. *)
+Lemma far_apart (r e : vec) R' rho Dd : 0 <= rho -> 0 <= Dd -> Dd <= R' - 2 * rho ->
+  R' * R' < sq r -> sq e <= 4 * (rho * rho) -> Dd * Dd <= sq (plus r e).
+Proof.
+move=> rho0 Dd0 room far few; apply: Rle_trans (_ : (R' - 2 * rho) * (R' - 2 * rho) <= _); first nra.
+have e0 := sq_nonneg e; case: (Req_dec rho 0) => [z | rn].
+  have cs := cauchy_schwarz r e; rewrite z in few *; have ez : sq e = 0 by lra.
+  rewrite ez in cs; have dz : dot r e = 0 by nra.
+  by rewrite sq_plus dz ez; lra.
+have := sq_nonneg (plus (times (2 * rho) r) (times R' e)).
+rewrite sq_plus !sq_times dot_times dot_times_r => mix; rewrite sq_plus.
+apply: (Rmult_le_reg_l (2 * rho * R')); first nra.
+move: (sq r) (sq e) (dot r e) far few e0 mix => X Y p far few e0 mix.
+have h1 : 0 <= 2 * rho * (R' - 2 * rho) * (X - R' * R') by apply: Rmult_le_pos; [nra | lra].
+have h2 : 0 <= R' * (R' - 2 * rho) * (4 * (rho * rho) - Y) by apply: Rmult_le_pos; [nra | lra].
+lra.
+Qed.
 End Vectors.
