@@ -168,3 +168,10 @@ have : 0 <= kappa * c * ((1 - t) * (1 - t)) by apply: Rmult_le_pos => //; nra.
 nra.
 Qed.
 End Curvature.
+
+(* For every q1, q2 and R at once: a bound of K that needs no search. The code takes a smaller one, for each pair. *)
+Definition bend_shape u := 2 * exp (- (u * u)) / ((1 + exp (- (u * u))) * (1 + exp (- (u * u)))) *
+  (2 * (u * u) * (1 - exp (- (u * u))) / (1 + exp (- (u * u))) - 1).
+
+Lemma bend_near u : 0 <= u <= 4 -> bend_shape u <= 0.9.
+Proof. by move=> [u0 u4]; rewrite /bend_shape; interval with (i_bisect u, i_taylor u, i_depth 40, i_prec 60). Qed.
