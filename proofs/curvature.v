@@ -173,5 +173,51 @@ End Curvature.
 Definition bend_shape u := 2 * exp (- (u * u)) / ((1 + exp (- (u * u))) * (1 + exp (- (u * u)))) *
   (2 * (u * u) * (1 - exp (- (u * u))) / (1 + exp (- (u * u))) - 1).
 
-Lemma bend_near u : 0 <= u <= 4 -> bend_shape u <= 0.9.
+Lemma bend_near u : 0 <= u <= 4 -> bend_shape u <= 0.459.
 Proof. by move=> [u0 u4]; rewrite /bend_shape; interval with (i_bisect u, i_taylor u, i_depth 40, i_prec 60). Qed.
+
+Lemma bend_far u : 4 <= u -> bend_shape u <= 0.459.
+Proof.
+move=> u4; rewrite /bend_shape; have e0 := exp_pos (- (u * u)).
+have big : 1 + u * u / 4 < exp (u * u / 4) by apply: exp_ineq1; nra.
+have inv : exp (- (u * u)) * (exp (u * u / 4) * exp (u * u / 4) * (exp (u * u / 4) * exp (u * u / 4))) = 1.
+  by rewrite -!exp_plus -exp_0; congr exp; field.
+move: (exp (- (u * u))) (exp (u * u / 4)) e0 big inv => e H e0 big inv.
+have H5 : 5 <= H by nra.
+have H2 : 25 <= H * H by nra.
+have H3 : 125 <= H * H * H by nra.
+have eH : e * H * 125 <= 1.
+  have eH0 : 0 <= e * H by nra.
+  have := Rmult_le_compat_l _ _ _ eH0 H3; nra.
+have ue : 4 * (u * u * e) <= 0.128 by nra.
+have e1 : e <= 1 by nra.
+have -> : 2 * e / ((1 + e) * (1 + e)) * (2 * (u * u) * (1 - e) / (1 + e) - 1) =
+  (4 * (u * u * e) * (1 - e) - 2 * e * (1 + e)) / ((1 + e) * (1 + e) * (1 + e)) by field; lra.
+have bot : 1 <= (1 + e) * (1 + e) * (1 + e) by nra.
+apply: (Rmult_le_reg_r ((1 + e) * (1 + e) * (1 + e))); first lra.
+have -> : (4 * (u * u * e) * (1 - e) - 2 * e * (1 + e)) / ((1 + e) * (1 + e) * (1 + e)) *
+  ((1 + e) * (1 + e) * (1 + e)) = 4 * (u * u * e) * (1 - e) - 2 * e * (1 + e) by field; lra.
+have z0 : 0 <= u * u * e by nra.
+nra.
+Qed.
+
+Theorem K_bound q1 q2 R2 s : 0 <= q1 -> 0 < q2 -> 0 <= s <= R2 ->
+  K q1 q2 R2 s <= 0.7872 * q1 * sqrt q2 + 1.836 * R2 * (q1 * q2).
+Proof.
+move=> q1_0 q2_0 [s0 sR]; have qq : 0 <= q1 * q2 by nra.
+have slope := slope_bound q1_0 q2_0 s0.
+have r0 := sqrt_pos q2; have rr := sqrt_sqrt q2 (Rlt_le _ _ q2_0).
+have E : q2 * (s * s) = (sqrt q2 * s) * (sqrt q2 * s) by rewrite -{1}rr; ring.
+have bend : - f' q1 q2 s = q1 * q2 * bend_shape (sqrt q2 * s).
+  have e0 := exp_pos (- ((sqrt q2 * s) * (sqrt q2 * s))).
+  have two : 2 * q2 * (s * s) = 2 * (q2 * (s * s)) by ring.
+  by rewrite /f' /bend_shape two E; field; lra.
+have le : bend_shape (sqrt q2 * s) <= 0.459.
+  have u0 := Rmult_le_pos _ _ r0 s0.
+  by case: (Rle_lt_dec (sqrt q2 * s) 4) => h; [exact: bend_near | apply: bend_far; lra].
+have top : Rmax 0 (- f' q1 q2 s) <= 0.459 * (q1 * q2).
+  by apply: Rmax_lub; [nra | rewrite bend; nra].
+have : (R2 - s) * Rmax 0 (- f' q1 q2 s) <= R2 * (0.459 * (q1 * q2)).
+  apply: Rmult_le_compat; [lra | exact: Rmax_l | lra | exact: top].
+rewrite /K; lra.
+Qed.
