@@ -14,9 +14,9 @@
 
 From Coq Require Import Reals Lra Psatz.
 From Coquelicot Require Import Coquelicot.
-From Interval Require Import Tactic.
 From mathcomp Require Import all_ssreflect.
-From Closeranks Require Import vectors.
+From Closeranks Require Import intervals vectors.
+Import ExactIntervals.
 Set Implicit Arguments. Unset Strict Implicit. Unset Printing Implicit Defensive.
 Local Open Scope R_scope.
 
