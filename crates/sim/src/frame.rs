@@ -18,9 +18,9 @@ pub struct Frame<const D: usize> {
     pub asked_m_s: Vec<Vector<D>>,
     /// u_i, m/s, held from this tick on.
     pub velocities_m_s: Vec<Vector<D>>,
-    /// δ_i.
+    /// δ_i as sensed.
     pub degrees: Vec<u16>,
-    /// True c_i.
+    /// c_i as sensed.
     pub levels: Vec<f64>,
     /// c_i as told.
     pub told: Vec<f64>,
@@ -28,12 +28,20 @@ pub struct Frame<const D: usize> {
     pub h: Vec<f64>,
     /// Under `links`: whom each robot counts on, by number.
     pub counted: Vec<Vec<u16>>,
+    /// Under `links`: for whom each robot keeps its row, by number.
+    pub rows: Vec<Vec<u16>>,
     /// φ_i; NaN where nobody wants to know it, and of a robot that is down.
     pub phis: Vec<f64>,
     /// Whether somebody wants to know φ and φ_i, which not every controller uses.
     pub wants_phi: bool,
-    /// y_i; for malicious robots what they tell.
+    /// y_i; for malicious robots what they tell, if they tell all the same.
     pub values: Vec<f64>,
+    /// y_i as each robot holds it, malicious or not.
+    pub held: Vec<f64>,
+    /// Robots that told everybody the same level, and the same value, when they last told.
+    pub one_level: Vec<bool>,
+    /// See `one_level`.
+    pub one_value: Vec<bool>,
     /// What the program found.
     pub outcomes: Vec<Outcome>,
     /// What each robot says its answer is worth.
@@ -55,11 +63,13 @@ pub struct Frame<const D: usize> {
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Assumptions {
     /// True if some assumption does not hold, whether or not a robot can know: liars disobey, a robot goes on without having
-    /// looked, clocks differ by more than is stated, a robot is farther from its reference than is stated, or one of the two
+    /// looked, clocks differ or drift by more than is stated, a robot is farther from its reference than is stated, or one of the two
     /// fields below says so.
     pub broken: bool,
-    /// Robots that sensed some position with a larger error than is stated.
+    /// Robots that sensed some position with a larger error than is stated, or cannot know of some robot within R.
     pub sensed_wrong: Vec<bool>,
+    /// Robots that did not sense somebody within R, whether they know of it or not: they cannot be certain of their own state.
+    pub unsensed: Vec<bool>,
     /// True if some reference is not the last one plus its move: what held before says nothing about it.
     pub renewed: bool,
     /// True if some normal robot did not run, or began anew. Rounds of consensus rest on it, safety does not.
@@ -70,7 +80,8 @@ impl Assumptions {
     /// The assumptions as they are in a perfect world.
     #[must_use]
     pub fn all_hold(robots: usize) -> Self {
-        Self { broken: false, sensed_wrong: vec![false; robots], renewed: false, unsteady: false }
+        let none = vec![false; robots];
+        Self { broken: false, sensed_wrong: none.clone(), unsensed: none, renewed: false, unsteady: false }
     }
 }
 
@@ -90,8 +101,12 @@ impl<const D: usize> Frame<D> {
             told: vec![0.0; robots],
             h: vec![0.0; robots],
             counted: vec![Vec::new(); robots],
+            rows: vec![Vec::new(); robots],
             phis: vec![f64::NAN; robots],
             wants_phi: true,
+            held: values.clone(),
+            one_level: vec![true; robots],
+            one_value: vec![true; robots],
             values,
             outcomes: vec![Outcome::Free; robots],
             modes: vec![Mode::Degraded(Reason::ContinuousTime); robots],

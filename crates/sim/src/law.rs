@@ -26,7 +26,8 @@ pub enum Law {
     /// `budget`: a normal robot moves no farther in a tick than it wishes, and than mending its own h and its own distances
     /// takes. So a team that wishes to rest is towed by nobody (sec:recovery).
     Untowed,
-    /// `links`: no link that a normal robot counts on is longer than R (thm:held).
+    /// `links`: no link that a normal robot counts on is longer than R (thm:held), and who is counted on keeps its row
+    /// (lem:counted).
     Held,
     /// The global composition φ of the true levels is not negative (eq:composition).
     Composition,
@@ -144,7 +145,7 @@ impl Law {
             Self::Decay => "h and distances lose no more than their share in a tick",
             Self::Mode => "guaranteed is said where it is true, and only there",
             Self::Untowed => "a robot moves no more than it wishes and its own needs demand",
-            Self::Held => "a link that is counted on is no longer than radius_m",
+            Self::Held => "a link that is counted on has rows and is no longer than radius_m",
             Self::Composition => "global phi >= 0",
             Self::Shares => "phi_i >= 0",
             Self::Feasible => "the program of a robot has a solution",

@@ -28,6 +28,8 @@ pub enum Stream {
     Motion = 10,
     /// What malicious robots tell of held links.
     Lists = 11,
+    /// Observations that are missed.
+    Dropouts = 12,
 }
 
 /// A generator for one purpose.

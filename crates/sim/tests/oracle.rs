@@ -35,7 +35,7 @@ const ROWS: &str = "core/src/controller/links/rows.rs";
 const LINKS: &str = "core/src/controller/links/control.rs";
 const INEQUALITY: &str = "core/src/controller/budget/inequality.rs";
 
-const MUTANTS: [Mutant; 31] = [
+const MUTANTS: [Mutant; 33] = [
     Mutant {
         name: "gradient with the wrong sign",
         law: "decay",
@@ -176,8 +176,16 @@ const MUTANTS: [Mutant; 31] = [
         lines: &[
             (CONTROL, "Some(reason) => Mode::Degraded(reason),", "Some(_) => Mode::Guaranteed,"),
             (CONTROL, "_ if degree_low => Mode::Degraded(Reason::Degree),", ""),
-            (CONTROL, "None if exact && standing.h < 0.0 => Mode::Degraded(Reason::OutsideSafeSet),", ""),
-            (CONTROL, "let exact = self.budget.errors.offset_m == 0.0;", "let _ = degree_low;"),
+            (
+                CONTROL,
+                "None if exact && standing.h < -H_ROUNDING => Mode::Degraded(Reason::OutsideSafeSet),",
+                "",
+            ),
+            (
+                CONTROL,
+                "let exact = self.budget.is_exact() && standing.missing == 0;",
+                "let _ = (degree_low, H_ROUNDING);",
+            ),
         ],
     },
     Mutant {
@@ -187,6 +195,24 @@ const MUTANTS: [Mutant; 31] = [
             "core/src/robot/assurance.rs",
             "now.since(*then) <= told_max",
             "now.since(*then) <= 2 * told_max",
+        )],
+    },
+    Mutant {
+        name: "missing neighbours forgotten",
+        law: "decay",
+        lines: &[(
+            "core/src/robot/missing.rs",
+            "let missing = self.surely_holds(&slot.offset_m, gone_m);",
+            "let missing = false;",
+        )],
+    },
+    Mutant {
+        name: "missing neighbours taken for those that stand still",
+        law: "decay",
+        lines: &[(
+            "core/src/robot/missing.rs",
+            "slot.unsensed_m = if missing { gone_m } else { 0.0 };",
+            "slot.unsensed_m = if missing { f64::MIN_POSITIVE } else { 0.0 };",
         )],
     },
     Mutant {
@@ -252,7 +278,7 @@ const MUTANTS: [Mutant; 31] = [
     },
     Mutant {
         name: "links: R without the hair",
-        law: "held",
+        law: "degree",
         lines: &[("core/src/controller/links/mod.rs", "const HAIR: f64 = 1e-9;", "const HAIR: f64 = 0.0;")],
     },
     Mutant {

@@ -121,6 +121,12 @@ impl<const D: usize> AnyController<D> {
         dispatch!(self, controller => controller.misses(slot))
     }
 
+    /// True if missing neighbours keep their rows ([`Control::reckons`]).
+    #[must_use]
+    pub fn reckons(&self) -> bool {
+        dispatch!(self, controller => controller.reckons())
+    }
+
     /// Decides on the lists that are told in this tick ([`Control::agree`]).
     pub fn agree(
         &self,

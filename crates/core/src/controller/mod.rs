@@ -80,6 +80,17 @@ impl<'a, const D: usize> View<'a, D> {
         self.slots.iter().filter(|slot| slot.sensed)
     }
 
+    /// The neighbours sensed in this tick, and those that are missing ([`missing`](crate::robot::missing)).
+    pub fn in_view(&self) -> impl Iterator<Item = &'a Slot<D>> + Clone + use<'a, D> {
+        self.slots.iter().filter(|slot| slot.sensed || slot.is_missing())
+    }
+
+    /// True if nobody is missing.
+    #[must_use]
+    pub fn is_whole(&self) -> bool {
+        !self.slots.iter().any(Slot::is_missing)
+    }
+
     /// The sensed neighbours within R. Without stated errors these are all sensed neighbours.
     pub fn linked(&self) -> impl Iterator<Item = &'a Slot<D>> + Clone + use<'a, D> {
         self.sensed().filter(|slot| slot.linked)
@@ -171,6 +182,8 @@ pub struct Standing {
     pub outcome: Outcome,
     /// Neighbours that have told no level yet.
     pub untold: u16,
+    /// Neighbours that were not sensed in this tick and are reckoned with all the same.
+    pub missing: u16,
     /// What else speaks against the answer, if anything does.
     pub reason: Option<Reason>,
 }
@@ -238,6 +251,11 @@ pub trait Control<const D: usize> {
 
     /// True if a neighbour that loses its slot should have been sensed, because others may rest on it.
     fn misses(&self, _slot: &Slot<D>) -> bool {
+        false
+    }
+
+    /// True if a neighbour that must be within R and is not sensed keeps its row ([`missing`](crate::robot::missing)).
+    fn reckons(&self) -> bool {
         false
     }
 

@@ -25,7 +25,7 @@ impl<const D: usize, S: Slots<D>> Robot<D, S> {
             h,
             phi,
             outcome,
-            mode: self.mode(Standing { degree: 0, need, h, phi, outcome, untold, reason: None }),
+            mode: self.mode(Standing { degree: 0, need, h, phi, outcome, untold, missing: 0, reason: None }),
             untold,
             told_age_max: oldest.map_or(Duration::ZERO, |at| self.now.since(at)),
             round,
@@ -35,8 +35,9 @@ impl<const D: usize, S: Slots<D>> Robot<D, S> {
     /// What the answer is worth. With stated errors, whoever is in sight may be a neighbour.
     fn mode(&self, standing: Standing) -> Mode {
         let reason = self.assurance.reason(self.now, self.params.settings().clock.told_max);
-        let degree = small(self.sensed().count());
-        self.params.controller().mode(&Standing { degree, reason, ..standing })
+        let missing = small(self.neighbors().iter().filter(|slot| slot.is_missing()).count());
+        let degree = small(self.sensed().count()).saturating_add(missing);
+        self.params.controller().mode(&Standing { degree, missing, reason, ..standing })
     }
 
     /// Stands still in a `mode` that says why.

@@ -39,11 +39,16 @@ impl<const D: usize> Assurance<D> {
         let Some((then, position, velocity)) = self.last else { return sensed };
         let (elapsed, hold_max) = (now.since(then), params.settings().clock.hold_max());
         let expected = add_scaled(&position, elapsed.min(hold_max).as_secs_f64(), &velocity);
-        if elapsed > hold_max {
+        let late = elapsed > hold_max;
+        if late {
             self.broken = Some((now, Reason::Late));
+        }
+        // Where a velocity is held for exactly a period, a robot that is late has stopped at a known place.
+        if late && (hold_max != params.settings().clock.level_period || errors.away_m == 0.0) {
             return sensed;
         }
-        let blur_m = ROUNDING * (1.0 + length(&sensed)) + CLOCK * length(&subtract(&expected, &position));
+        let span_m = params.reach().longest_m() + length(&sensed);
+        let blur_m = ROUNDING * span_m + CLOCK * length(&subtract(&expected, &position));
         let away_m = length(&subtract(&sensed, &expected));
         // Against a known reference one sensed position is wrong; without references two are.
         let most_m = if errors.away_m > 0.0 { errors.sensed_m() } else { errors.offset_m };
@@ -63,7 +68,7 @@ impl<const D: usize> Assurance<D> {
         }
         let went_m = length(&subtract(offset_m, &slot.offset_m));
         let most_m = 2.0 * params.reach().longest_m() + 2.0 * params.kept().errors.offset_m;
-        if went_m > most_m * (1.0 + CLOCK) + ROUNDING {
+        if went_m > most_m * (1.0 + CLOCK) + ROUNDING * length(&slot.position_m) {
             self.broken = Some((now, Reason::Moved));
         }
     }
@@ -95,6 +100,10 @@ impl<const D: usize> Assurance<D> {
     /// Why nothing is guaranteed now; `None` if nothing speaks against it.
     pub(crate) fn reason(&self, now: Instant, told_max: Duration) -> Option<Reason> {
         let recent = self.broken.filter(|(then, _)| now.since(*then) <= told_max);
-        self.doubt.or(recent.map(|(_, reason)| reason))
+        let recent = recent.map(|(_, reason)| reason);
+        match self.doubt {
+            Some(Reason::Uncertain) => recent.or(self.doubt),
+            doubt => doubt.or(recent),
+        }
     }
 }

@@ -6,7 +6,7 @@ use crate::equations::link::Link;
 use crate::message::{Message, MessageError};
 use crate::num::{Vector, length, subtract};
 use crate::robot::error::ReceiveError;
-use crate::robot::neighbor::{NO_LINK, RobotId, Told};
+use crate::robot::neighbor::{NO_LINK, RobotId, Slot, Told};
 use crate::robot::{Robot, Slots};
 use crate::time::Instant;
 
@@ -86,6 +86,13 @@ impl<const D: usize, S: Slots<D>> Robot<D, S> {
     #[must_use]
     pub fn wish_m_s(&self) -> &Vector<D> {
         &self.ledger.wish_m_s
+    }
+
+    /// For whom the robot keeps its row, under `links`, among those that have a slot.
+    pub fn keeps_rows_for(&self) -> impl Iterator<Item = RobotId> + Clone {
+        let obliged = self.ledger.obliged;
+        let keeps = move |slot: &&Slot<D>| obliged || slot.peer.hold.is_active();
+        self.neighbors().iter().filter(keeps).map(|slot| slot.id)
     }
 
     /// Reckons where neighbours are that keep their slots although they are not sensed: where they were sensed last, with an

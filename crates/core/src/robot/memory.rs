@@ -33,8 +33,9 @@ impl<'memory, const D: usize> Scratch<'memory, D> {
 
 /// Sized scratch for robots with up to `N` neighbours and `K` rows a neighbour.
 ///
-/// Without stated errors `K = 10` is enough for any N in two and three dimensions. Where the rows are too few,
-/// [`new`](Self::new) says how many are needed.
+/// Without stated errors `K = 10` is enough for any N in two and three dimensions, in the plane also while all of four and more
+/// neighbours are [missing](crate::robot::missing). With fewer rows a robot stands still in a tick in which missing neighbours
+/// need more. Where the rows are too few for those that are sensed, [`new`](Self::new) says how many are needed.
 #[derive(Clone, Debug)]
 pub struct RobotMemory<const D: usize, const N: usize, const K: usize = 10> {
     sums: [[f64; 3]; N],

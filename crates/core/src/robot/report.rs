@@ -23,7 +23,8 @@ pub struct Report {
     pub degree_margin: i32,
     /// c_i as sensed at the last update, before any restatement.
     pub level: f64,
-    /// h_i = c_i − F′ (eq:h_i). Under `budget` with free liars it is T_i − θ; with stated errors it is the least that it can be.
+    /// h_i = c_i − F′ (eq:h_i). Under `budget` with free liars it is T_i − θ; with stated errors, or while a neighbour is
+    /// missing, it is the least that it can be.
     pub h: f64,
     /// φ_i (eq:phi_i) if the answer depends on it: under `composed`. It may be negative while all is well
     /// (docs/theory, sec:phi).
@@ -55,7 +56,7 @@ pub struct RoundReport {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Mode {
     /// Every assumption of `budget` that a robot can check holds (docs/theory, thm:any-claim). It cannot check that all robots
-    /// have the same settings, that every robot within R is sensed, and more (docs/budget.md). `composed` never says so: its
+    /// have the same settings, that every robot near the rim of its range is sensed, and more (docs/budget.md). `composed` never says so: its
     /// theorem needs continuous time.
     Guaranteed,
     /// The answer is used, but an assumption does not hold.
@@ -81,7 +82,10 @@ pub enum Reason {
     /// The robot, or under [`Assume::Obedient`](crate::controller::budget::settings::Assume::Obedient) a neighbour, is not where the
     /// stated errors and the input box allow it to be: sensing or tracking is worse than stated. It is said for as long.
     Moved,
-    /// `budget` with stated errors: h_i or a distance is not certain to be safe, and was not since the start or since the
+    /// A robot within R may be overlooked. An observation was refused or found no slot, two of one robot differed, or a
+    /// neighbour is missing for so long that it may have left ([`missing`](crate::robot::missing)). It is said for as long.
+    Overlooked,
+    /// `budget` with stated errors or while a neighbour is missing: h_i or a distance is not certain to be safe, and was not since the start or since the
     /// last broken assumption.
     Uncertain,
     /// A neighbour has told no level.

@@ -1,24 +1,21 @@
 //! Slots of neighbours in order of their numbers. There are never more of them than were lent.
 
 use crate::controller::links::peer::Peer;
+use crate::num::Vector;
 use crate::robot::error::ObserveError;
 use crate::robot::neighbor::{RobotId, Slot};
 use crate::robot::report::Reason;
 use crate::robot::{Robot, Slots};
 
 impl<const D: usize, S: Slots<D>> Robot<D, S> {
-    /// Where the slot of `id` is. If it has none, one is made at its place in the order. When all slots are taken, that of a
-    /// robot that was not yet sensed in this tick is given up.
+    /// Where the slot of `id` is. If it has none, one is made at its place in the order. When all slots are taken, that of the
+    /// farthest robot that was not yet sensed in this tick is given up.
     pub(crate) fn slot(&mut self, id: RobotId) -> Result<usize, ObserveError> {
         if let Some(index) = self.find(id) {
             return Ok(index);
         }
         if self.count == self.slots.as_ref().len() {
-            let unsensed = self
-                .neighbors()
-                .iter()
-                .rposition(|slot| !slot.sensed && !self.stays(slot))
-                .ok_or(ObserveError::Full)?;
+            let unsensed = self.farthest_unsensed().ok_or(ObserveError::Full)?;
             self.slots.as_mut().copy_within(unsensed + 1..self.count, unsensed);
             self.count -= 1;
         }
@@ -31,7 +28,7 @@ impl<const D: usize, S: Slots<D>> Robot<D, S> {
     }
 
     /// True if a robot keeps its slot although it is not sensed.
-    fn stays(&self, slot: &Slot<D>) -> bool {
+    pub(crate) fn stays(&self, slot: &Slot<D>) -> bool {
         self.params.controller().keeps_unseen(slot)
     }
 
@@ -47,25 +44,21 @@ impl<const D: usize, S: Slots<D>> Robot<D, S> {
         Some(index)
     }
 
-    /// A robot seen out of range is not a neighbour, whatever was observed before.
-    pub(crate) fn lose(&mut self, id: RobotId) {
-        if let Some(index) = self.find(id) {
-            let slot = &mut self.slots.as_mut()[index];
-            (slot.sensed, slot.peer) = (false, Peer::new(self.ledger.numbers.last()));
+    /// A robot seen out of range at `offset_m` is not sensed as a neighbour, whatever was observed before.
+    pub(crate) fn lose(&mut self, id: RobotId, offset_m: &Vector<D>) {
+        let Some(index) = self.find(id) else { return };
+        let slot = &mut self.slots.as_mut()[index];
+        if slot.seen_before && self.params.controller().promises() {
+            self.assurance.watch(&self.params, self.now, slot, offset_m);
         }
+        (slot.sensed, slot.peer) = (false, Peer::new(self.ledger.numbers.last()));
     }
 
-    /// Frees the slots of robots that were not sensed in this tick, but for those that stay.
-    pub(crate) fn forget_unsensed(&mut self) {
-        let mut kept = 0;
+    /// Keeps the slots for which `keep` says so.
+    pub(crate) fn keep(&mut self, mut keep: impl FnMut(&mut Slot<D>) -> bool) {
+        let (mut kept, slots) = (0, self.slots.as_mut());
         for index in 0..self.count {
-            let slot = &self.slots.as_ref()[index];
-            let stays = !slot.sensed && self.stays(slot);
-            if !slot.sensed && !stays && self.params.controller().misses(slot) {
-                self.assurance.note(self.now, Reason::Unseen);
-            }
-            let slots = self.slots.as_mut();
-            if slots[index].sensed || stays {
+            if keep(&mut slots[index]) {
                 if kept < index {
                     slots[kept] = slots[index];
                 }
@@ -73,5 +66,18 @@ impl<const D: usize, S: Slots<D>> Robot<D, S> {
             }
         }
         self.count = kept;
+    }
+
+    /// Frees the slots of robots that were not sensed in this tick, but for those that stay.
+    pub(crate) fn forget_unsensed(&mut self) {
+        let (controller, mut missed) = (*self.params.controller(), false);
+        self.keep(|slot| {
+            let stays = slot.sensed || controller.keeps_unseen(slot);
+            missed |= !stays && controller.misses(slot);
+            stays
+        });
+        if missed {
+            self.assurance.note(self.now, Reason::Unseen);
+        }
     }
 }

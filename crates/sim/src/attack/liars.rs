@@ -34,6 +34,9 @@ pub struct Liars {
     /// Draws what is told to one neighbour alone, levels and values in one order.
     faces: Random,
     malicious: Vec<bool>,
+    /// Whether the lies of the scenario are the same for everybody.
+    one_level: bool,
+    one_value: bool,
     /// What is told in this tick in place of the scenario's lies, if it was given from outside.
     given_levels: Option<Vec<f64>>,
     given_values: Option<Vec<f64>>,
@@ -53,6 +56,8 @@ impl Liars {
             motion: MotionLiar::new(scenario.attack.motion.clone(), seed, robots, tick_s),
             faces: Random::new(seed, Stream::Faces),
             malicious: scenario.malicious_mask(),
+            one_level: scenario.attack.level.is_alike_for_all(),
+            one_value: scenario.attack.value.is_alike_for_all() && scenario.attack.level.is_alike_for_all(),
             given_levels: None,
             given_values: None,
             tick_s,
@@ -94,6 +99,14 @@ impl Liars {
             Some(given) => given[index],
             None => self.value.value(index, value),
         }
+    }
+
+    /// Whether robot `index` tells everybody the same level, and the same value.
+    pub(crate) fn tells_alike(&self, index: usize) -> [bool; 2] {
+        if !self.malicious[index] {
+            return [true; 2];
+        }
+        [self.given_levels.is_some() || self.one_level, self.given_values.is_some() || self.one_value]
     }
 
     /// What goes from `sender` to one robot that holds `value`: `message`, unless the sender has another face for it.

@@ -25,7 +25,7 @@ pub enum ListsAttack {
     Never,
     /// Nobody is listed, and everybody is promised a release for nothing.
     Always,
-    /// Everybody is listed for a while and then nobody, in turns.
+    /// Everybody is listed for a while, and then nobody is listed and nothing acknowledged, in turns.
     Flap {
         /// How long one turn of both takes, s.
         period_s: f64,
@@ -141,6 +141,9 @@ impl ListsLiar {
             ListsAttack::Always | ListsAttack::Deserter => item.entry.listed = false,
             ListsAttack::Flap { period_s } => {
                 item.entry.listed = (f64::from(tick) * self.tick_s / period_s).fract() < 0.5;
+                if !item.entry.listed {
+                    item.entry.acknowledged = Number::NONE;
+                }
             }
             ListsAttack::Replay { age_s } => {
                 if let Some(then) = self.replayed::<D>(tick, sender, bytes, age_s, item.id) {

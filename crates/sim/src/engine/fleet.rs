@@ -75,9 +75,10 @@ impl<const D: usize, T: Transport> Fleet<D, T> {
         values: &[f64],
     ) -> Result<Self, RobotError> {
         let others = values.len().saturating_sub(1);
+        let slots = scenario.faults.sensing.dropouts.slots.map_or(others, usize::from);
         let robots = (0..)
             .zip(values)
-            .map(|(index, value)| Robot::new(params, id(index), *value, vec![Slot::default(); others]));
+            .map(|(index, value)| Robot::new(params, id(index), *value, vec![Slot::default(); slots]));
         Ok(Self {
             robots: robots.collect::<Result<_, _>>()?,
             memory: Memory::new(&params, others),
@@ -89,7 +90,7 @@ impl<const D: usize, T: Transport> Fleet<D, T> {
             notices: None,
             buffer: vec![0; MESSAGE_BYTES.max(bytes_max(scenario.team.robots, D))],
             transport,
-            edges: Edges::new(scenario),
+            edges: Edges::new(scenario, &params),
             lists: params.controller().tells_lists(),
             ticks_per_round: scenario.ticks_per_round(),
             tick: 0,
@@ -133,7 +134,7 @@ impl<const D: usize, T: Transport> Fleet<D, T> {
         if self.tick.is_multiple_of(self.ticks_per_round) {
             frame.heard.fill([0; 2]);
         }
-        self.edges.begin_tick(time_s, &frame.positions_m);
+        self.edges.begin_tick(self.tick, time_s, &frame.positions_m);
         self.transport.begin_tick(self.tick);
         liars.begin_tick(self.tick);
         for (index, robot) in self.robots.iter_mut().enumerate() {
@@ -141,23 +142,27 @@ impl<const D: usize, T: Transport> Fleet<D, T> {
             if self.edges.downtime.reborn(index) {
                 // The value was good once.
                 let _ = robot.restart(self.values[index]);
+                self.edges.sight.forget(index);
             }
         }
     }
 
     fn sense(&mut self, frame: &Frame<D>) {
         let sight_m2 = self.params.link().radius_m * self.params.link().radius_m;
-        let Edges { clocks, senses, downtime } = &mut self.edges;
+        let Edges { clocks, senses, sight, downtime } = &mut self.edges;
         for (observer, robot) in self.robots.iter_mut().enumerate() {
             if downtime.down(observer) {
                 continue;
             }
             let own = &frame.positions_m[observer];
-            // Sensed positions are finite and clocks rise, so nothing here is refused.
+            // Sensed positions are finite and clocks rise, so nothing here is refused unless slots are too few.
             let _ = robot.sense(clocks.now(observer, self.tick), senses.sense(observer, observer, own));
             for (index, position) in frame.positions_m.iter().enumerate() {
-                if index != observer && squared_distance(own, position) <= sight_m2 {
-                    let _ = robot.observe(id(index), senses.sense(observer, index, position));
+                let within = squared_distance(own, position) <= sight_m2;
+                if index != observer && sight.senses((observer, own), index, within) {
+                    let sensed = senses.sense(observer, index, position);
+                    sight.note((observer, index), position, &sensed);
+                    let _ = robot.observe(id(index), sensed);
                 }
             }
         }
@@ -270,9 +275,12 @@ impl<const D: usize, T: Transport> Fleet<D, T> {
             frame.outcomes[index] = output.report.outcome;
             frame.modes[index] = output.report.mode;
             frame.values[index] = liars.value(index, robot.value());
+            frame.held[index] = robot.value();
             if self.lists {
                 frame.counted[index].clear();
                 frame.counted[index].extend(robot.counted().map(|id| id.0));
+                frame.rows[index].clear();
+                frame.rows[index].extend(robot.keeps_rows_for().map(|id| id.0));
             }
             ends += u32::from(output.report.degree);
             if output.report.round.is_some() {

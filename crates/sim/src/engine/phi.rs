@@ -112,7 +112,9 @@ impl PaperPhi {
     /// Finds all links, and the levels of the paper's weight.
     fn weigh<const D: usize>(&mut self, positions_m: &[Vector<D>]) {
         let Self { link, near, levels, firsts, stops, .. } = self;
-        (levels.clear(), firsts.clear(), stops.clear());
+        levels.clear();
+        firsts.clear();
+        stops.clear();
         levels.resize(positions_m.len(), 0.0);
         near.look(positions_m, link.radius_m);
         for second in 0..positions_m.len() {

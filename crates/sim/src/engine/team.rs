@@ -6,7 +6,7 @@
 
 use closeranks_core::controller::{Control, Decision, Glimpse, Low, Motion, Neighbor, Own, Standing};
 use closeranks_core::equations::barrier::degree_barrier;
-use closeranks_core::num::{dot, sqrt, subtract};
+use closeranks_core::num::{Vector, dot, sqrt, subtract};
 use closeranks_core::robot::neighbor::RobotId;
 use closeranks_core::robot::scratch::Scratch;
 use closeranks_core::settings::params::Params;
@@ -46,8 +46,27 @@ struct Robots<const D: usize, C: Control<D>> {
     /// What others make of what each told, and what each adds up.
     told: Vec<C::Told>,
     sums: Vec<C::Sums>,
-    /// What those who see everybody know of each.
-    known: Vec<C::Known>,
+    /// What can be said of each, and what those who see everybody know of it.
+    others: Vec<Other<C::Told, C::Known>>,
+}
+
+/// What can be said of a robot in a tick, in one place, because every neighbour asks for all of it.
+#[derive(Clone, Copy, Debug)]
+struct Other<Told, Known> {
+    told_level: f64,
+    told: Told,
+    level: f64,
+    degree: u16,
+    known: Known,
+}
+
+/// A robot that looks at its neighbours.
+#[derive(Clone, Copy, Debug)]
+struct Looker<const D: usize> {
+    index: usize,
+    position_m: Vector<D>,
+    /// How many robots of the team it does not see.
+    unseen: usize,
 }
 
 impl<const D: usize, C: Control<D> + Copy> Team<D, C> {
@@ -64,7 +83,7 @@ impl<const D: usize, C: Control<D> + Copy> Team<D, C> {
             dense: (C::LOOKS && count <= DENSE_MAX).then(|| Dense::new(count)),
             told: Vec::with_capacity(count),
             sums: Vec::with_capacity(count),
-            known: Vec::with_capacity(count),
+            others: Vec::with_capacity(count),
         };
         Self {
             robots,
@@ -75,7 +94,6 @@ impl<const D: usize, C: Control<D> + Copy> Team<D, C> {
         }
     }
 
-    /// τ₁, s.
     /// One tick: fills everything in `frame` but positions and desired velocities.
     pub fn step(&mut self, frame: &mut Frame<D>, liars: &mut Liars) {
         let (robots, round) = (&mut self.robots, self.consensus.is_due(self.tick));
@@ -106,33 +124,39 @@ impl<const D: usize, C: Control<D> + Copy> Robots<D, C> {
             frame.told[index] = liars.level(index, *level);
             self.told.push(self.controller.told(id(index), Some(frame.told[index])));
         }
-        self.known.clear();
+        self.others.clear();
         if C::LOOKS {
-            let glimpses = (0..frame.told.len()).map(|other| glimpse(frame, &self.told, other));
-            self.known.extend(glimpses.map(|glimpse| self.controller.know(&glimpse)));
+            self.others.extend((0..frame.told.len()).map(|other| Other {
+                told_level: frame.told[other],
+                told: self.told[other],
+                level: frame.levels[other],
+                degree: frame.degrees[other],
+                known: self.controller.know(&glimpse(frame, &self.told, other)),
+            }));
         }
     }
 
     /// What each adds up over its neighbours.
     fn add(&mut self, frame: &Frame<D>) {
-        let (controller, told) = (&self.controller, &self.told);
+        let (controller, told) = (&self.controller, &self.told[..]);
         self.sums.clear();
         self.sums.extend(told.iter().map(|own| controller.sums(own)));
+        let sums = &mut self.sums[..];
         if !C::ADDS {
             return;
         }
         for (second, firsts) in self.links.by_second() {
-            let mut own = self.sums[second];
+            let mut own = sums[second];
             for first in firsts.iter().map(|first| usize::from(*first)) {
                 controller.hear(&mut own, &told[first]);
-                controller.hear(&mut self.sums[first], &told[second]);
+                controller.hear(&mut sums[first], &told[second]);
             }
-            self.sums[second] = own;
+            sums[second] = own;
         }
         for Linked { ends, pair } in self.links.pairs() {
             let [first, second] = ends.map(usize::from);
             let offset_m = subtract(&frame.positions_m[first], &frame.positions_m[second]);
-            let (before, from_second) = self.sums.split_at_mut(second);
+            let (before, from_second) = sums.split_at_mut(second);
             let sums = [&mut before[first], &mut from_second[0]];
             controller.add_both(sums, &offset_m, pair, [&told[first], &told[second]]);
         }
@@ -162,12 +186,13 @@ impl<const D: usize, C: Control<D> + Copy> Robots<D, C> {
     fn control_in_tables(&self, dense: &mut Dense, frame: &mut Frame<D>, scratch: &mut Scratch<'_, D>) {
         dense.fill(self.links.pairs(), self.links.pair_weights());
         for robot in 0..frame.positions_m.len() {
-            if usize::from(frame.degrees[robot]) + 1 < frame.positions_m.len() {
+            let looker = Looker::new(robot, frame);
+            if looker.unseen > 0 {
                 dense.look_around(robot);
             }
-            let neighbors = dense
-                .neighbors(robot)
-                .map(|(other, pair)| self.neighbor(robot, other, pair, Low::Known(dense.low(other)), frame));
+            let neighbors = dense.neighbors(robot).map(|(other, pair)| {
+                self.neighbor(&looker, other, pair, Low::Known(dense.low(other)), frame)
+            });
             let decision = self.decide(robot, neighbors, frame, scratch);
             self.take(robot, &decision, frame);
         }
@@ -177,10 +202,11 @@ impl<const D: usize, C: Control<D> + Copy> Robots<D, C> {
     fn control_in_lists(&mut self, frame: &mut Frame<D>, scratch: &mut Scratch<'_, D>) {
         self.around.fill(frame.positions_m.len(), self.links.pairs());
         for robot in 0..frame.positions_m.len() {
+            let looker = Looker::new(robot, frame);
             let neighbors = self.around.of(robot).iter().map(|half| {
                 let other = usize::from(half.other);
                 let low = || self.seen_level(robot, other);
-                self.neighbor(robot, other, half.pair as usize, Low::Asked(&low), frame)
+                self.neighbor(&looker, other, half.pair as usize, Low::Asked(&low), frame)
             });
             let decision = self.decide(robot, neighbors, frame, scratch);
             self.take(robot, &decision, frame);
@@ -202,44 +228,48 @@ impl<const D: usize, C: Control<D> + Copy> Robots<D, C> {
         self.controller.decide(&own, &self.sums[robot], neighbors, &motion, scratch)
     }
 
+    #[inline]
     fn take(&self, robot: usize, decision: &Decision<D>, frame: &mut Frame<D>) {
         let (degree, h, need) = (frame.degrees[robot], frame.h[robot], self.params.need().need(id(robot)));
         let (outcome, phi, reason) = (decision.outcome, decision.phi, decision.doubt);
         frame.velocities_m_s[robot] = decision.velocity_m_s;
         frame.outcomes[robot] = outcome;
         frame.modes[robot] =
-            self.controller.mode(&Standing { degree, need, h, phi, outcome, untold: 0, reason });
+            self.controller.mode(&Standing { degree, need, h, phi, outcome, untold: 0, missing: 0, reason });
         if let Some(phi) = phi {
             frame.phis[robot] = phi;
         }
     }
 
-    /// A neighbour as `robot` knows it.
+    /// A neighbour as a robot knows it.
     #[inline(always)]
     #[expect(clippy::inline_always, reason = "asked of every neighbour in every tick")]
     fn neighbor(
         &self,
-        robot: usize,
+        looker: &Looker<D>,
         other: usize,
         pair: usize,
         low: Low<'_>,
         frame: &Frame<D>,
     ) -> Neighbor<'_, D, C::Pair, C::Known> {
-        let offset_m = subtract(&frame.positions_m[robot], &frame.positions_m[other]);
-        let linked = &self.links.pairs()[pair];
-        let unseen = frame.positions_m.len() - 1 - usize::from(frame.degrees[robot]);
-        let known = if unseen == 0 {
-            self.known[other]
-        } else {
-            self.controller.know(&Glimpse {
-                unseen,
-                unseen_near: self.sees.unseen_near(robot, other),
-                distance_m: sqrt(dot(&offset_m, &offset_m)),
-                low,
-                ..glimpse(frame, &self.told, other)
-            })
-        };
-        Neighbor { id: id(other), offset_m, pair: Some(&linked.pair), known }
+        let offset_m = subtract(&looker.position_m, &frame.positions_m[other]);
+        let (pair, id) = (Some(&self.links.pairs()[pair].pair), id(other));
+        let Other { told_level, told, level, degree, known } = &self.others[other];
+        if looker.unseen == 0 {
+            return Neighbor { id, offset_m, pair, known: *known };
+        }
+        let known = self.controller.know(&Glimpse {
+            id,
+            told_level: *told_level,
+            told,
+            level: *level,
+            degree: *degree,
+            unseen: looker.unseen,
+            unseen_near: self.sees.unseen_near(looker.index, other),
+            distance_m: sqrt(dot(&offset_m, &offset_m)),
+            low,
+        });
+        Neighbor { id, offset_m, pair, known }
     }
 
     /// Sum of the weights of `other` with `robot` and with whomever it sees, in order of numbers.
@@ -277,6 +307,13 @@ fn glimpse<'a, const D: usize, Told>(frame: &Frame<D>, told: &'a [Told], other: 
         unseen_near: 0,
         distance_m: 0.0,
         low: Low::Known(0.0),
+    }
+}
+
+impl<const D: usize> Looker<D> {
+    fn new(index: usize, frame: &Frame<D>) -> Self {
+        let unseen = frame.positions_m.len() - 1 - usize::from(frame.degrees[index]);
+        Self { index, position_m: frame.positions_m[index], unseen }
     }
 }
 

@@ -59,7 +59,14 @@ impl<const D: usize> Carry<D> {
         }
     }
 
-    /// Looks at one tick. `covered` is false where more robots lie than the team is prepared for.
+    /// Takes what was true in the last tick, before `truth` is about the next one. What comes back says nothing any more.
+    pub(crate) fn keep(&mut self, truth: &mut Truth) {
+        if let Some(before) = &mut self.before {
+            core::mem::swap(&mut before.truth, truth);
+        }
+    }
+
+    /// Looks at one tick; what was true in the one before was [kept](Self::keep). `covered` is false where more robots lie than the team is prepared for.
     pub(crate) fn watch(
         &mut self,
         tick: u32,
@@ -90,7 +97,6 @@ impl<const D: usize> Carry<D> {
             self.rest.watch(tick, frame, truth, verdicts);
         }
         let mut now = before.unwrap_or_default();
-        now.truth.clone_from(truth);
         now.positions_m.clone_from(&frame.positions_m);
         self.carry(frame, truth, &now, [moves, claims]);
         (now.moves, now.claims) = (moves, claims);

@@ -1,4 +1,5 @@
-//! The theorem of `links` from tick to tick: a link that is counted on stays a link, and who counts on enough keeps enough.
+//! The theorem of `links` from tick to tick: who is counted on keeps its row (lem:counted), a link that is counted on stays a link
+//! (thm:held), and who counts on enough keeps enough.
 
 use closeranks_core::num::sqrt;
 use closeranks_core::settings::params::Params;
@@ -43,10 +44,15 @@ impl<const D: usize> Held<D> {
             let (before, mut sound) = (core::mem::take(&mut self.sound[index]), Vec::new());
             for &number in counted.iter().filter(|number| self.binds(**number)) {
                 let other = usize::from(number) - 1;
+                let own = small(index + 1);
                 let pair_m2 = squared_distance(&frame.references_m[index], &frame.references_m[other]);
+                let violation =
+                    Violation { tick, robots: [own, number], seen: sqrt(pair_m2), demanded: radius_m };
+                let runs = !self.malicious[other] && !frame.down[other];
+                if runs && frame.rows[other].binary_search(&own).is_err() {
+                    verdicts.broke(Law::Held, violation, moved && moves);
+                }
                 if pair_m2 > radius_m2 {
-                    let robots = [small(index + 1), number];
-                    let violation = Violation { tick, robots, seen: sqrt(pair_m2), demanded: radius_m };
                     let carried = moved && before.binary_search(&number).is_ok();
                     verdicts.broke(Law::Held, violation, carried);
                 } else if moves {

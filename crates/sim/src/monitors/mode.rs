@@ -23,7 +23,7 @@ pub(crate) struct ModeWatch<const D: usize> {
     malicious: Vec<bool>,
     /// Pairs with a malicious robot may collide: it goes where it likes.
     free: bool,
-    /// Robots know their own state exactly.
+    /// Robots know their own state exactly, and in time.
     exact: bool,
     /// Whether lists of links are lost or lied about, so that nobody need count on anybody.
     deaf: bool,
@@ -57,7 +57,7 @@ impl<const D: usize> ModeWatch<D> {
         Self {
             malicious: scenario.malicious_mask(),
             free: scenario.attack.motion != MotionAttack::Obedient,
-            exact: errors.offset_m == 0.0 && steady,
+            exact: errors.offset_m == 0.0 && steady && scenario.faults.sensing.dropouts.is_none(),
             deaf: is_deaf(scenario, &params),
             broken: false,
             wrong: vec![None; usize::from(scenario.team.robots)],
@@ -97,7 +97,8 @@ impl<const D: usize> ModeWatch<D> {
                 *counter += u64::from(counts);
             }
             let at = |seen| Violation { tick, robots: [robot, 0], seen, demanded: 0.0 };
-            if guaranteed && !frame.assumptions.sensed_wrong[index] && self.untrue(index, truth, &crowded) {
+            let knows = !frame.assumptions.sensed_wrong[index] && !frame.assumptions.unsensed[index];
+            if guaranteed && knows && self.untrue(index, truth, &crowded) {
                 let misled =
                     !longer_ago(self.wrong[index], tick, self.told_ticks) || !self.exact && self.broken;
                 let covered = !self.params.controller().tells_lists() || !misled;
@@ -123,8 +124,7 @@ impl<const D: usize> ModeWatch<D> {
     /// is too close to anybody.
     fn crowd(&self, truth: &Truth, anybody: bool) -> Vec<bool> {
         let kept = self.params.kept();
-        let radius_m = self.params.link().radius_m;
-        let blur_m2 = ROUNDING * radius_m * radius_m;
+        let blur_m2 = truth.rounding_m2(kept.distance_min_m * kept.distance_min_m);
         // A hair more for who must promise than for who may not: at the limit itself either is right.
         let limit_m2 = if anybody {
             kept.distance_min_m * kept.distance_min_m + blur_m2

@@ -2,7 +2,7 @@
 
 use closeranks_core::controller::budget::knowledge::Sighting;
 use closeranks_core::equations::link::{Link, LinkShape};
-use closeranks_core::num::subtract;
+use closeranks_core::num::{sqrt, subtract};
 use closeranks_core::robot::neighbor::RobotId;
 use closeranks_core::settings::Team;
 use closeranks_core::settings::params::Params;
@@ -10,14 +10,18 @@ use closeranks_core::settings::params::Params;
 use crate::frame::Frame;
 use crate::monitors::pairs::Pairs;
 
-/// Sums of weights, and squares of distances as a share of R², are rounded by far less than this.
+/// Sums of weights are rounded by far less than this, and squares of distances by less than this fraction of themselves.
 pub(crate) const ROUNDING: f64 = 1e-11;
+/// Coordinates are rounded by far less than this fraction of themselves in a tick.
+const PLACE_ROUNDING: f64 = 1e-14;
 
 /// True levels, degrees and distances of one tick.
-#[derive(Debug, Default)]
+#[derive(Clone, Debug, Default)]
 pub(crate) struct Truth {
     /// c_i within R, of the weight that robots use.
     pub(crate) levels: Vec<f64>,
+    /// δ_i: neighbours within R.
+    pub(crate) neighbors: Vec<u16>,
     /// c_i of the paper's weight, where somebody wants to know φ.
     pub(crate) paper_levels: Vec<f64>,
     /// Neighbours that count: all, or with free liars the normal ones.
@@ -30,27 +34,10 @@ pub(crate) struct Truth {
     pub(crate) pairs: Pairs,
     /// The least of those of references, m²; of a sparse team that has none near it is infinite.
     pub(crate) least_m2: f64,
+    /// The greatest coordinate of any position or reference, m.
+    pub(crate) span_m: f64,
     /// Memory for the weights and the slopes of all pairs.
     scratch: [Vec<f64>; 2],
-}
-
-impl Clone for Truth {
-    fn clone(&self) -> Self {
-        let mut clone = Self::default();
-        clone.clone_from(self);
-        clone
-    }
-
-    /// Copies into the memory that is there.
-    fn clone_from(&mut self, other: &Self) {
-        self.levels.clone_from(&other.levels);
-        self.paper_levels.clone_from(&other.paper_levels);
-        self.degrees.clone_from(&other.degrees);
-        self.h.clone_from(&other.h);
-        self.h_own.clone_from(&other.h_own);
-        self.pairs.clone_from(&other.pairs);
-        self.least_m2 = other.least_m2;
-    }
 }
 
 impl Truth {
@@ -65,15 +52,11 @@ impl Truth {
         self.pairs.look(&frame.positions_m, &frame.references_m, wide_m(params));
         let lesser = |least: f64, pair_m2: &f64| if *pair_m2 < least { *pair_m2 } else { least };
         self.least_m2 = self.pairs.references_m2().iter().fold(f64::INFINITY, lesser);
+        let coordinates = frame.positions_m.iter().chain(&frame.references_m).flatten();
+        self.span_m = coordinates.fold(0.0, |most: f64, x| most.max(x.abs()));
         let required = f64::from(required(params));
         if plain {
-            self.levels.clone_from(&frame.levels);
-            self.paper_levels.clone_from(&frame.levels);
-            self.degrees.clone_from(&frame.degrees);
-            self.h.clear();
-            self.h.extend(frame.levels.iter().map(|level| level - required));
-            self.h_own.clone_from(&self.h);
-            return;
+            return self.take(frame, required);
         }
         let free = is_free(params);
         let margin = params.kept().errors.away_m > 0.0;
@@ -83,6 +66,7 @@ impl Truth {
         let positions_m2 = pairs.positions_m2();
         weigh(params.link(), pairs, positions_m2, |_| true, &mut self.levels, &mut self.degrees, scratch);
         self.h.clone_from(&self.levels);
+        self.neighbors.clone_from(&self.degrees);
         if frame.wants_phi && params.weighs_its_own_way() {
             let (shape, sums) = (params.paper_link(), &mut self.paper_levels);
             weigh(&shape, pairs, positions_m2, |_| true, sums, &mut self.degrees, scratch);
@@ -112,6 +96,22 @@ impl Truth {
                 *own = trimmed(params, frame, robot) - required;
             }
         }
+    }
+
+    /// The truth as robots know it that sense exactly.
+    fn take<const D: usize>(&mut self, frame: &Frame<D>, required: f64) {
+        self.levels.clone_from(&frame.levels);
+        self.paper_levels.clone_from(&frame.levels);
+        self.degrees.clone_from(&frame.degrees);
+        self.neighbors.clone_from(&frame.degrees);
+        self.h.clear();
+        self.h.extend(frame.levels.iter().map(|level| level - required));
+        self.h_own.clone_from(&self.h);
+    }
+
+    /// How much a squared distance of about `distance_m2` (m²) may be rounded, m²: it scales with the numbers compared.
+    pub(crate) fn rounding_m2(&self, distance_m2: f64) -> f64 {
+        ROUNDING * distance_m2 + PLACE_ROUNDING * self.span_m * sqrt(distance_m2)
     }
 
     fn resize(&mut self, count: usize) {

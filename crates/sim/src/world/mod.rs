@@ -237,8 +237,11 @@ impl<const D: usize> World<D> {
         self.judge.judge(tick, &mut self.frame, self.robots.as_ref(), &self.bodies);
         self.monitors.watch(tick, &self.frame);
         self.collector.watch(&self.scenario, &self.frame, &self.monitors);
+        for index in 0..self.frame.values.len() {
+            [self.frame.one_level[index], self.frame.one_value[index]] = self.liars.tells_alike(index);
+        }
         if let Some(record) = &mut self.record {
-            record.push(tick, &self.frame);
+            record.push(tick, &self.frame, self.monitors.truth());
         }
         self.watch_round(tick);
         self.done = self.done.saturating_add(1);

@@ -23,18 +23,20 @@ pub struct ErrorBounds {
     pub away_m: f64,
     /// 2E, m: bound of the error of an offset between two references.
     pub offset_m: f64,
+    /// How much of it is there only because a robot was not sensed in this tick, m: how far it can have gone since.
+    pub unsensed_m: f64,
 }
 
 impl ErrorBounds {
     /// Exact positions and moves.
-    pub const NONE: Self = Self { away_m: 0.0, offset_m: 0.0 };
+    pub const NONE: Self = Self { away_m: 0.0, offset_m: 0.0, unsensed_m: 0.0 };
 
     /// The bounds for e = `position_error_m` and ε = `tracking_error_m`.
     //= theory sec:margins
     #[must_use]
     pub fn new(position_error_m: f64, tracking_error_m: f64) -> Self {
         let away_m = if tracking_error_m > 0.0 { position_error_m + tracking_error_m } else { 0.0 };
-        Self { away_m, offset_m: 2.0 * (position_error_m + away_m) }
+        Self { away_m, offset_m: 2.0 * (position_error_m + away_m), unsensed_m: 0.0 }
     }
 
     /// E, m: how far a sensed position may lie from the reference.
@@ -52,8 +54,9 @@ mod tests {
     #[test]
     fn error_bounds_by_hand() {
         assert_eq!(ErrorBounds::new(0.0, 0.0), ErrorBounds::NONE);
-        assert_eq!(ErrorBounds::new(0.25, 0.0), ErrorBounds { away_m: 0.0, offset_m: 0.5 });
-        assert_eq!(ErrorBounds::new(0.25, 0.5), ErrorBounds { away_m: 0.75, offset_m: 2.0 });
+        let bounds = |away_m, offset_m| ErrorBounds { away_m, offset_m, unsensed_m: 0.0 };
+        assert_eq!(ErrorBounds::new(0.25, 0.0), bounds(0.0, 0.5));
+        assert_eq!(ErrorBounds::new(0.25, 0.5), bounds(0.75, 2.0));
         assert_eq!(ErrorBounds::new(0.25, 0.5).sensed_m(), 1.0);
     }
 }

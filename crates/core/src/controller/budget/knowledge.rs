@@ -28,16 +28,20 @@ pub struct Sighting<const D: usize> {
     pub position_m: Vector<D>,
     /// The last level that it told.
     pub claim: Option<Claim>,
+    /// How far it can have gone since it was sensed, m; 0 for a robot that was sensed in this tick.
+    pub unsensed_m: f64,
 }
 
 impl<const D: usize> Sighting<D> {
     /// A place holder in memory that is not filled yet.
-    pub const NOBODY: Self = Self { id: RobotId(0), offset_m: [0.0; D], position_m: [0.0; D], claim: None };
+    pub const NOBODY: Self =
+        Self { id: RobotId(0), offset_m: [0.0; D], position_m: [0.0; D], claim: None, unsensed_m: 0.0 };
 
     /// The sighting of robot `id` by a robot at the origin.
     #[must_use]
     pub fn new(id: RobotId, offset_m: Vector<D>, claim: Option<Claim>) -> Self {
-        Self { id, offset_m, position_m: offset_m.map(|component| -component), claim }
+        let position_m = offset_m.map(|component| -component);
+        Self { id, offset_m, position_m, claim, unsensed_m: 0.0 }
     }
 }
 

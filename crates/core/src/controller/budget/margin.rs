@@ -1,10 +1,20 @@
 //! Room for wrong positions: what a robot still knows of a link, and of a row, when positions are known only to some error.
 
+use crate::controller::budget::errors::ErrorBounds;
+use crate::controller::budget::knowledge::Sighting;
 use crate::controller::budget::settings::{Assume, Budget};
 use crate::equations::link::Link;
 use crate::num::{Vector, dot, length};
 
 impl Budget {
+    /// The same with offsets that may be wrong by `unsensed_m` (m) more: for a robot that can have gone so far since it was
+    /// sensed, or for two such robots.
+    //= theory sec:unsensed
+    pub(crate) fn blurred(&self, unsensed_m: f64) -> Self {
+        let offset_m = self.errors.offset_m + unsensed_m;
+        Self { errors: ErrorBounds { offset_m, unsensed_m, ..self.errors }, ..*self }
+    }
+
     /// True if positions and moves are exact.
     pub(crate) fn is_exact(&self) -> bool {
         self.errors.offset_m == 0.0
@@ -46,5 +56,13 @@ impl Budget {
     pub(crate) fn in_range<const D: usize>(&self, offset: &Vector<D>) -> bool {
         let sight_m = self.curvature.link().radius_m + self.errors.offset_m;
         sight_m * sight_m - dot(offset, offset) >= 0.0
+    }
+
+    /// True unless a sighting is certainly out of range.
+    pub(crate) fn is_in_range<const D: usize>(&self, sighting: &Sighting<D>) -> bool {
+        match sighting.unsensed_m {
+            0.0 => self.in_range(&sighting.offset_m),
+            unsensed_m => self.blurred(unsensed_m).in_range(&sighting.offset_m),
+        }
     }
 }

@@ -13,17 +13,27 @@ use crate::controller::budget::rows::Rows;
 use crate::controller::budget::settings::Budget;
 use crate::num::{Vector, add_scaled, dot, length};
 
+/// h is a sum of weights near 1: it is rounded by less than this. What is missing by no more is mended, but nothing is said.
+pub(super) const H_ROUNDING: f64 = 1e-11;
+/// Squared distances near Δ_d² are rounded by less than this fraction.
+const NEAR_ROUNDING: f64 = 1e-11;
+
 impl Budget {
-    /// Recovery of the robot's own h_i, if it is below 0.
+    /// Recovery of the robot's own h_i, if it is below 0. What may be missing only because a neighbour was not sensed is not
+    /// mended: else a robot would follow those whom it lost from sight.
     //= theory sec:recovery
     pub(super) fn recover_own<const D: usize>(&self, own: &Own<D>, rows: &mut Rows<'_, D>) {
         if own.h < 0.0 {
-            rows.count_violation(own.h + own.degree * self.weight_error() < 0.0);
-            rows.raise(&own.gradient, self.mend_m(-own.h, &own.gradient));
+            let h_max = own.h + own.unsensed;
+            if own.h < -H_ROUNDING {
+                rows.count_violation(h_max + own.degree * self.weight_error() < -H_ROUNDING);
+            }
+            rows.raise(&own.gradient, self.mend_m(-h_max, &own.gradient));
         }
     }
 
-    /// Recovery of a distance that may be less than Δ_d: each of the two robots makes up for half of what is missing.
+    /// Recovery of a distance that may be less than Δ_d: each of the two robots makes up for half of what is missing. From a
+    /// robot that was not sensed nobody shies away unless it is too close wherever it can have gone.
     //= theory sec:recovery
     pub(super) fn recover_distance<const D: usize>(
         &self,
@@ -31,9 +41,12 @@ impl Budget {
         pair: &Pair,
         rows: &mut Rows<'_, D>,
     ) {
-        let error_m = self.errors.offset_m;
-        rows.count_violation(self.spare_m2(pair, error_m) < 0.0);
-        let missing_m = self.distance_min_m + error_m - pair.distance_m;
+        let (error_m, unsensed_m) = (self.errors.offset_m, self.errors.unsensed_m);
+        let hair_m2 = NEAR_ROUNDING * self.distance_min_m * self.distance_min_m;
+        if self.spare_m2(pair, -error_m) < -hair_m2 {
+            rows.count_violation(self.spare_m2(pair, error_m) < -hair_m2);
+        }
+        let missing_m = self.distance_min_m + (error_m - 2.0 * unsensed_m) - pair.distance_m;
         rows.raise(offset, (0.5 * missing_m).min(self.move_max_m));
     }
 

@@ -6,7 +6,7 @@ use crate::controller::links::deal::Deal;
 use crate::controller::links::protocol::{Hold, Number, Numbers};
 use crate::controller::links::wire::{Head, Item, Notice};
 use crate::num::Vector;
-use crate::robot::neighbor::RobotId;
+use crate::robot::id::RobotId;
 use crate::time::Instant;
 
 /// What a robot holds of one neighbour.

@@ -13,7 +13,7 @@
 use crate::controller::links::protocol::{Entry, Number, Word};
 use crate::message::{MessageError, VALUE_MAX};
 use crate::num::{Vector, is_finite};
-use crate::robot::neighbor::RobotId;
+use crate::robot::id::RobotId;
 use crate::settings::range::{MAGNITUDE_MAX, ROBOTS_MAX};
 
 const MAGIC: [u8; 2] = *b"CR";
