@@ -8,6 +8,7 @@
 
 From Coq Require Import Reals Lra Psatz.
 From Coquelicot Require Import Coquelicot.
+From Interval Require Import Tactic.
 From mathcomp Require Import all_ssreflect.
 From Closeranks Require Import intervals vectors weights.
 Import ExactIntervals.
