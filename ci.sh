@@ -3,6 +3,7 @@
 #
 #     ./ci.sh              all that needs nothing else
 #     ./ci.sh writers      graphs from every writer of networkx and igraph, read back (Python 3 and PyPI)
+#     ./ci.sh proofs       the theorems of docs/theory, checked by Coq (Debian's packages; proofs/check.sh)
 #     ./ci.sh bare-metal   the core on a microcontroller, emulated (Debian's packages; scripts/bare-metal.sh)
 set -euo pipefail
 cd "$(dirname "$0")"
@@ -16,12 +17,16 @@ case "${1:-}" in
     step "graphs written by other libraries"
     exec crates/graph/tests/writers/run.sh
     ;;
+  proofs)
+    step "theorems, checked by a machine"
+    exec proofs/check.sh
+    ;;
   bare-metal)
     step "the core on a microcontroller"
     exec scripts/bare-metal.sh
     ;;
   *)
-    echo "no stage is called \`$1\`, allowed are writers, bare-metal, or none"
+    echo "no stage is called \`$1\`, allowed are writers, proofs, bare-metal, or none"
     exit 2
     ;;
 esac
