@@ -86,10 +86,11 @@ impl Default for Network {
 }
 
 /// Where the robot is and how it moves.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields, rename_all = "kebab-case", tag = "kind")]
 pub enum Plant {
     /// A `closeranks-node plant` whose key is in the roster.
+    #[default]
     Simulated,
     /// Positions of all robots from a file; velocities go nowhere.
     Replay {
@@ -151,12 +152,6 @@ impl Default for Ros2 {
             base_frame_id: "base_link".into(),
             look_ahead_m: None,
         }
-    }
-}
-
-impl Default for Plant {
-    fn default() -> Self {
-        Self::Simulated
     }
 }
 

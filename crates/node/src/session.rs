@@ -3,8 +3,8 @@
 //! Multicast and gossip are off, so what is connected is what the configuration says. Everything is published to be dropped when
 //! a link is full and not to wait, because an old message is worth less than the next one.
 
+use core::sync::atomic::{AtomicU64, Ordering};
 use std::sync::Arc;
-use std::sync::atomic::{AtomicU64, Ordering};
 use std::sync::mpsc::{SyncSender, TrySendError};
 
 use zenoh::bytes::ZBytes;

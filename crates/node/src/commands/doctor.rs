@@ -1,8 +1,8 @@
 //! `doctor`: goes through everything that a robot needs, one step after another, and says which one fails.
 
+use core::time::Duration;
 use std::path::Path;
 use std::sync::mpsc::sync_channel;
-use std::time::Duration;
 
 use crate::clock::Clock;
 use crate::commands::Failure;
@@ -72,14 +72,14 @@ pub fn doctor(path: &Path, say: &mut dyn FnMut(&str)) -> Result<(), Failure> {
     )?;
     let net = net?;
     let key = format!("doctor/{}", id.map_or(0, |id| id.0));
-    let back = echo(&config, &net, &key, &clock);
+    let back = echo(&config, &net, &key, clock);
     step("one message through the network and back", back)?;
     net.close();
     Ok(())
 }
 
 /// Publishes on one session and listens with another one.
-fn echo(config: &Config, net: &Net, key: &str, clock: &Clock) -> Result<String, Failure> {
+fn echo(config: &Config, net: &Net, key: &str, clock: Clock) -> Result<String, Failure> {
     let other = Net::open(
         &crate::config::Network { listen: Vec::new(), ..config.network.clone() },
         &config.network.mode,

@@ -89,15 +89,12 @@ fn add(dir: &Path, name: &str, key: Option<&str>) -> Result<String, Failure> {
     if draft.robots.iter().any(|entry| entry.name == name) {
         return Err(format!("`{name}` is in {} already", path.display()).into());
     }
-    let (public, file) = match key {
-        Some(key) => {
-            keys::public(key).ok_or("--key must be a public key of 64 hexadecimal digits")?;
-            (key.to_lowercase(), None)
-        }
-        None => {
-            let file = dir.join(format!("{name}.key"));
-            (hex(keys::create(&file)?.verifying_key().as_bytes()), Some(file))
-        }
+    let (public, file) = if let Some(key) = key {
+        keys::public(key).ok_or("--key must be a public key of 64 hexadecimal digits")?;
+        (key.to_lowercase(), None)
+    } else {
+        let file = dir.join(format!("{name}.key"));
+        (hex(keys::create(&file)?.verifying_key().as_bytes()), Some(file))
     };
     let what = if name == PLANT {
         draft.plant = Some(public.clone());

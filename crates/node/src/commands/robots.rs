@@ -1,8 +1,8 @@
 //! `run`, `liar`, `plant`, `relay` and `fleet`.
 
+use core::sync::atomic::{AtomicBool, Ordering};
 use std::path::Path;
 use std::sync::Arc;
-use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::mpsc::{RecvTimeoutError, sync_channel};
 
 use clap::Args;
@@ -148,7 +148,7 @@ fn plant_in<const D: usize>(
     let mut table = fleet::table::Table::new(true, &file.scenario);
     let mut plant = Pace::new(world, roster, key, epoch, clock, net)?;
     let mut draw = |world: &World<D>, now| table.draw(world, &[], now);
-    let patience = Duration::from_secs(3_600);
+    let patience = Duration::from_hours(1);
     if !plant.gather(patience, stop, &mut draw) {
         return Err("not all robots reported".into());
     }

@@ -1,11 +1,11 @@
 //! An outsider without any key, on the same network: it puts garbage, changed copies and old messages on every key of the team.
 
+use core::sync::atomic::{AtomicBool, AtomicU64, Ordering};
+use core::time::Duration;
 use std::collections::VecDeque;
 use std::sync::Arc;
-use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 use std::sync::mpsc::sync_channel;
 use std::thread::JoinHandle;
-use std::time::Duration;
 
 use closeranks_sim::random::{Random, Stream};
 use closeranks_sim::scenario::Scenario;

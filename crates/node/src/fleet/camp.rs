@@ -1,11 +1,11 @@
 //! The processes of a fleet: their keys, their roster, their files, and how they are started and ended.
 
+use core::time::Duration;
 use std::fs;
 use std::net::TcpListener;
 use std::path::{Path, PathBuf};
 use std::process::{Child, Command, Stdio};
 use std::sync::Arc;
-use std::time::Duration;
 
 use closeranks_sim::scenario::Scenario;
 use closeranks_sim::world::{RunError, initial_values};

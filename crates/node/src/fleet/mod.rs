@@ -6,8 +6,8 @@ pub mod events;
 pub mod table;
 pub mod verdict;
 
+use core::sync::atomic::AtomicBool;
 use std::path::PathBuf;
-use std::sync::atomic::AtomicBool;
 
 use closeranks_sim::world::RunError;
 use core::time::Duration;
@@ -24,7 +24,7 @@ use crate::scenarios::FleetScenario;
 use crate::session::{Net, SessionError};
 
 /// How long robots may take to start.
-const PATIENCE: Duration = Duration::from_secs(60);
+const PATIENCE: Duration = Duration::from_mins(1);
 /// How long the router may take to start, ms.
 const ROUTER_MS: u32 = 30_000;
 

@@ -102,7 +102,7 @@ impl Table {
 fn rejects(counts: &[u32]) -> String {
     let mut named: Vec<(u32, &str)> =
         counts.iter().copied().zip(Reject::ALL.map(Reject::name)).filter(|(count, _)| *count > 0).collect();
-    named.sort_by(|first, second| second.0.cmp(&first.0));
+    named.sort_by_key(|(count, _)| core::cmp::Reverse(*count));
     let words: Vec<String> = named.iter().take(3).map(|(count, name)| format!("{name} {count}")).collect();
     words.join(" ")
 }

@@ -74,9 +74,9 @@ pub fn read(text: &str) -> Result<Scenario, ParametersError> {
         return Err(ParametersError::Global(row.name));
     }
     if scenario.dimension == 3 {
-        check::<3>(&scenario)?
+        check::<3>(&scenario)?;
     } else {
-        check::<2>(&scenario)?
+        check::<2>(&scenario)?;
     }
     Ok(scenario)
 }

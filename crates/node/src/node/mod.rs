@@ -6,10 +6,10 @@ pub mod run;
 pub mod voice;
 pub mod wish;
 
+use core::sync::atomic::AtomicBool;
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
-use std::sync::atomic::AtomicBool;
 use std::sync::mpsc::{SyncSender, sync_channel};
 
 use closeranks_core::settings::range::ParamsError;
@@ -80,9 +80,9 @@ pub enum NodeError {
 pub fn run(config: &Config, lies: Option<&Scenario>, stop: &Arc<AtomicBool>) -> Result<(), NodeError> {
     let roster = load_roster(config)?;
     if roster.scenario().dimension == 3 {
-        run_in::<3>(config, roster, lies, stop)
+        run_in::<3>(config, &roster, lies, stop)
     } else {
-        run_in::<2>(config, roster, lies, stop)
+        run_in::<2>(config, &roster, lies, stop)
     }
 }
 
@@ -118,20 +118,20 @@ fn identity(config: &Config, roster: Arc<Roster>) -> Result<Identity, NodeError>
 
 fn run_in<const D: usize>(
     config: &Config,
-    roster: Arc<Roster>,
+    roster: &Arc<Roster>,
     lies: Option<&Scenario>,
     stop: &Arc<AtomicBool>,
 ) -> Result<(), NodeError> {
     let params: Params<D> = roster.scenario().params()?;
     let clock = Clock::start(config.clock);
-    let id = named(&roster, "robot", &config.robot)?;
+    let id = named(roster, "robot", &config.robot)?;
     // What a file may have wrong is found before anything is opened or counted.
-    let recorded = recorded(config, &params, id, &clock)?;
+    let recorded = recorded(config, &params, id, clock)?;
     let listed = listed(config, id)?;
-    let identity = identity(config, Arc::clone(&roster))?;
+    let identity = identity(config, Arc::clone(roster))?;
     let mut pilot = Pilot::new(identity, params, config.value)?;
     for name in &config.distrust {
-        pilot.trust(named(&roster, "distrust", name)?, false);
+        pilot.trust(named(roster, "distrust", name)?, false);
     }
     let net = Net::open(&config.network, &config.network.mode)?;
     let period = params.settings().clock.level_period;
@@ -140,13 +140,13 @@ fn run_in<const D: usize>(
     let port: Box<dyn PlantPort<D>> = match (&config.plant, recorded) {
         (_, Some(replay)) => Box::new(replay),
         (Plant::Ros2(topics), _) => {
-            let (port, shown) = ros::plant(topics, &roster, id, period, &net)?;
+            let (port, shown) = ros::plant(topics, roster, id, period, &net)?;
             own = port.own();
             tokens = shown;
             Box::new(port)
         }
         _ if roster.plant().is_none() => return Err(NodeError::NoPlant),
-        _ => Box::new(Simulated::new(Arc::clone(&roster), id, &params)),
+        _ => Box::new(Simulated::new(Arc::clone(roster), id, &params)),
     };
     let wish: Box<dyn Wish<D>> = match (&config.desired, &config.plant, listed) {
         (_, _, Some(listed)) => Box::new(listed),
@@ -164,7 +164,7 @@ fn run_in<const D: usize>(
     // Until here nothing moves, so signals may end the process at once.
     stop_on_signals(stop)?;
     let (queue, events) = sync_channel(QUEUE);
-    let ears = ears(&net, config, &roster, id, &queue)?;
+    let ears = ears(&net, config, roster, id, &queue)?;
     drop(queue);
     Node::new(pilot, port, voice, wish, clock, period).run(&events, stop);
     drop((ears, tokens));
@@ -177,7 +177,7 @@ fn recorded<const D: usize>(
     config: &Config,
     params: &Params<D>,
     id: RobotId,
-    clock: &Clock,
+    clock: Clock,
 ) -> Result<Option<Replay<D>>, NodeError> {
     let Plant::Replay { file } = &config.plant else { return Ok(None) };
     let text = read(file, REPLAY_MAX)?;

@@ -3,8 +3,8 @@
 //! Ticks begin on the grid of the clock. What the robot senses, it uses when it comes; what it tells, it tells then; and at
 //! [`DECIDE`] of the tick it decides, with whatever was heard by then. It never waits for anybody.
 
+use core::sync::atomic::{AtomicBool, Ordering};
 use core::time::Duration;
-use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::mpsc::{Receiver, RecvTimeoutError};
 
 use closeranks_core::{Instant, RobotId};
@@ -100,7 +100,8 @@ impl<'a, const D: usize> Node<'a, D> {
             let now = self.clock.now();
             if now >= decide_at {
                 self.decide(now);
-                decide_at = tick(self.clock.now().after(self.period - part), self.period).after(part);
+                decide_at =
+                    tick(self.clock.now().after(self.period.saturating_sub(part)), self.period).after(part);
                 continue;
             }
             let next = self.port.next_at().map_or(decide_at, |at| at.min(decide_at));

@@ -1,7 +1,7 @@
 //! The simulated plant in real time: looks go out at the beginning of a tick, reports come in until its end.
 
+use core::sync::atomic::{AtomicBool, Ordering};
 use std::sync::Arc;
-use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::mpsc::{Receiver, RecvTimeoutError};
 
 use closeranks_core::{Instant, RobotId};

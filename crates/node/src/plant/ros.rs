@@ -18,6 +18,9 @@ use crate::wire::sensed::Sensed;
 /// The robot's own pose and when it came, for whoever must turn velocities of the body.
 pub type Own = Arc<Mutex<Option<(Instant, Pose)>>>;
 
+/// Takes the velocity of a base.
+pub type Drive = Box<dyn FnMut(Instant, &Twist) + Send>;
+
 /// What is needed to make poses of bytes.
 #[derive(Clone, Debug)]
 pub struct Source {
@@ -39,20 +42,14 @@ pub struct Ros<const D: usize> {
     poses: Vec<Option<(Instant, Pose)>>,
     own: Own,
     next: Instant,
-    base: Box<dyn FnMut(Instant, &Twist) + Send>,
+    base: Drive,
     refused: u64,
 }
 
 impl<const D: usize> Ros<D> {
     /// For robot `id` of so many, which ticks every `period`. Velocities of the base are given to `base`.
     #[must_use]
-    pub fn new(
-        id: RobotId,
-        robots: u16,
-        source: Source,
-        period: Duration,
-        base: Box<dyn FnMut(Instant, &Twist) + Send>,
-    ) -> Self {
+    pub fn new(id: RobotId, robots: u16, source: Source, period: Duration, base: Drive) -> Self {
         let poses = vec![None; usize::from(robots)];
         Self { id, source, period, poses, own: Own::default(), next: Instant::START, base, refused: 0 }
     }
