@@ -1,10 +1,12 @@
 //! The same script in two worlds: the network in memory of the simulator, and Zenoh on loopback. Given the same deliveries, all
 //! decisions must be the same, to the last bit.
 
+#![expect(clippy::unwrap_used, reason = "helpers of tests")]
+
+use core::time::Duration;
 use std::collections::VecDeque;
 use std::sync::Arc;
 use std::sync::mpsc::{Receiver, sync_channel};
-use std::time::Duration;
 
 use closeranks_core::{MESSAGE_BYTES, Params, RobotId};
 use closeranks_node::bytes::hex;

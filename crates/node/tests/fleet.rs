@@ -1,5 +1,7 @@
 //! The program as its user runs it: a short fleet with everything that can go wrong, and bad input.
 
+#![expect(clippy::unwrap_used, reason = "helpers of tests")]
+
 use std::fs;
 use std::path::Path;
 use std::process::{Command, Output};

@@ -193,7 +193,8 @@ impl<const D: usize> World<D> {
         frame.h[index] = report.h;
         frame.values[index] = report.value;
         frame.outcomes[index] = report.outcome;
-        frame.modes[index] = report.mode;
+        // The law of modes knows only robots that want something, or stand.
+        frame.modes[index] = if report.mode == Mode::Hold { Mode::Stopped } else { report.mode };
         if !report.heard.is_empty() {
             let normal = |id: &&RobotId| malicious.get(usize::from(id.0).wrapping_sub(1)) == Some(&false);
             let counts = [report.heard.len(), report.heard.iter().filter(normal).count()];
