@@ -29,9 +29,13 @@ struct Mutant {
 
 const TICK: &str = "core/src/controller/budget/mod.rs";
 const CONTROL: &str = "core/src/controller/budget/control.rs";
+const PROTOCOL: &str = "core/src/controller/links/protocol.rs";
+const POLICY: &str = "core/src/controller/links/policy.rs";
+const ROWS: &str = "core/src/controller/links/rows.rs";
+const LINKS: &str = "core/src/controller/links/control.rs";
 const INEQUALITY: &str = "core/src/controller/budget/inequality.rs";
 
-const MUTANTS: [Mutant; 20] = [
+const MUTANTS: [Mutant; 33] = [
     Mutant {
         name: "gradient with the wrong sign",
         law: "decay",
@@ -172,8 +176,16 @@ const MUTANTS: [Mutant; 20] = [
         lines: &[
             (CONTROL, "Some(reason) => Mode::Degraded(reason),", "Some(_) => Mode::Guaranteed,"),
             (CONTROL, "_ if degree_low => Mode::Degraded(Reason::Degree),", ""),
-            (CONTROL, "None if exact && standing.h < 0.0 => Mode::Degraded(Reason::OutsideSafeSet),", ""),
-            (CONTROL, "let exact = self.budget.errors.offset_m == 0.0;", "let _ = degree_low;"),
+            (
+                CONTROL,
+                "None if exact && standing.h < -H_ROUNDING => Mode::Degraded(Reason::OutsideSafeSet),",
+                "",
+            ),
+            (
+                CONTROL,
+                "let exact = self.budget.is_exact() && standing.missing == 0;",
+                "let _ = (degree_low, H_ROUNDING);",
+            ),
         ],
     },
     Mutant {
@@ -183,6 +195,33 @@ const MUTANTS: [Mutant; 20] = [
             "core/src/robot/assurance.rs",
             "now.since(*then) <= told_max",
             "now.since(*then) <= 2 * told_max",
+        )],
+    },
+    Mutant {
+        name: "missing neighbours forgotten",
+        law: "decay",
+        lines: &[(
+            "core/src/robot/missing.rs",
+            "let missing = self.surely_holds(&slot.offset_m, gone_m);",
+            "let missing = false;",
+        )],
+    },
+    Mutant {
+        name: "missing neighbours taken for those that stand still",
+        law: "decay",
+        lines: &[(
+            "core/src/robot/missing.rs",
+            "slot.unsensed_m = if missing { gone_m } else { 0.0 };",
+            "slot.unsensed_m = if missing { f64::MIN_POSITIVE } else { 0.0 };",
+        )],
+    },
+    Mutant {
+        name: "neighbours in need are followed",
+        law: "untowed",
+        lines: &[(
+            TICK,
+            "        let gradient = pair.gradient(offset_m);\n",
+            "        let gradient = pair.gradient(offset_m);\n        if known.budget <= 0.0 {\n            rows.desired_m = add_scaled(&rows.desired_m, -0.001, offset_m);\n        }\n",
         )],
     },
     Mutant {
@@ -200,6 +239,79 @@ const MUTANTS: [Mutant; 20] = [
             "core/src/need.rs",
             "Self { robots, each: faults.saturating_add(half) }",
             "Self { robots, each: faults.saturating_add(half).saturating_sub(1) }",
+        )],
+    },
+    Mutant {
+        name: "links: row dropped when a release is sent",
+        law: "held",
+        lines: &[(PROTOCOL, "self.is_listed() || !self.is_released()", "self.is_listed()")],
+    },
+    Mutant {
+        name: "links: an older acknowledgement counts",
+        law: "held",
+        lines: &[(
+            PROTOCOL,
+            "self.listed_after.is_some_and(|after| after < self.acknowledged)",
+            "self.listed_after.is_some() && self.acknowledged > self.born",
+        )],
+    },
+    Mutant {
+        name: "links: counted on without being listed",
+        law: "held",
+        lines: &[
+            (
+                PROTOCOL,
+                "self.listed_after.is_some_and(|after| after < self.acknowledged)",
+                "self.acknowledged > self.born",
+            ),
+            (POLICY, "(peer.deal.released, peer.held) = (true, false);", "peer.deal.released = true;"),
+        ],
+    },
+    Mutant {
+        name: "links: an acknowledgement is taken back",
+        law: "degree",
+        lines: &[(
+            PROTOCOL,
+            "self.acknowledged = self.acknowledged.max(acknowledged);",
+            "self.acknowledged = acknowledged;",
+        )],
+    },
+    Mutant {
+        name: "links: R without the hair",
+        law: "degree",
+        lines: &[("core/src/controller/links/mod.rs", "const HAIR: f64 = 1e-9;", "const HAIR: f64 = 0.0;")],
+    },
+    Mutant {
+        name: "links: held rows give too much",
+        law: "held",
+        lines: &[(ROWS, "0.25 * self.gamma * (self.radius_m", "0.6 * self.gamma * (self.radius_m")],
+    },
+    Mutant {
+        name: "links: |v|² left out of (held)",
+        law: "held",
+        lines: &[(ROWS, "Row::far(offset, bound_m2)", "Row::new(*offset, 0.0, bound_m2)")],
+    },
+    Mutant {
+        name: "links: one release too many",
+        law: "degree",
+        lines: &[(POLICY, "(!is_counted || counted > keep)", "(!is_counted || counted >= keep)")],
+    },
+    Mutant {
+        name: "links: free liars counted as normal",
+        law: "degree",
+        lines: &[(
+            LINKS,
+            "Assume::Free => (Keep::NormalNeighbors, settings.team.faults),",
+            "Assume::Free => (Keep::NormalNeighbors, 0),",
+        )],
+    },
+    Mutant {
+        name: "links: guaranteed without links that are counted on",
+        law: "mode",
+        lines: &[(
+            LINKS,
+            ".then_some(Reason::Uncounted);",
+            ".then_some(Reason::Uncounted).filter(|_| false);",
         )],
     },
 ];

@@ -2,6 +2,7 @@
 
 use closeranks_core::num::{Vector, add_scaled, dot, length, subtract};
 
+use crate::faults::dropouts::Dropouts;
 use crate::faults::spell::Spell;
 use crate::parse::common::NOT_NEGATIVE;
 use crate::parse::reader::{Reader, Section};
@@ -17,6 +18,8 @@ pub struct Sensing {
     pub frozen: Option<Spell>,
     /// For a while all robots, itself included, sense one robot so far off, m.
     pub jump: Option<(Spell, f64)>,
+    /// Who is not sensed at all.
+    pub dropouts: Dropouts,
 }
 
 impl Sensing {
@@ -26,6 +29,7 @@ impl Sensing {
             noise_m: reader.number_or(section, "noise_m", NOT_NEGATIVE, 0.0),
             frozen: Spell::read(reader, section, "frozen", robots),
             jump: Spell::read_with(reader, section, "jump", robots, ("by_m", NOT_NEGATIVE)),
+            dropouts: Dropouts::read(reader, section, robots),
         }
     }
 }
