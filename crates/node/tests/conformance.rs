@@ -8,9 +8,10 @@ use std::collections::VecDeque;
 use std::sync::Arc;
 use std::sync::mpsc::{Receiver, sync_channel};
 
-use closeranks_core::{MESSAGE_BYTES, Params, RobotId};
+use closeranks_core::{Params, RobotId};
 use closeranks_node::bytes::hex;
 use closeranks_node::config::Network;
+use closeranks_node::identity::parameters;
 use closeranks_node::identity::roster::{Draft, Entry, Roster};
 use closeranks_node::node::pilot::{Identity, Pilot};
 use closeranks_node::plant::world::World as Plant;
@@ -80,8 +81,7 @@ impl Transport for OverZenoh {
     fn poll(&mut self) -> Option<Parcel> {
         let bytes = self.here.pop_front()?;
         let (ends, bytes) = bytes.split_at(2);
-        let bytes: [u8; MESSAGE_BYTES] = bytes.try_into().unwrap();
-        Some(Parcel { sender: usize::from(ends[0]), receiver: usize::from(ends[1]), bytes })
+        Some(Parcel { sender: usize::from(ends[0]), receiver: usize::from(ends[1]), bytes: bytes.into() })
     }
 }
 
@@ -90,15 +90,18 @@ fn zenoh_is_a_transport() {
     check_transport(&mut OverZenoh::new("transport"), &mut || std::thread::sleep(Duration::from_millis(1)));
 }
 
-fn scenario() -> Scenario {
-    let text = "[team]\nrobots = 7\nfaults = 1\nmalicious = []\n[controller]\nkind = 'budget'\n[clock]\ntau_1_s = 0.05\n\
-                tau_2_s = 0.2\n[start]\nkind = 'hexagon'\nspacing_m = 0.6\n[motion]\nkind = 'paper'\n";
-    closeranks_sim::parse::scenario(text).unwrap()
+/// Seven robots with this controller, and their settings as a roster has them.
+fn scenario(kind: &str) -> (Scenario, String) {
+    let text = format!(
+        "[team]\nrobots = 7\nfaults = 1\nmalicious = []\n[controller]\nkind = '{kind}'\n[clock]\ntau_1_s = 0.05\n\
+         tau_2_s = 0.2\n[start]\nkind = 'hexagon'\nspacing_m = 0.6\n[motion]\nkind = 'paper'\n"
+    );
+    (closeranks_sim::parse::scenario(&text).unwrap(), parameters::extract(&text).unwrap())
 }
 
 #[test]
 fn the_simulators_fleet_over_zenoh_is_the_fleet_in_memory() {
-    let scenario = scenario();
+    let (scenario, _) = scenario("budget");
     let params: Params<2> = scenario.params().unwrap();
     let values = initial_values(&scenario).unwrap();
     let mut there = Fleet::over(OverZenoh::new("fleet"), &scenario, params, &values).unwrap();
@@ -144,9 +147,14 @@ fn roster(scenario: &Scenario, settings: &str) -> (Arc<Roster>, Vec<SigningKey>)
 /// Nodes with signatures, gates, looks and reports over Zenoh move as the robots of the simulator do.
 #[test]
 fn nodes_over_zenoh_decide_as_the_simulator_does() {
-    let scenario = scenario();
-    let settings = "[team]\nrobots = 7\nfaults = 1\n[controller]\nkind = 'budget'\n[clock]\ntau_1_s = 0.05\ntau_2_s = 0.2\n";
-    let (roster, keys) = roster(&scenario, settings);
+    for kind in ["budget", "links", "composed", "none"] {
+        decide_alike(kind);
+    }
+}
+
+fn decide_alike(kind: &str) {
+    let (scenario, settings) = scenario(kind);
+    let (roster, keys) = roster(&scenario, &settings);
     let values = initial_values(&scenario).unwrap();
     let params: Params<2> = roster.scenario().params().unwrap();
     let pilot = |(id, key): (u16, &SigningKey)| {
@@ -154,7 +162,7 @@ fn nodes_over_zenoh_decide_as_the_simulator_does() {
         Pilot::new(identity, params, values[usize::from(id) - 1]).unwrap()
     };
     let mut pilots: Vec<Pilot<2>> = (1..).zip(&keys).map(pilot).collect();
-    let (ours, theirs) = pair("nodes");
+    let (ours, theirs) = pair(kind);
     let (queue, arrived) = sync_channel(10_000);
     let _ear = theirs.listen("wire", queue, |_, bytes| Some(bytes)).unwrap();
     let out = ours.out("wire").unwrap();
@@ -174,7 +182,7 @@ fn nodes_over_zenoh_decide_as_the_simulator_does() {
         let mut said = Vec::new();
         for (pilot, look) in pilots.iter_mut().zip(&looks) {
             if let Some(message) = pilot.sense(look) {
-                said.push(carry(pilot.say(now, &message.encode()).unwrap()));
+                said.push(carry(pilot.say(now, &pilot.encode(&message).unwrap()).unwrap()));
             }
         }
         for bytes in &said {
@@ -188,15 +196,17 @@ fn nodes_over_zenoh_decide_as_the_simulator_does() {
             assert_eq!(
                 report.velocity_m_s,
                 simulated.frame().velocities_m_s[index],
-                "robot {index}, tick {tick}"
+                "{kind}, robot {index}, tick {tick}"
             );
-            assert_eq!(report.mode, simulated.frame().modes[index], "robot {index}, tick {tick}");
-            assert_eq!(report.value, simulated.frame().values[index], "robot {index}, tick {tick}");
+            assert_eq!(report.mode, simulated.frame().modes[index], "{kind}, robot {index}, tick {tick}");
+            assert_eq!(report.value, simulated.frame().values[index], "{kind}, robot {index}, tick {tick}");
             let bytes = carry(pilot.report(now, &report).unwrap());
             plant.take(now, &bytes).unwrap();
         }
         plant.end_tick();
     }
     assert_eq!(plant.late(), 0);
-    assert_eq!(plant.finish().violations(&scenario).count(), 0);
+    if scenario.controller.row().guarantees {
+        assert_eq!(plant.finish().violations(&scenario).count(), 0, "{kind}");
+    }
 }

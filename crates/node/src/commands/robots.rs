@@ -86,7 +86,7 @@ pub fn relay(connection: &Connection, scenario: &Path) -> Result<(), Failure> {
     while !stop.load(Ordering::Relaxed) {
         let next = began.after(length * tick.saturating_add(1));
         match arrivals.recv_timeout(next.since(clock.now())) {
-            Ok((from, to, bytes)) => relay.take(from, to, bytes),
+            Ok((from, to, bytes)) => relay.take(from, to, &bytes),
             Err(RecvTimeoutError::Timeout) => {}
             Err(RecvTimeoutError::Disconnected) => break,
         }

@@ -1,8 +1,7 @@
 //! The settings of a team as text: those tables of a scenario that every robot must have alike. They stand in the roster, so
 //! that the operator's signature covers them.
 
-use closeranks_core::Params;
-use closeranks_core::settings::range::ParamsError;
+use closeranks_core::{Params, ParamsError};
 use closeranks_sim::controllers::Make;
 use closeranks_sim::parse;
 use closeranks_sim::scenario::Scenario;

@@ -12,8 +12,7 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::sync::mpsc::{SyncSender, sync_channel};
 
-use closeranks_core::settings::range::ParamsError;
-use closeranks_core::{Params, RobotError, RobotId};
+use closeranks_core::{Params, ParamsError, RobotError, RobotId};
 use closeranks_sim::scenario::Scenario;
 use core::time::Duration;
 

@@ -7,13 +7,16 @@ use core::time::Duration;
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
-use closeranks_core::{InputBox, Instant, Message, Mode, Params, Robot, RobotError, RobotId, Slot};
+use closeranks_core::num::is_finite;
+use closeranks_core::{
+    InputBox, Instant, Message, Mode, Params, ReceiveError, Robot, RobotError, RobotId, Slot,
+};
 use closeranks_sim::engine::memory::Memory;
 use ed25519_dalek::SigningKey;
 
 use crate::gate::{Counts, Gate, Limits, Reject};
 use crate::identity::roster::Roster;
-use crate::wire::envelope::{ECHOES_MAX, Echo, Envelope, Letter, Purpose};
+use crate::wire::envelope::{ECHOES_MAX, Echo, Envelope, Letter, PAYLOAD_MAX, Purpose};
 use crate::wire::report::{Report, rejects};
 use crate::wire::sensed::Sensed;
 
@@ -49,7 +52,7 @@ pub struct Pilot<const D: usize> {
     memory: Memory<D>,
     gate: Gate,
     /// What arrived since the last decision, in order.
-    waiting: Vec<(RobotId, Message)>,
+    waiting: Vec<(RobotId, Vec<u8>)>,
     /// What the robot says of others in its next message.
     echoes: Vec<Echo>,
     said: u64,
@@ -118,6 +121,15 @@ impl<const D: usize> Pilot<D> {
         Some(message)
     }
 
+    /// The bytes of a message, of the kind that robots with this controller tell.
+    #[must_use]
+    pub fn encode(&self, message: &Message) -> Option<Vec<u8>> {
+        let mut bytes = vec![0; PAYLOAD_MAX];
+        let length = self.robot.encode(message, &mut bytes)?;
+        bytes.truncate(length);
+        Some(bytes)
+    }
+
     /// The envelope with what the robot tells, which was made of the last message of [`sense`](Self::sense).
     #[must_use]
     pub fn say(&self, now: Instant, payload: &[u8]) -> Option<Vec<u8>> {
@@ -136,10 +148,7 @@ impl<const D: usize> Pilot<D> {
             if before != Some(envelope.epoch) {
                 notices.extend(self.publish_again(now));
             }
-            match Message::parse(envelope.payload) {
-                Ok(message) => self.wait(envelope.id, message),
-                Err(_) => self.gate.reject(envelope.id, Reject::Payload),
-            }
+            self.wait(envelope.id, envelope.payload);
             for copy in self.gate.contradictions(now, &envelope) {
                 if let Some(of) = Envelope::parse(&copy) {
                     notices.push(Notice::Evidence(of.id, copy));
@@ -150,11 +159,11 @@ impl<const D: usize> Pilot<D> {
         notices
     }
 
-    fn wait(&mut self, id: RobotId, message: Message) {
+    fn wait(&mut self, id: RobotId, payload: &[u8]) {
         if self.waiting.iter().filter(|(other, _)| *other == id).count() >= WAITING_MAX {
             self.gate.reject(id, Reject::Flood);
         } else {
-            self.waiting.push((id, message));
+            self.waiting.push((id, payload.to_vec()));
         }
     }
 
@@ -199,9 +208,11 @@ impl<const D: usize> Pilot<D> {
     /// Ends the tick: what was heard is used, and the velocity closest to `desired` (m/s) decided on. A desired velocity that
     /// is not finite stands for none.
     pub fn decide(&mut self, desired: [f64; D]) -> Report<D> {
-        for (id, message) in core::mem::take(&mut self.waiting) {
+        for (id, payload) in core::mem::take(&mut self.waiting) {
             // Who is not in sight is no neighbour, and what is older than what is known is of no use.
-            let _ = self.robot.receive(id, &message);
+            if let Err(ReceiveError::Bytes(_)) = self.robot.receive_bytes(id, &payload) {
+                self.gate.reject(id, Reject::Payload);
+            }
         }
         let output = self.robot.tick(desired, &mut self.memory.lend());
         let ended = output.report.round.is_some();
@@ -211,6 +222,7 @@ impl<const D: usize> Pilot<D> {
         Report {
             at: self.sensed_at.unwrap_or_default(),
             velocity_m_s: output.velocity_m_s,
+            desired_m_s: if is_finite(&desired) { desired } else { [0.0; D] },
             reference_m: self.robot.reference().unwrap_or([0.0; D]),
             began_anew: self.robot.began_anew(),
             mode: report.mode,
@@ -221,7 +233,10 @@ impl<const D: usize> Pilot<D> {
             told: self.robot.told_level(),
             h: report.h,
             value: self.robot.value(),
+            held: self.robot.value(),
             heard,
+            counted: self.robot.counted().collect(),
+            rows: self.robot.keeps_rows_for().collect(),
             told_age_ms: u32::try_from(report.told_age_max.as_millis()).unwrap_or(u32::MAX),
             missed: self.missed,
             busy_us: 0,
@@ -262,6 +277,11 @@ impl<const D: usize> Pilot<D> {
     /// Makes the robot hold another level, as a liar of the paper does ([`Robot::restate`]).
     pub fn restate(&mut self, level: f64) {
         self.robot.restate(level);
+    }
+
+    /// Makes the robot keep its row for everybody, as a liar must that acknowledges what it did not receive ([`Robot::oblige`]).
+    pub fn oblige(&mut self) {
+        self.robot.oblige();
     }
 
     /// What was rejected, and why.

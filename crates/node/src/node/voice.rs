@@ -5,8 +5,10 @@ use std::path::{Path, PathBuf};
 
 use closeranks_core::num::subtract;
 use closeranks_core::{Instant, Message, RobotId};
-use closeranks_sim::attack::liars::Liars;
+use closeranks_sim::attack::ListsAttack;
+use closeranks_sim::attack::liars::{Face, Liars};
 use closeranks_sim::scenario::Scenario;
+use closeranks_sim::transport::Bytes;
 
 use crate::node::pilot::{Notice, Pilot};
 use crate::node::run::Voice;
@@ -41,7 +43,7 @@ impl Plain {
 
 impl<const D: usize> Voice<D> for Plain {
     fn say(&mut self, now: Instant, pilot: &mut Pilot<D>, message: &Message) {
-        if let Some(bytes) = pilot.say(now, message.encode().as_ref()) {
+        if let Some(bytes) = pilot.encode(message).and_then(|payload| pilot.say(now, &payload)) {
             send(&self.say, bytes);
         }
     }
@@ -103,7 +105,9 @@ impl Lying {
             aside,
             liars: Liars::new(scenario),
             index: usize::from(id.0) - 1,
-            alike: scenario.attack.level.is_alike_for_all() && scenario.attack.value.is_alike_for_all(),
+            alike: scenario.attack.level.is_alike_for_all()
+                && scenario.attack.value.is_alike_for_all()
+                && scenario.attack.lists == ListsAttack::default(),
             tick: 0,
             told: None,
         })
@@ -134,16 +138,26 @@ impl<const D: usize> Voice<D> for Lying {
         }
         let level = self.liars.level(self.index, message.level());
         pilot.restate(level);
+        if self.liars.binds(self.index) {
+            pilot.oblige();
+        }
         let value = message.value().map(|value| self.liars.value(self.index, value));
         self.told = value.or(self.told);
         let Ok(lie) = Message::new(message.sequence(), message.stamp(), level, value) else { return };
         if self.alike {
             return self.plain.say(now, pilot, &lie);
         }
-        for (out, held) in self.aside.iter().zip(values) {
+        for (reader, (out, held)) in (1..).map(RobotId).zip(self.aside.iter().zip(values)) {
             let Some(out) = out else { continue };
-            let face = self.liars.bytes(self.index, &lie, held);
-            if let Some(bytes) = face.and_then(|face| pilot.say(now, face.as_ref())) {
+            let face = match self.liars.face(self.index, &lie, held) {
+                Face::Silence => None,
+                Face::Bytes(bytes) => Some(Bytes::from(bytes)),
+                Face::Message(told) => pilot.encode(&told).map(|bytes| Bytes::from(&bytes[..])),
+            };
+            // What others want is not known here; the liar takes its own wish for theirs.
+            let wish_m_s = pilot.robot().wish_m_s();
+            let face = face.and_then(|face| self.liars.lists(self.index, reader, wish_m_s, face));
+            if let Some(bytes) = face.and_then(|face| pilot.say(now, &face)) {
                 send(out, bytes);
             }
         }

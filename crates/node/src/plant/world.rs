@@ -8,8 +8,8 @@
 use core::time::Duration;
 use std::sync::Arc;
 
-use closeranks_core::{Assume, Instant, Mode, Outcome, Params, RobotId};
-use closeranks_sim::attack::MotionAttack;
+use closeranks_core::{Instant, Mode, Outcome, Params, RobotId};
+use closeranks_sim::attack::{Attack, MotionAttack};
 
 use closeranks_sim::faults::edges::Edges;
 use closeranks_sim::frame::Frame;
@@ -66,7 +66,7 @@ impl<const D: usize> World<D> {
         Ok(Self {
             gate: Gate::new(roster, Purpose::Report, None, limits(&params)),
             bodies: Bodies::new(scenario.plant, scenario.tick_s(), &frame.positions_m),
-            edges: Edges::new(scenario),
+            edges: Edges::new(scenario, &params),
             monitors: Monitors::new(scenario, params),
             collector: Collector::default(),
             malicious: scenario.malicious_mask(),
@@ -111,7 +111,7 @@ impl<const D: usize> World<D> {
         self.tick = Some(self.tick.map_or(0, |tick| tick.saturating_add(1)));
         self.reports.fill(None);
         let time_s = f64::from(self.tick.unwrap_or(0)) * self.scenario.tick_s();
-        self.edges.begin_tick(time_s, &self.frame.positions_m);
+        self.edges.begin_tick(self.tick(), time_s, &self.frame.positions_m);
         (0..self.frame.positions_m.len()).map(|observer| self.look(observer)).collect()
     }
 
@@ -120,12 +120,16 @@ impl<const D: usize> World<D> {
         let radius_m = self.params.link().radius_m;
         let sight_m2 = self.params.sight_m2().max(radius_m * radius_m);
         let positions_m = &self.frame.positions_m;
-        let (own, senses) = (&positions_m[observer], &mut self.edges.senses);
+        let Edges { senses, sight, .. } = &mut self.edges;
+        let own = &positions_m[observer];
         let own_m = senses.sense(observer, observer, own);
         let mut others = Vec::new();
         for (index, position_m) in positions_m.iter().enumerate() {
-            if index != observer && squared_distance(own, position_m) <= sight_m2 {
-                others.push((id(index), senses.sense(observer, index, position_m)));
+            let within = squared_distance(own, position_m) <= sight_m2;
+            if index != observer && sight.senses((observer, own), index, within) {
+                let sensed = senses.sense(observer, index, position_m);
+                sight.note((observer, index), position_m, &sensed);
+                others.push((id(index), sensed));
             }
         }
         Sensed { at, own_m, others }
@@ -176,6 +180,7 @@ impl<const D: usize> World<D> {
 
     fn fill(&mut self, index: usize) {
         let (frame, malicious) = (&mut self.frame, &self.malicious);
+        frame.down[index] = self.reports[index].is_none();
         let Some(report) = &self.reports[index] else {
             frame.velocities_m_s[index] = [0.0; D];
             frame.modes[index] = Mode::Stopped;
@@ -187,11 +192,19 @@ impl<const D: usize> World<D> {
         // A base does not move faster than it can, whatever a liar asks of it.
         let velocity = report.velocity_m_s;
         frame.velocities_m_s[index] = if malicious[index] { input.clip(&velocity) } else { velocity };
+        frame.desired_m_s[index] = report.desired_m_s;
+        frame.asked_m_s[index] = report.desired_m_s;
         frame.degrees[index] = report.degree;
         frame.levels[index] = report.level;
         frame.told[index] = report.told;
         frame.h[index] = report.h;
         frame.values[index] = report.value;
+        frame.held[index] = report.held;
+        frame.counted[index] = report.counted.iter().map(|id| id.0).collect();
+        frame.rows[index] = report.rows.iter().map(|id| id.0).collect();
+        let Attack { level, value, .. } = &self.scenario.attack;
+        frame.one_level[index] = !malicious[index] || level.is_alike_for_all();
+        frame.one_value[index] = frame.one_level[index] && (!malicious[index] || value.is_alike_for_all());
         frame.outcomes[index] = report.outcome;
         // The law of modes knows only robots that want something, or stand.
         frame.modes[index] = if report.mode == Mode::Hold { Mode::Stopped } else { report.mode };
@@ -212,7 +225,11 @@ impl<const D: usize> World<D> {
         frame.assumptions.unsteady = normal_missing;
         frame.assumptions.renewed = false;
         for (index, wrong) in frame.assumptions.sensed_wrong.iter_mut().enumerate() {
-            *wrong = self.edges.senses.error_m(index) > settings.errors.position_m + STILL_M;
+            let error_m = self.edges.senses.error_m(index);
+            *wrong = error_m > settings.errors.position_m + STILL_M || self.edges.sight.overlooks(index);
+        }
+        for (index, unsensed) in frame.assumptions.unsensed.iter_mut().enumerate() {
+            *unsensed = self.edges.sight.misses(index);
         }
         frame.references_m.clone_from(&frame.positions_m);
         let mut away = false;
@@ -225,7 +242,7 @@ impl<const D: usize> World<D> {
                 away |= away_m2 > away_m * away_m + STILL_M;
             }
         }
-        let obedient = self.params.budget().is_some_and(|budget| budget.assume == Assume::Obedient);
+        let obedient = self.params.controller().is_obeyed();
         let disobeyed = obedient
             && self.scenario.attack.motion != MotionAttack::Obedient
             && !self.scenario.malicious.is_empty();

@@ -9,14 +9,17 @@ const STOPPED: u8 = 2;
 const DEGRADED: u8 = 16;
 
 /// Every reason with the word that people read, in the order of its number.
-const REASONS: [(Reason, &str); 12] = [
+const REASONS: [(Reason, &str); 15] = [
     (Reason::Degree, "degree"),
     (Reason::Infeasible, "infeasible"),
     (Reason::OutsideSafeSet, "outside"),
     (Reason::Late, "late"),
     (Reason::Moved, "moved"),
+    (Reason::Overlooked, "overlooked"),
     (Reason::Uncertain, "uncertain"),
     (Reason::Untold, "untold"),
+    (Reason::Uncounted, "uncounted"),
+    (Reason::Unseen, "unseen"),
     (Reason::Unfiltered, "unfiltered"),
     (Reason::NotSensed, "not sensed"),
     (Reason::NotShared, "not shared"),
