@@ -8,6 +8,7 @@ use crate::clock::Clock;
 use crate::commands::Failure;
 use crate::config::{Config, Plant};
 use crate::identity::keys;
+use crate::identity::roster::Roster;
 use crate::node::load_roster;
 use crate::session::{Net, send};
 
@@ -48,15 +49,7 @@ pub fn doctor(path: &Path, say: &mut dyn FnMut(&str)) -> Result<(), Failure> {
         id.map(|id| format!("{} is robot {}", config.robot, id.0))
             .ok_or_else(|| format!("no robot of the roster is called `{}`", config.robot).into()),
     )?;
-    let key = keys::load(&config.key).map_err(Failure::from).and_then(|key| {
-        let fits = id.and_then(|id| roster.key(id)) == Some(&key.verifying_key());
-        if fits {
-            Ok("is that of the roster, and only its owner can read it".to_owned())
-        } else {
-            Err("is not the one in the roster".into())
-        }
-    });
-    step("private key", key)?;
+    step("private key", private_key(&config, &roster))?;
     let plant = config.plant != Plant::Simulated || roster.plant().is_some();
     step(
         "plant",
@@ -76,6 +69,14 @@ pub fn doctor(path: &Path, say: &mut dyn FnMut(&str)) -> Result<(), Failure> {
     step("one message through the network and back", back)?;
     net.close();
     Ok(())
+}
+
+fn private_key(config: &Config, roster: &Roster) -> Result<String, Failure> {
+    let key = keys::load(&config.key)?.verifying_key();
+    if roster.find(&config.robot).and_then(|id| roster.key(id)) != Some(&key) {
+        return Err("is not the one in the roster".into());
+    }
+    Ok("is that of the roster, and only its owner can read it".into())
 }
 
 /// Publishes on one session and listens with another one.

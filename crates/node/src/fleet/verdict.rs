@@ -10,6 +10,9 @@ use crate::fleet::camp::Camp;
 use crate::gate::Reject;
 use crate::plant::pace::Pace;
 
+/// Below this share of reports in time a run shows little.
+const TIMELY: f64 = 0.9;
+
 /// Everything that is said at the end.
 #[derive(Clone, Debug, Serialize)]
 pub struct Verdict {
@@ -39,6 +42,9 @@ pub struct Verdict {
     pub spread: f64,
     /// Reports of normal robots that did not come in time.
     pub late: u64,
+    /// Fraction of the reports of normal robots that came in time. A body whose report is late stands still, so that a run in which few
+    /// are in time shows little.
+    pub timely_share: f64,
     /// Ticks in which this process had no time.
     pub overruns: u64,
     /// Robots that are proved two-faced.
@@ -76,6 +82,11 @@ impl Verdict {
         let overruns = plant.overruns();
         let world = plant.into_world();
         let (ticks, late) = (world.tick(), world.late());
+        let normal =
+            scenario.team.robots.saturating_sub(u16::try_from(scenario.malicious.len()).unwrap_or(0));
+        let due = (f64::from(ticks) + 1.0) * f64::from(normal);
+        #[expect(clippy::cast_precision_loss, reason = "counts of a run are far below 2^53")]
+        let timely_share = 1.0 - late as f64 / due;
         let mut rejects = vec![0_u64; Reject::ALL.len()];
         for (_, report) in world.reports().iter().flatten() {
             for (sum, count) in rejects.iter_mut().zip(report.rejects) {
@@ -105,6 +116,7 @@ impl Verdict {
             distance_min_m: summary.extremes.distance_min_m,
             spread: summary.extremes.spread,
             late,
+            timely_share,
             overruns,
             two_faced,
             injected,
@@ -175,6 +187,10 @@ impl fmt::Display for Verdict {
             "memory of a robot {} kB at the start, {} kB at the end",
             self.memory_kb[0], self.memory_kb[1]
         )?;
+        writeln!(f, "in time {:.1} % of the reports", 100.0 * self.timely_share)?;
+        if self.timely_share < TIMELY {
+            writeln!(f, "THIS SHOWS LITTLE: the machine is too slow for ticks of {} s", self.tick_s)?;
+        }
         write!(f, "{}", if self.is_good() { "it held" } else { "IT DID NOT HOLD" })
     }
 }
