@@ -91,10 +91,9 @@ impl Held {
     fn push_own(&self, world: &World, robot: usize, actions: &mut Vec<Action>) {
         let may_change = |other: &usize| world.robots[robot].changes[*other] < self.changes;
         for other in (0..self.normal()).filter(|other| *other != robot).filter(may_change) {
-            actions.push(match world.robots[robot].holds[other].is_listed() {
-                true => Action::Release { robot, other },
-                false => Action::List { robot, other },
-            });
+            let is_listed = world.robots[robot].holds[other].is_listed();
+            let (list, release) = (Action::List { robot, other }, Action::Release { robot, other });
+            actions.push(if is_listed { release } else { list });
         }
         if world.sent[robot].len() < self.messages {
             actions.push(Action::Send { robot });
@@ -134,7 +133,6 @@ impl Held {
     /// Searches every interleaving; true if the invariant held in all of them.
     fn holds(self) -> bool {
         let checker = self.checker().threads(1).spawn_bfs().join();
-        println!("{} states", checker.unique_state_count());
         checker.assert_any_discovery_of_each();
         checker.discovery("who is counted on keeps its row").is_none()
     }

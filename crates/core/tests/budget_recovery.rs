@@ -182,8 +182,12 @@ fn a_team_that_wishes_to_rest_is_not_towed_by_those_who_walk_off() {
         let mut positions: Vec<Vector<2>> = PUBLISHED.iter().map(|x| x.map(|c| 0.8 * c)).collect();
         // far enough apart, and the first two have nearly left
         for (k, x) in positions.iter_mut().enumerate() {
-            let turn = f64::from(u32::try_from(k).unwrap_or(0)) * core::f64::consts::TAU / 9.0;
-            *x = if k < 2 { [2.9, [0.3, -0.3][k]] } else { [0.7 * turn.cos(), 0.7 * turn.sin()] };
+            let k_m = f64::from(u32::try_from(k).unwrap_or(0));
+            *x = if k < 2 {
+                [2.9, [0.3, -0.3][k]]
+            } else {
+                [0.45 * (k_m % 3.0) - 0.45, 0.45 * libm::floor(k_m / 3.0) - 0.7]
+            };
         }
         let now = tick(&positions, |_| [0.0; 2], form);
         assert!(now.h[..2].iter().all(|h| *h < -0.5), "those who left need others: {:?}", &now.h[..2]);

@@ -1,12 +1,16 @@
 //! The table of all numbers: each is what it was set to, and belongs to some controller.
 
 use closeranks_core::settings::field::TABLE;
-use closeranks_core::settings::{BudgetSettings, Controller, Settings};
+use closeranks_core::settings::{BudgetSettings, Controller, LinksSettings, Settings};
 
 #[test]
 fn what_is_set_is_what_one_gets() {
     for row in &TABLE {
-        let controllers = [Controller::default(), Controller::Budget(BudgetSettings::default())];
+        let controllers = [
+            Controller::default(),
+            Controller::Budget(BudgetSettings::default()),
+            Controller::Links(LinksSettings::default()),
+        ];
         let mut found = 0;
         for controller in controllers {
             let mut settings = Settings::<2> { controller, ..Settings::default() };

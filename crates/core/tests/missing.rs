@@ -29,7 +29,12 @@ fn at(tick: u64) -> Instant {
 fn robot<const N: usize>() -> TestRobot<N> {
     let settings = Settings {
         team: Team { robots: 4, faults: 0 },
-        controller: Controller::Budget(BudgetSettings::default()),
+        controller: Controller::Budget(BudgetSettings {
+            q2: Some(0.3),
+            epsilon: Some(1.0 / 3.0 - 0.001),
+            gamma: Some(0.01),
+            ..BudgetSettings::default()
+        }),
         clock: Clock { told_max: Duration::from_millis(20), ..Clock::default() },
         ..Settings::default()
     };

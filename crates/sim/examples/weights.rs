@@ -6,8 +6,8 @@
 //! gyration in m after 1, 2, 4 and 10 s and the least one after 10 s, without an attack. CASE is a tick in ms, with `free`, `noise` (1 cm,
 //! stated) or `lag` (20 ms, stated) after it, as in `5`, `5free` or `50noise`.
 
+use core::time::Duration;
 use std::env::args;
-use std::time::Duration;
 
 use closeranks_core::controller::budget::settings::Assume;
 use closeranks_core::controller::budget::settings::fraction_of_rate;
@@ -59,7 +59,7 @@ fn scenario(case: &str) -> Scenario {
 fn set(scenario: &mut Scenario, word: &str) {
     let Some((name, number)) = word.split_once('=') else {
         return if word == "composed" {
-            *scenario = scenario.clone().under(Controller::Composed)
+            *scenario = scenario.clone().under(Controller::Composed);
         };
     };
     let number: f64 = number.parse().unwrap_or(f64::NAN);
@@ -109,7 +109,9 @@ fn campaign(words: &[String]) {
                 let BudgetSettings { trust, assume, .. } = scenario.budget;
                 scenario.budget = BudgetSettings { trust, assume, ..BudgetSettings::default() };
             }
-            settings.iter().for_each(|word| set(&mut scenario, word));
+            for word in settings {
+                set(&mut scenario, word);
+            }
             let options = Options { without_phi: true, ..Options::default() };
             let summary = world::run(&scenario, options, &mut |_| ()).expect("a run").summary;
             let budget = scenario.controller == Controller::Budget;
@@ -117,9 +119,10 @@ fn campaign(words: &[String]) {
             violations += usize::from(budget && summary.violations(&scenario).next().is_some());
         }
         let [(one, width), (other, other_width)] = ends;
-        for (place, holds) in [true, one, one && other].into_iter().enumerate().filter(|(_, holds)| *holds) {
-            sums[place] = [sums[place][0] + 1.0, sums[place][1] + width, sums[place][2] + other_width];
-            let _ = holds;
+        for (sum, counts) in sums.iter_mut().zip([true, one, one && other]) {
+            if counts {
+                *sum = [sum[0] + 1.0, sum[1] + width, sum[2] + other_width];
+            }
         }
     }
     println!("{}: {violations} violations", settings.join(" "));
@@ -143,14 +146,17 @@ fn main() {
     let [first, count, case, ..] = &words[..] else { return println!("FIRST COUNT CASE [NAME=NUMBER]...") };
     let (first, count): (u64, u64) = (first.parse().unwrap_or(0), count.parse().unwrap_or(12));
     let mut base = scenario(case);
-    words[3..].iter().for_each(|word| set(&mut base, word));
-    let mut sums = [0.0; 4];
+    for word in &words[3..] {
+        set(&mut base, word);
+    }
+    let (mut sums, mut runs) = ([0.0; 4], 0.0);
     let mut least = f64::INFINITY;
     for number in first..first + count {
         let at = run(&Scenario { start: start(number), ..base.clone() });
-        sums = core::array::from_fn(|k| sums[k] + at[k] / count as f64);
+        sums = core::array::from_fn(|k| sums[k] + at[k]);
         least = least.min(at[3]);
+        runs += 1.0;
     }
-    let [one, two, four, ten] = sums;
+    let [one, two, four, ten] = sums.map(|sum| sum / runs);
     println!("{:40} {one:.3} {two:.3} {four:.3} {ten:.3}  least {least:.3}", words[2..].join(" "));
 }

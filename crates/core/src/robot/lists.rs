@@ -99,11 +99,12 @@ impl<const D: usize, S: Slots<D>> Robot<D, S> {
     /// error that grows by the longest move a tick. What they tell of their value does not count.
     pub(crate) fn reckon(&mut self) {
         let Some(own) = self.position.filter(|_| self.params.controller().tells_lists()) else { return };
-        let kept = self.params.kept();
+        let (kept, horizon) = (self.params.kept(), self.horizon());
+        let (now, clock) = (self.now, self.params.settings().clock);
         let room_m = 2.0 * self.params.reach().longest_m() + kept.errors.offset_m;
         for slot in &mut self.slots.as_mut()[..self.count] {
             if slot.sensed {
-                slot.peer.unseen_ticks = 0;
+                (slot.peer.unseen_ticks, slot.peer.vanished, slot.peer.inside) = (0, false, false);
                 continue;
             }
             slot.peer.unseen_ticks = slot.peer.unseen_ticks.saturating_add(1);
@@ -111,6 +112,8 @@ impl<const D: usize, S: Slots<D>> Robot<D, S> {
             if slot.peer.unseen_ticks == 1 {
                 slot.peer.vanished = length(&slot.offset_m) + room_m <= kept.link.radius_m;
             }
+            let gone_m = horizon.gone_m(clock.stretched(now.since(slot.sensed_at)));
+            slot.peer.inside = slot.peer.vanished && horizon.surely_holds(&slot.offset_m, gone_m);
             slot.told = slot.told.map(|told| Told { value: None, ..told });
         }
     }

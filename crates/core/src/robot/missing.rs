@@ -101,7 +101,8 @@ impl<const D: usize, S: Slots<D>> Robot<D, S> {
         Some(index)
     }
 
-    fn horizon(&self) -> Horizon {
+    /// How far robots go, and how far this one surely senses them.
+    pub(crate) fn horizon(&self) -> Horizon {
         let (params, longest_m) = (&self.params, self.params.reach().longest_m());
         let radius_m = params.link().radius_m - params.kept().errors.offset_m;
         Horizon { speed_m_s: longest_m / params.hold_s(), radius_m }

@@ -4,9 +4,9 @@ use closeranks_core::num::Vector;
 use closeranks_core::settings::params::Params;
 
 use crate::faults::clocks::Shown;
-use crate::faults::dropouts::Sight;
 use crate::faults::outages::Downtime;
 use crate::faults::sensing::Senses;
+use crate::faults::sight::Sight;
 use crate::scenario::Scenario;
 
 /// The clocks, sensors and outages of a run.

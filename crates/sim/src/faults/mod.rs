@@ -7,6 +7,7 @@ pub mod edges;
 pub mod network;
 pub mod outages;
 pub mod sensing;
+pub mod sight;
 pub mod spell;
 
 pub use clocks::Clocks;

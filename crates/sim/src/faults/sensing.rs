@@ -23,6 +23,12 @@ pub struct Sensing {
 }
 
 impl Sensing {
+    /// True if everybody within R is sensed where it is.
+    #[must_use]
+    pub fn is_right(&self) -> bool {
+        *self == Self::default()
+    }
+
     /// Reads the table `sensing` of a scenario text for a team of so many robots.
     pub(crate) fn read(reader: &mut Reader, section: &mut Section<'_>, robots: u16) -> Self {
         Self {

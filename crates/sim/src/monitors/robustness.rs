@@ -168,7 +168,7 @@ mod tests {
     fn a_watcher_keeps_a_bounded_number_of_rounds() {
         let mut watcher = Watcher::default();
         let frame = Frame::new(vec![[0.0, 0.0], [0.5, 0.0]], vec![0.0; 2]);
-        for tick in 0..3 * ROUNDS_MAX as u32 {
+        for (tick, _) in (0..).zip(0..3 * ROUNDS_MAX) {
             watcher.watch(tick, &frame, 1.0, &[false; 2]);
             assert!(watcher.rounds.len() <= ROUNDS_MAX);
         }

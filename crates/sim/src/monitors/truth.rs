@@ -49,23 +49,41 @@ impl Truth {
         frame: &Frame<D>,
         plain: bool,
     ) {
+        self.measure(params, frame);
+        let required = f64::from(required(params));
+        if plain {
+            return self.take(frame, required);
+        }
+        let free = is_free(params);
+        self.sum(params, malicious, frame, free);
+        let lists = params.controller().tells_lists();
+        if lists {
+            // Without weights it is the degree itself that is kept.
+            self.h.clear();
+            self.h.extend(self.degrees.iter().map(|degree| f64::from(*degree)));
+        }
+        for h in &mut self.h {
+            *h -= required;
+        }
+        self.h_own.clone_from(&self.h);
+        if free && !lists {
+            for (robot, own) in self.h_own.iter_mut().enumerate() {
+                *own = trimmed(params, frame, robot) - required;
+            }
+        }
+    }
+
+    /// Distances, and how far from the origin the team is.
+    fn measure<const D: usize>(&mut self, params: &Params<D>, frame: &Frame<D>) {
         self.pairs.look(&frame.positions_m, &frame.references_m, wide_m(params));
         let lesser = |least: f64, pair_m2: &f64| if *pair_m2 < least { *pair_m2 } else { least };
         self.least_m2 = self.pairs.references_m2().iter().fold(f64::INFINITY, lesser);
         let coordinates = frame.positions_m.iter().chain(&frame.references_m).flatten();
         self.span_m = coordinates.fold(0.0, |most: f64, x| most.max(x.abs()));
-        let required = f64::from(required(params));
-        if plain {
-            self.levels.clone_from(&frame.levels);
-            self.paper_levels.clone_from(&frame.levels);
-            self.degrees.clone_from(&frame.degrees);
-            self.neighbors.clone_from(&frame.degrees);
-            self.h.clear();
-            self.h.extend(frame.levels.iter().map(|level| level - required));
-            self.h_own.clone_from(&self.h);
-            return;
-        }
-        let free = is_free(params);
+    }
+
+    /// Sums of weights, and degrees. With `free` liars only links to normal robots count for h.
+    fn sum<const D: usize>(&mut self, params: &Params<D>, malicious: &[bool], frame: &Frame<D>, free: bool) {
         let margin = params.kept().errors.away_m > 0.0;
         let counts = |robot: usize| !(free && malicious[robot]);
         self.resize(frame.positions_m.len());
@@ -88,21 +106,17 @@ impl Truth {
             let shape = &params.kept().link;
             weigh(shape, pairs, pairs.references_m2(), counts, &mut self.h, degrees, scratch);
         }
-        let lists = params.controller().tells_lists();
-        if lists {
-            // Without weights it is the degree itself that is kept.
-            self.h.clear();
-            self.h.extend(self.degrees.iter().map(|degree| f64::from(*degree)));
-        }
-        for h in &mut self.h {
-            *h -= required;
-        }
+    }
+
+    /// The truth as robots know it that sense exactly.
+    fn take<const D: usize>(&mut self, frame: &Frame<D>, required: f64) {
+        self.levels.clone_from(&frame.levels);
+        self.paper_levels.clone_from(&frame.levels);
+        self.degrees.clone_from(&frame.degrees);
+        self.neighbors.clone_from(&frame.degrees);
+        self.h.clear();
+        self.h.extend(frame.levels.iter().map(|level| level - required));
         self.h_own.clone_from(&self.h);
-        if free && !lists {
-            for (robot, own) in self.h_own.iter_mut().enumerate() {
-                *own = trimmed(params, frame, robot) - required;
-            }
-        }
     }
 
     /// How much a squared distance of about `distance_m2` (m²) may be rounded, m²: it scales with the numbers compared.

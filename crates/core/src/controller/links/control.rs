@@ -4,7 +4,7 @@ use core::time::Duration;
 
 use crate::controller::budget::settings::Assume;
 use crate::controller::links::Links;
-use crate::controller::links::peer::Ledger;
+use crate::controller::links::peer::{Ledger, Peer};
 use crate::controller::{Control, Decision, Glimpse, Kept, Motion, Neighbor, Own, Standing, View};
 use crate::equations::link::{Link, LinkShape};
 use crate::need::{Keep, Need};
@@ -136,12 +136,13 @@ impl<const D: usize> Control<D> for LinksController<D> {
     }
 
     fn keeps_unseen(&self, slot: &Slot<D>) -> bool {
-        slot.peer.hold.is_bound() && slot.peer.unseen_ticks <= self.unseen_max
+        let Peer { hold, vanished, inside, unseen_ticks, .. } = &slot.peer;
+        *inside || ((hold.is_bound() || *vanished) && *unseen_ticks <= self.unseen_max)
     }
 
-    /// A neighbour that was well inside when it was sensed last cannot have left while both keep their rows.
+    /// A neighbour that was well inside when it was sensed last cannot have left in a tick.
     fn misses(&self, slot: &Slot<D>) -> bool {
-        slot.peer.hold.is_bound() && slot.peer.vanished
+        slot.peer.vanished
     }
 
     fn agree(

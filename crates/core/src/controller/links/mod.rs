@@ -102,13 +102,14 @@ impl Links {
 
     /// Notes whether a neighbour that is counted on has been within R_h. Once it certainly was, it is for as long as it is
     /// counted on (thm:held), unless it is certainly beyond: then some assumption was broken. One that is not sensed may have
-    /// broken one: it is held only as long as it cannot be beyond.
-    fn settle<const D: usize>(&self, slot: &mut Slot<D>) {
+    /// broken one: it is held only as long as it cannot be beyond. Gives the distance, m.
+    fn settle<const D: usize>(&self, slot: &mut Slot<D>) -> f64 {
         let error_m = self.error_m(slot);
         let (distance_m, peer) = (length(&slot.offset_m), &mut slot.peer);
         let certainly_within = distance_m + error_m <= self.radius_m;
         let certainly_beyond = distance_m - error_m > self.radius_m * (1.0 + HAIR);
         let carried = peer.held && peer.unseen_ticks == 0 && !certainly_beyond;
         peer.held = peer.hold.counts() && (carried || certainly_within);
+        distance_m
     }
 }

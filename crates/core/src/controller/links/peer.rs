@@ -20,6 +20,8 @@ pub struct Peer<const D: usize> {
     pub(crate) unseen_ticks: u32,
     /// True if it was sensed well inside R in the tick before, and then no more: it cannot have left.
     pub(crate) vanished: bool,
+    /// True if it is not sensed and must still be within R: it cannot have gone so far since.
+    pub(crate) inside: bool,
     /// What the newest message says to all, and whether it promises a release.
     pub(crate) told: Option<Told<D>>,
     /// Who is to be released.
@@ -44,6 +46,7 @@ impl<const D: usize> Peer<D> {
             held: false,
             unseen_ticks: 0,
             vanished: false,
+            inside: false,
             told: None,
             deal: Deal::default(),
         }

@@ -54,8 +54,8 @@ impl Links {
         let (last, first) = (ledger.numbers.last(), ledger.looked_at.is_none());
         let (mut counted, mut in_range) = (0, 0);
         for slot in &mut *slots {
-            self.settle(slot);
-            self.look(slot, &ledger.wish_m_s, now);
+            let distance_m = self.settle(slot);
+            self.look(slot, distance_m, &ledger.wish_m_s, now);
             slot.peer.deal.pass(elapsed_s);
             counted += usize::from(slot.peer.is_counted());
             in_range += usize::from(self.may_be_counted(own, slot, now));
@@ -69,9 +69,9 @@ impl Links {
         ledger.looked_at = Some(now);
     }
 
-    /// Looks at one neighbour: how far apart both would end, and whether it may be promised anything.
-    fn look<const D: usize>(&self, slot: &mut Slot<D>, wish_m_s: &Vector<D>, now: Instant) {
-        let (told, distance_m) = (slot.peer.told_within(now, HEARD), length(&slot.offset_m));
+    /// Looks at one neighbour at `distance_m`: how far apart both would end, and whether it may be promised anything.
+    fn look<const D: usize>(&self, slot: &mut Slot<D>, distance_m: f64, wish_m_s: &Vector<D>, now: Instant) {
+        let told = slot.peer.told_within(now, HEARD);
         let their_m_s = told.map_or([0.0; D], |told| self.capped(&told.head.wish_m_s));
         let ends_m = add_scaled(&slot.offset_m, self.horizon_s, &subtract(wish_m_s, &their_m_s));
         let (price_m, promised) =
@@ -141,10 +141,13 @@ impl Links {
         mut sensed: impl Iterator<Item = (Vector<D>, Vector<D>)>,
     ) -> Vector<D> {
         let near_m = PASS_DISTANCES * self.distance_min_m;
+        let wish_m2_s2 = dot(wish_m_s, wish_m_s);
         let comes = |(offset_m, their_m_s): (Vector<D>, Vector<D>)| {
-            let (ahead, size) = (-dot(&offset_m, wish_m_s), length(&offset_m));
-            let before = size <= near_m && ahead >= COS_45 * size * length(wish_m_s);
-            before && dot(&their_m_s, wish_m_s) < 0.0
+            let (ahead, square_m2) = (-dot(&offset_m, wish_m_s), dot(&offset_m, &offset_m));
+            let within = square_m2 <= near_m * near_m && ahead >= 0.0;
+            within
+                && ahead * ahead >= COS_45 * COS_45 * square_m2 * wish_m2_s2
+                && dot(&their_m_s, wish_m_s) < 0.0
         };
         if D < 2 || !sensed.any(comes) {
             return *wish_m_s;
