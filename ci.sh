@@ -4,6 +4,7 @@
 #     ./ci.sh              all that needs nothing else
 #     ./ci.sh writers      graphs from every writer of networkx and igraph, read back (Python 3 and PyPI)
 #     ./ci.sh proofs       the theorems of docs/theory, checked by Coq (Debian's packages; proofs/check.sh)
+#     ./ci.sh node         robots as processes over Zenoh (crates/node, a workspace of its own with 200 more crates)
 #     ./ci.sh bare-metal   the core on a microcontroller, emulated (Debian's packages; scripts/bare-metal.sh)
 set -euo pipefail
 cd "$(dirname "$0")"
@@ -21,12 +22,16 @@ case "${1:-}" in
     step "theorems, checked by a machine"
     exec proofs/check.sh
     ;;
+  node)
+    step "robots as processes"
+    exec crates/node/ci.sh
+    ;;
   bare-metal)
     step "the core on a microcontroller"
     exec scripts/bare-metal.sh
     ;;
   *)
-    echo "no stage is called \`$1\`, allowed are writers, proofs, bare-metal, or none"
+    echo "no stage is called \`$1\`, allowed are writers, proofs, node, bare-metal, or none"
     exit 2
     ;;
 esac

@@ -46,6 +46,8 @@ pub(super) fn read(reader: &mut Reader, table: &DeTable<'_>) -> Scenario {
         scenario.plant = Plant::read(reader, section);
         scenario.faults.outages = Outages::read(reader, section, scenario.team.robots);
     });
+    // What happens to the processes of a fleet; `closeranks-node` reads it.
+    let _ = root.has("fleet");
     reader.close(&root);
     scenario.expect = expect.unwrap_or_else(|| scenario.controller.row().expects.to_vec());
     scenario

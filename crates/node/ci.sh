@@ -1,0 +1,11 @@
+#!/usr/bin/env bash
+# Robots as processes: what CI runs for this crate, which is a workspace of its own. `./ci.sh node` in the root calls it.
+set -euo pipefail
+cd "$(dirname "$0")"
+export RUST_BACKTRACE=1
+
+cargo fmt --check
+cargo clippy --all-targets --locked -- -D warnings
+cargo test --locked
+RUSTDOCFLAGS="-D warnings" cargo doc --no-deps --locked --quiet
+echo "the robots are well"

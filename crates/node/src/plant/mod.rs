@@ -1,0 +1,26 @@
+//! Where a robot is and how it moves, as a trait, and what implements it.
+
+pub mod pace;
+pub mod replay;
+pub mod ros;
+pub mod simulated;
+pub mod world;
+
+use closeranks_core::{Instant, RobotId};
+
+use crate::wire::sensed::Sensed;
+
+/// What a robot is built into. The loop of a node asks it what was sensed and tells it the velocity.
+pub trait PlantPort<const D: usize> {
+    /// Takes bytes about robot `from` that arrived from the plant at `now`, if it is one that sends any.
+    fn arrived(&mut self, now: Instant, from: RobotId, bytes: &[u8]);
+
+    /// The newest that was sensed and not given out yet, at `now`; `None` if there is nothing new.
+    fn sensed(&mut self, now: Instant) -> Option<Sensed<D>>;
+
+    /// When something will be sensed that no arrival announces; `None` if arrivals announce all.
+    fn next_at(&self) -> Option<Instant>;
+
+    /// Moves with this velocity, m/s, until the next call. It is called in every tick, and with 0 before the robot stops.
+    fn drive(&mut self, now: Instant, velocity_m_s: &[f64; D]);
+}
