@@ -7,6 +7,7 @@ import { Moment } from "./model/moment";
 import { change, LIES, replace } from "./model/scenario";
 import type { Simulator } from "./model/simulator";
 import { write, type Table } from "./model/toml";
+import { words } from "./view/words";
 import { LIAR, LINE, LINK, SHORT, SOFT, TEAM, valueColour } from "./view/colours";
 
 /** Moments of a run that a picture shows. */
@@ -83,7 +84,8 @@ function svg(width: number, height: number, title: string, parts: string[]): str
 }
 
 function figure(pictures: string[], caption: string): string {
-  return `<figure class="still">${pictures.join("")}<figcaption>${caption}</figcaption></figure>`;
+  const pairs = pictures.length === 4 ? ' class="pairs"' : "";
+  return `<figure class="still"><div${pairs}>${pictures.join("")}</div><figcaption>${caption}</figcaption></figure>`;
 }
 
 function last(moments: Moment[]): Moment {
@@ -109,7 +111,7 @@ export function stills(simulator: Simulator): Record<string, string> {
   return {
     "act-1": figure(
       [formation(last(lying), "The team after twelve seconds: robot 3 lies", 1.1), values(honest, "Values if nobody lies: all meet"), values(lying, "Values if robot 3 lies: all follow it")],
-      `Left: the team. Middle: if nobody lies, the values meet at ${last(honest).mean().toFixed(0)}. Right: robot 3 says 500 and nothing else, and after twelve seconds the others stand at ${last(lying).mean().toFixed(0)} in the mean.`,
+      `Left: the team. Middle: if nobody lies, the values meet at ${words(last(honest).mean())}. Right: robot 3 says 500 and nothing else, and after twelve seconds the others stand at ${words(last(lying).mean())} in the mean.`,
     ),
     "act-2": figure(
       [formation(last(near), "Two camps with seven neighbours each", 1.75), values(near, "They agree"), formation(last(far), "Two camps with six neighbours each", 1.75), values(far, "They are stuck")],

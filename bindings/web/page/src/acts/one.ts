@@ -8,7 +8,7 @@ import { agreement, type Said } from "../view/banner";
 import { Board } from "../view/board";
 import { VALUES } from "../view/charts";
 import { slider } from "../view/dom";
-import { words } from "../view/hands";
+import { words } from "../view/words";
 import { watch } from "../view/tasks";
 
 /** Plain averaging is W-MSR that is prepared for nobody. Robots hear only their nearest, so that agreeing takes some rounds. */

@@ -2,6 +2,7 @@
 
 import type { Moment } from "../model/moment";
 import type { Network, Report } from "../model/simulator";
+import { capital, named, words } from "./words";
 
 export interface Said {
   /** One sentence for everybody, also read aloud. */
@@ -11,21 +12,10 @@ export interface Said {
   tone: "good" | "warn" | "bad";
 }
 
-/** Robots by number, as in a sentence. */
-export function named(robots: number[]): string {
-  const numbers = robots.slice(0, 4).join(", ").replace(/, (\d+)$/, robots.length > 4 ? ", $1" : " and $1");
-  const rest = robots.length > 4 ? ` and ${robots.length - 4} more` : "";
-  return `${robots.length === 1 ? "robot" : "robots"} ${numbers}${rest}`;
-}
-
-function capital(text: string): string {
-  return text.charAt(0).toUpperCase() + text.slice(1);
-}
-
 /** Whether the honest agree, in a sentence. */
 export function agreement(moment: Moment): string {
   const spread = moment.spread();
-  if (spread < 1) return `the honest agree on ${moment.mean().toFixed(0)}`;
+  if (spread < 1) return `the honest agree on ${words(moment.mean())}`;
   return `the honest are still ${spread < 10 ? spread.toFixed(1) : spread.toFixed(0)} apart`;
 }
 
@@ -41,16 +31,16 @@ export function safety(moment: Moment, report: Report | null, network: Network |
     why.push(`${moment.liars.size} robots lie, and the team is prepared for ${faults}: nothing is promised.`);
   }
   const collides = close.distance_m < distance_min_m - 1e-9;
-  if (collides) {
-    why.push(`${capital(named(close.robots))} are ${close.distance_m.toFixed(2)} m apart, closer than ${distance_min_m} m.`);
-  }
+  const collision = `${named(close.robots)} are ${close.distance_m.toFixed(3)} m apart, and ${distance_min_m} m is the least that is safe`;
   why.push(survival(network, faults));
   const broken = report?.laws.filter((law) => law.promised && law.broken > 0 && law.name !== "distance" && law.name !== "degree") ?? [];
   for (const law of broken.slice(0, 2)) {
     why.push(`Since the last touch this was broken: ${law.demand}${where(law.first, moment)}.`);
   }
   const main = (text: string) => capital(`${text}; ${agreement(moment)}.`);
+  if (short.length === 0 && collides) return { main: main(collision), why, tone: "bad" };
   if (short.length > 0) {
+    if (collides) why.unshift(`${capital(collision)}.`);
     const worst = Math.min(...short.map((robot) => moment.degree(robot)));
     const robots = short.filter((robot) => moment.degree(robot) === worst);
     const has = robots.length === 1 ? "has" : "have";
@@ -59,10 +49,10 @@ export function safety(moment: Moment, report: Report | null, network: Network |
   if (edge.length > 0) {
     const is = edge.length === 1 ? "is" : "are";
     const rest = controller.keeps_degrees ? "nobody near may leave" : "nothing keeps them there";
-    return { main: main(`${named(edge)} ${is} down to ${required} neighbours: ${rest}`), why, tone: collides || tooMany ? "bad" : "warn" };
+    return { main: main(`${named(edge)} ${is} down to ${required} neighbours: ${rest}`), why, tone: tooMany ? "bad" : "warn" };
   }
   const good = `everybody honest has the ${required} neighbours that F = ${faults} asks for, or more`;
-  return { main: main(good), why, tone: collides || tooMany ? "bad" : "good" };
+  return { main: main(good), why, tone: tooMany ? "bad" : "good" };
 }
 
 function survival(network: Network | null, faults: number): string {

@@ -3,6 +3,7 @@
 import { withLiars } from "../model/scenario";
 import type { Stage } from "../model/stage";
 import { h } from "./dom";
+import { words } from "./words";
 import { robotSize, toMetres, toPixels, type Frame } from "./picture";
 
 /** A pointer that moved less is a click, px. */
@@ -132,8 +133,3 @@ export class Hands {
   }
 }
 
-/** A value in a few digits. */
-export function words(value: number): string {
-  if (!Number.isFinite(value)) return "none";
-  return Math.abs(value) < 1e5 ? value.toFixed(0).replace(/^-0$/, "0") : value.toExponential(0);
-}
