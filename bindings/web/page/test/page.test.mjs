@@ -1,4 +1,4 @@
-// The page in a real browser: node --test test/page.test.mjs, with the program built.
+// The page in a real browser: node --test test/page.test.mjs, with the program built (cargo build).
 
 import assert from "node:assert/strict";
 import { mkdtempSync, readFileSync, readdirSync, rmSync, writeFileSync } from "node:fs";
