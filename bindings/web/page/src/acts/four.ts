@@ -28,6 +28,14 @@ const MOTIONS: [string, string][] = [
   ["goals", "where they were dragged"],
 ];
 
+const STARTS: [string, string][] = [
+  ["inside", "eleven, inside the safe set"],
+  ["published", "eleven, from the paper's figure"],
+  ["hexagon", "a patch of hexagons"],
+  ["random", "by chance"],
+  ["listed", "as it was now, at the last touch"],
+];
+
 /** The number of a field, or what stands for it. */
 function number(value: Value | undefined, otherwise: number): number {
   return typeof value === "number" ? value : otherwise;
@@ -72,6 +80,10 @@ function choices(stage: Stage, simulator: Simulator): HTMLElement[] {
   const motion = menu("Robots want to", MOTIONS, "hold", (kind) => {
     stage.touch((table) => (kind === "goals" ? replace(table, "motion", { kind: "hold" }) : replace(table, "motion", { kind })));
   });
+  const start = menu("Start", STARTS, "inside", (kind) => {
+    if (kind === "listed") stage.touch((table) => table);
+    else stage.touch(({ values: _values, ...table }) => replace(table, "start", { kind }), true);
+  });
   const robots = slider("Robots", { min: 5, max: 50, step: 1, value: 11 }, String, (count) => stage.touch((table) => withRobots(table, count), true));
   const faults = slider("Prepared for F liars", { min: 0, max: 5, step: 1, value: 2 }, String, set("team", "faults"));
   const loss = slider("Messages lost", { min: 0, max: 0.95, step: 0.05, value: 0 }, (share) => `${Math.round(100 * share)} %`, set("network", "loss"));
@@ -84,6 +96,7 @@ function choices(stage: Stage, simulator: Simulator): HTMLElement[] {
     controller.select.value = moment.facts.controller.name;
     lie.select.value = lieOf(table)?.id ?? "";
     motion.select.value = String(part(table, "motion")["kind"] ?? "paper");
+    start.select.value = String(part(table, "start")["kind"] ?? (moment.robots === 11 ? "inside" : "hexagon"));
     robots.show(moment.robots);
     faults.input.max = String(Math.min(10, Math.floor((moment.robots - 1) / 2)));
     faults.show(moment.facts.faults);
@@ -93,7 +106,7 @@ function choices(stage: Stage, simulator: Simulator): HTMLElement[] {
     speed.show(times);
   });
   const more = h("details", { class: "more" }, h("summary", {}, "More: team, network, gain, speed"), robots.element, faults.element, loss.element, delay.element, gain.element, speed.element);
-  return [controller.element, lie.element, motion.element, fresh, more];
+  return [controller.element, lie.element, motion.element, start.element, fresh, more];
 }
 
 /** The link, the file, and the digest that the command line must give too. */
