@@ -7,7 +7,7 @@ import { part, type Table } from "../model/toml";
 import { closest, safety } from "../view/banner";
 import { Board } from "../view/board";
 import { MARGINS, VALUES } from "../view/charts";
-import { h, menu, say } from "../view/dom";
+import { h, menu, say, scrolling } from "../view/dom";
 import { watch } from "../view/tasks";
 
 /** Lies that this act shows, in its order. */
@@ -103,7 +103,7 @@ class Grid {
       return h("tr", {}, h("th", { scope: "row" }, controller.name), ...cells);
     });
     const caption = h("caption", {}, "Least neighbours and least distance over ten seconds; ✓ if ranks held");
-    this.element = h("div", { class: "scroll", tabindex: 0, role: "region", "aria-label": "What came of every lie" }, h("table", { class: "log" }, caption, head, ...rows));
+    this.element = scrolling("What came of every lie", h("table", { class: "log" }, caption, head, ...rows));
   }
 
   show(results: Map<string, Result>, now: string, required: number, distance_m: number): void {

@@ -8,7 +8,7 @@ import type { Table } from "../model/toml";
 import { agreement, type Said } from "../view/banner";
 import { Board } from "../view/board";
 import { VALUES } from "../view/charts";
-import { h, say, slider } from "../view/dom";
+import { h, say, scrolling, slider } from "../view/dom";
 import { watch } from "../view/tasks";
 
 /** Distance of neighbours in a camp, m. */
@@ -89,7 +89,7 @@ export function mount(section: HTMLElement, simulator: Simulator): [Stage, Board
     h("tr", {}, h("th", { scope: "row" }, "neighbours"), ...cells.map(({ degree }) => h("th", { scope: "col" }, String(degree)))),
     h("tr", {}, h("th", { scope: "row" }, "outcome"), ...cells.map(({ cell }) => cell)),
   );
-  board.controls.append(gap.element, again, table);
+  board.controls.append(gap.element, again, scrolling("What came of every trial", table));
   stage.store.subscribe(() => {
     log.note(stage.moment);
     for (const { degree, cell } of cells) {

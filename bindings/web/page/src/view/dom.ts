@@ -24,6 +24,11 @@ export function say(element: Element, text: string): void {
   if (element.textContent !== text) element.textContent = text;
 }
 
+/** Something wide, which scrolls by itself where there is no room for it. */
+export function scrolling(label: string, inner: HTMLElement): HTMLElement {
+  return h("div", { class: "scroll", tabindex: 0, role: "region", "aria-label": label }, inner);
+}
+
 /** A menu with a label. */
 export function menu(label: string, options: [string, string][], chosen: string, change: (value: string) => void): { element: HTMLElement; select: HTMLSelectElement } {
   const select = h("select", { onchange: () => change(select.value) });
