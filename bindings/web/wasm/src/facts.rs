@@ -1,6 +1,6 @@
 //! What the page asks of the simulator's own tables, so that it lists nothing by itself.
 
-use closeranks_sim::controllers::{Controller, Inside, Knows};
+use closeranks_sim::controllers::{Controller, Counted, Knows};
 use closeranks_sim::law::Law;
 use serde_json::{Value, json};
 
@@ -24,8 +24,7 @@ pub fn controller(controller: Controller) -> Value {
         "about": row.about,
         "local": row.knows == Knows::Local,
         "guarantees": row.guarantees,
-        "keeps_degrees": row.promises.contains(&Law::Spare),
-        "inside": match row.inside { Inside::Shares => "shares", Inside::Margins => "margins" },
+        "keeps_degrees": row.promises.contains(&Law::Degree) && row.counted != Counted::All,
         "promises": row.promises.iter().map(|law| law.name()).collect::<Vec<_>>(),
     })
 }
