@@ -4,6 +4,7 @@
 #     ./ci.sh              all that needs nothing else
 #     ./ci.sh writers      graphs from every writer of networkx and igraph, read back (Python 3 and PyPI)
 #     ./ci.sh bare-metal   the core on a microcontroller, emulated (Debian's packages; scripts/bare-metal.sh)
+#     ./ci.sh web          the page: built anew, compared with the committed one, tried in a browser (bindings/web/README.md)
 set -euo pipefail
 cd "$(dirname "$0")"
 export RUST_BACKTRACE=1
@@ -20,8 +21,17 @@ case "${1:-}" in
     step "the core on a microcontroller"
     exec scripts/bare-metal.sh
     ;;
+  web)
+    step "the page is what its sources give"
+    bindings/web/build.sh --check
+    step "the program that serves it"
+    cargo build --locked -p closeranks
+    step "the page in a browser"
+    cd bindings/web/page
+    exec node --test test/model.test.mjs test/page.test.mjs
+    ;;
   *)
-    echo "no stage is called \`$1\`, allowed are writers, bare-metal, or none"
+    echo "no stage is called \`$1\`, allowed are writers, bare-metal, web, or none"
     exit 2
     ;;
 esac

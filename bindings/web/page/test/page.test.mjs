@@ -89,11 +89,11 @@ test("act 3: a filter that no lie breaks is found, and a lie that breaks one", (
     const tries = async (name) => {
       const row = rows.indexOf(name) + 2;
       for (let column = 2; column <= 6; column += 1) {
-        const button = `#act-3 .log tr:nth-child(${row}) td:nth-child(${column}) button`;
+        const button = `#act-3 .log tr:nth-of-type(${row}) td:nth-child(${column}) button`;
         await page.$eval(button, (element) => element.click());
         await page.waitForFunction((selector) => document.querySelector(selector).textContent !== "try", {}, button);
       }
-      return page.$$eval(`#act-3 .log tr:nth-child(${row}) td`, (cells) => cells.map((cell) => cell.textContent[0]).join(""));
+      return page.$$eval(`#act-3 .log tr:nth-of-type(${row}) td`, (cells) => cells.map((cell) => cell.textContent[0]).join(""));
     };
     assert.deepEqual(rows.filter((name) => ["budget", "composed", "none"].includes(name)), ["budget", "composed", "none"]);
     assert.equal(await tries("budget"), "✓✓✓✓✓");

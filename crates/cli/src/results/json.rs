@@ -21,6 +21,7 @@ pub(crate) fn run(scenario: &Scenario, run: &Run, wall_s: f64) -> Value {
         "seed": scenario.seed,
         "version": env!("CARGO_PKG_VERSION"),
         "commit": env!("CLOSERANKS_COMMIT"),
+        "digest": run.digest.map(|digest| format!("{digest:016x}")),
         "start": {
             "inside": summary.start.inside,
             "phi_min": phi.then_some(summary.start.phi_min),

@@ -37,7 +37,7 @@ impl Recorder {
 
     /// Runs `scenario` and writes every tick. The record that comes back is what figures need: all of a short run.
     pub(crate) fn run(mut self, scenario: &Scenario, progress: &mut dyn FnMut(u32)) -> Result<Run> {
-        let options = Options { record: true, robustness: true, ..Options::default() };
+        let options = Options { record: true, robustness: true, digest: true, ..Options::default() };
         let mut part = |record: &Record| self.part(scenario, record);
         let run = parts::run::<anyhow::Error>(scenario, options, progress, &mut part)?;
         let record = run.record.map(|record| self.finish(record)).transpose()?;
