@@ -1,10 +1,11 @@
 //! A web server for one page and this machine alone. It answers GET and HEAD for the files of the page and refuses the rest.
 
+use core::net::Ipv4Addr;
+use core::sync::atomic::{AtomicUsize, Ordering};
+use core::time::Duration;
 use std::io::{self, Read as _, Write as _};
-use std::net::{Ipv4Addr, TcpListener, TcpStream};
-use std::sync::atomic::{AtomicUsize, Ordering};
+use std::net::{TcpListener, TcpStream};
 use std::thread;
-use std::time::Duration;
 
 use anyhow::{Context, Result};
 

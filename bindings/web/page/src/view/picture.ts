@@ -40,7 +40,9 @@ export function framed(moment: Moment, look: Look, width: number, height: number
   const goal = { x_m: (left + right) / 2, y_m: (low + high) / 2, pixels_per_m: fits, width, height };
   if (!before || before.width !== width || before.height !== height) return goal;
   if (still) return before;
-  const mix = (from: number, to: number) => (Math.abs(to - from) < 1e-4 ? to : from + 0.15 * (to - from));
+  // A team that grows must not leave the picture.
+  const share = goal.pixels_per_m < 0.97 * before.pixels_per_m ? 0.5 : 0.15;
+  const mix = (from: number, to: number) => (Math.abs(to - from) < 1e-4 ? to : from + share * (to - from));
   return {
     x_m: mix(before.x_m, goal.x_m),
     y_m: mix(before.y_m, goal.y_m),
@@ -154,7 +156,7 @@ function body(
   context.textAlign = "center";
   context.textBaseline = "middle";
   context.fillText(String(robot), x, y + 0.5);
-  const note = `${short ? moment.degree(robot) : ""}${letter}`;
+  const note = `${short ? moment.degree(robot) : ""} ${letter}`.trim();
   if (note) {
     context.font = "600 12px system-ui, sans-serif";
     context.fillStyle = short ? SHORT : SOFT;
