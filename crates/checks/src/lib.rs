@@ -14,7 +14,7 @@ mod scenario;
 mod source;
 
 pub use graph::{graph, graph_as};
-pub use message::message;
+pub use message::{link_message, message};
 #[cfg(feature = "recording")]
 pub use recording::recording;
 pub use robot::robot;

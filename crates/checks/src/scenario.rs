@@ -84,7 +84,7 @@ fn runs(scenario: &Scenario) {
 }
 
 fn is_finite(record: &Record) {
-    let single = [&record.level, &record.told, &record.h, &record.value];
+    let single = [&record.level, &record.h, &record.value];
     let columns = record.positions_m.iter().chain(&record.inputs_m_s).chain(single);
     for (place, column) in columns.enumerate() {
         let stray = column.iter().position(|number| !number.is_finite());

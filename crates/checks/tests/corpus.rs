@@ -69,6 +69,11 @@ fn any_bytes_are_a_message_or_an_error() {
 }
 
 #[test]
+fn any_bytes_are_a_message_of_lists_or_an_error() {
+    replay("link_message", closeranks_checks::link_message, 20_000);
+}
+
+#[test]
 fn any_text_is_a_scenario_that_runs_or_an_error() {
     replay("scenario", closeranks_checks::scenario, 2_000);
 }

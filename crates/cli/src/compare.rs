@@ -85,8 +85,9 @@ impl Todo {
         let source = as_run(source, &scenario.clone().under(controller));
         let named = Scenario { name: controller.name().to_owned(), ..scenario.clone() };
         let scenario = named.under(controller);
-        let name = format!("{}.parquet", controller.name());
-        let recorder = folder.map(|folder| Recorder::new(folder, &name, &scenario, &source)).transpose()?;
+        let names = ["", "-rounds"].map(|end| format!("{}{end}.parquet", controller.name()));
+        let names = names.each_ref().map(String::as_str);
+        let recorder = folder.map(|folder| Recorder::new(folder, names, &scenario, &source)).transpose()?;
         Ok(Self { scenario, source, recorder })
     }
 

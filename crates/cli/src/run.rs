@@ -17,6 +17,8 @@ use crate::{invocation, json, output, pages, progress, sentences, source};
 
 /// Name of the file with every tick.
 const TICKS: &str = "run.parquet";
+/// Name of the file with every consensus round.
+const ROUNDS: &str = "rounds.parquet";
 
 /// A finished run.
 struct Done {
@@ -36,8 +38,10 @@ pub(crate) fn run(arguments: &crate::Run) -> Result<bool> {
     }
     let source = as_run(&source, &scenario);
     let mut folder = arguments.output.as_deref().map(Folder::new).transpose()?;
-    let recorder =
-        folder.as_mut().map(|folder| Recorder::new(folder, TICKS, &scenario, &source)).transpose()?;
+    let recorder = folder
+        .as_mut()
+        .map(|folder| Recorder::new(folder, [TICKS, ROUNDS], &scenario, &source))
+        .transpose()?;
     let bar = progress::bar(u64::from(scenario.ticks()), arguments.speech.quiet);
     bar.set_message(scenario.name.clone());
     let unrecorded = Options { robustness: true, digest: true, ..Options::default() };
@@ -106,8 +110,7 @@ fn save(mut folder: Folder, done: &Done) -> Result<String> {
     let robustness = pages::robustness_of(&scenario.name, scenario, run).map(|series| robustness(&[series]));
     let mut figures = vec![("overview", svg.as_str())];
     figures.extend(robustness.as_deref().map(|svg| ("robustness", svg)));
-    let mut files =
-        pages::add_data(&mut folder, ["scenario.toml", TICKS, "rounds.parquet"], source, scenario, run)?;
+    let mut files = pages::add_data(&mut folder, ["scenario.toml", TICKS, ROUNDS], source, scenario, run)?;
     files.extend(pages::add_figures(&mut folder, &figures, &|| ())?);
     let names = pages::names(&files);
     folder.add("report.html", html(&page(done, svg.clone(), robustness, files)));

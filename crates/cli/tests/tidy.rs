@@ -1,6 +1,9 @@
-//! House rules that no linter knows: heads and lengths, words, seams, and what is cited: labels, pages and paths.
+//! House rules that no linter knows: heads and lengths, words, seams, imports, and what is cited: labels, pages and paths.
 
 #![expect(clippy::unwrap_used, reason = "helpers of tests")]
+
+#[path = "tidy/imports.rs"]
+mod imports;
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
@@ -49,9 +52,11 @@ const SEAM: [&str; 4] = [
 ];
 
 /// Lines that look like such a choice and are none, by file and a part of the line. Each needs a reason.
-const NO_CHOICE: [(&str, &str); 3] = [
+const NO_CHOICE: [(&str, &str); 4] = [
     // One generic engine for each kind of the closed enum: the compiler asks for the arm, and all arms are alike.
     ("crates/sim/src/engine/mod.rs", "Box::new(Team::new("),
+    // Robots that keep lists of links hold what a team at once does not.
+    ("crates/sim/src/engine/mod.rs", "AnyController::Links(_) => Box::new(Fleet::new("),
     // The runs of one sweep are told apart, whatever their controllers are.
     ("crates/sim/src/sweep/mod.rs", ".controller == controller"),
     ("crates/report/src/sweep/tally.rs", ".controller == controller"),

@@ -3,10 +3,10 @@
 //! `cargo bench -p closeranks-core --bench budget`
 
 use closeranks_core::controller::budget::curvature::Curvature;
-use closeranks_core::controller::budget::knowledge::{Assume, Claim, Sighting, Trust};
-use closeranks_core::controller::budget::margin::ErrorBounds;
+use closeranks_core::controller::budget::errors::ErrorBounds;
+use closeranks_core::controller::budget::knowledge::{Claim, Sighting};
 use closeranks_core::controller::budget::rows::Memory;
-use closeranks_core::controller::budget::settings::{Budget, Form};
+use closeranks_core::controller::budget::settings::{Assume, Budget, Form, Trust};
 use closeranks_core::equations::link::LinkShape;
 use closeranks_core::need::Need;
 use closeranks_core::program::InputBox;

@@ -108,22 +108,25 @@ pub mod settings;
 pub mod time;
 pub mod wmsr;
 
-pub use crate::controller::budget::knowledge::{Assume, Trust};
+pub use crate::controller::budget::settings::{Assume, Trust};
+pub use crate::controller::links::wire::{LinkMessage, Notice};
 pub use crate::equations::composition::PhiSplit;
 pub use crate::message::{MESSAGE_BYTES, Message, MessageError, VALUE_MAX};
 pub use crate::need::{Keep, Need};
 pub use crate::num::Vector;
 pub use crate::program::{InputBox, Outcome};
 pub use crate::robot::error::{ObserveError, Observed, ReceiveError, RobotError, SenseError};
+pub use crate::robot::memory::RobotMemory;
 pub use crate::robot::neighbor::{RobotId, Slot};
 pub use crate::robot::report::{Mode, Output, Reason, Report, RoundReport};
-pub use crate::robot::scratch::{Needs, RobotMemory, Scratch};
+pub use crate::robot::scratch::{Needs, Scratch};
 pub use crate::robot::sized::SizedRobot;
 pub use crate::robot::{Robot, Slots};
 pub use crate::settings::field::Field;
-pub use crate::settings::params::Params;
-pub use crate::settings::range::{Allowed, ParamsError};
+pub use crate::settings::params::{Params, ParamsError};
+pub use crate::settings::range::Allowed;
 pub use crate::settings::{
-    BudgetSettings, Clock, ComposedSettings, Controller, Errors, Limits, LinkSettings, Settings, Team,
+    BudgetSettings, Clock, ComposedSettings, Controller, Errors, Limits, LinkSettings, LinksSettings,
+    Settings, Team,
 };
 pub use crate::time::Instant;

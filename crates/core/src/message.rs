@@ -5,13 +5,14 @@
 //!        "CR" version  flags  sequence  stamp  level  value        all little-endian
 //! ```
 
+use crate::settings::range::MAGNITUDE_MAX;
 use crate::time::Instant;
 
 /// Bytes of an encoded message.
 pub const MESSAGE_BYTES: usize = 32;
 
 const MAGIC: [u8; 2] = *b"CR";
-const VERSION: u8 = 2;
+pub(crate) const VERSION: u8 = 2;
 const HAS_VALUE: u8 = 1;
 
 /// Greatest magnitude of a told value: a mean of the largest team's values cannot overflow.
@@ -29,7 +30,7 @@ pub struct Message {
 /// Why bytes or numbers are not a message.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum MessageError {
-    /// There are not exactly [`MESSAGE_BYTES`] bytes, but as many as this says.
+    /// There are as many bytes as this says, and neither [`MESSAGE_BYTES`] nor as many as a list of links needs.
     Length(usize),
     /// The bytes do not begin with `CR`.
     Magic,
@@ -41,6 +42,14 @@ pub enum MessageError {
     Level,
     /// The value is NaN or beyond ±[`VALUE_MAX`].
     Value,
+    /// `links`: the message is of a team in so many dimensions.
+    Dimension(u8),
+    /// `links`: the wish is not finite, or too fast.
+    Wish,
+    /// `links`: the price is NaN or negative.
+    Price,
+    /// `links`: entries are not in rising order of robots, say nothing, or are of an unknown kind.
+    Entries,
 }
 
 impl Message {
@@ -124,13 +133,21 @@ fn part(numbers: &[u8; 24], start: usize) -> [u8; 8] {
 impl core::fmt::Display for MessageError {
     fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
         match self {
-            Self::Length(found) => write!(f, "message of {found} bytes, must be {MESSAGE_BYTES}"),
+            Self::Length(found) => {
+                write!(f, "message of {found} bytes, must be {MESSAGE_BYTES}, or what its entries need")
+            }
             Self::Magic => write!(f, "message does not begin with `CR`"),
             Self::Version(found) => write!(f, "message of version {found}, must be {VERSION}"),
             Self::Flags(found) => {
                 write!(f, "message with flags {found}, must be 0 (no value) or 1 (with value)")
             }
             Self::Level => write!(f, "told level is not finite"),
+            Self::Dimension(found) => write!(f, "told wish has {found} components, not those of the team"),
+            Self::Wish => write!(f, "told wish is not a velocity of at most {MAGNITUDE_MAX:e} m/s an axis"),
+            Self::Price => write!(f, "told price is not a number from 0"),
+            Self::Entries => {
+                write!(f, "entries are not one for each robot in rising order, each of a known kind")
+            }
             Self::Value => write!(f, "told value is not a number from -{VALUE_MAX:e} to {VALUE_MAX:e}"),
         }
     }

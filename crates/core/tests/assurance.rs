@@ -32,6 +32,7 @@ fn settings() -> Settings<2> {
 }
 
 /// A robot with three others around it, all of them standing still unless moved.
+#[expect(clippy::large_types_passed_by_value, reason = "scenes of a test are short")]
 fn with_robot<R>(settings: Settings<2>, play: impl FnOnce(&mut TestRobot) -> R) -> R {
     let params = Params::new(settings).expect("settings in range");
     play(&mut TestRobot::new(params, RobotId(1), 1.0).expect("memory"))

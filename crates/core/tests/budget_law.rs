@@ -2,8 +2,8 @@
 
 use budget_literal::{known, level};
 use budget_team::{Builder, ROWS_MAX, Team, crate_rows};
-use closeranks_core::controller::budget::knowledge::{Assume, Claim, Sighting};
-use closeranks_core::controller::budget::settings::{Budget, Form};
+use closeranks_core::controller::budget::knowledge::{Claim, Sighting};
+use closeranks_core::controller::budget::settings::{Assume, Budget, Form};
 use closeranks_core::equations::link::Link;
 use closeranks_core::need::{Keep, Need};
 use closeranks_core::num::{add_scaled, dot, length};
@@ -16,7 +16,7 @@ mod budget_literal;
 mod budget_team;
 mod seeded;
 
-const TEAMS: core::ops::Range<u64> = 0..80;
+const TEAMS: core::ops::Range<u64> = 0..120;
 /// Mutants need so many teams, because where everybody sees everybody a stale claim is cut to the truth.
 const TEAMS_FOR_MUTANTS: core::ops::Range<u64> = 0..240;
 const TICKS: usize = 25;

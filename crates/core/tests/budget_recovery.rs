@@ -1,10 +1,10 @@
 //! Starts outside the set: nothing that is broken gets worse, and what can be mended is.
 
 use closeranks_core::controller::budget::curvature::Curvature;
-use closeranks_core::controller::budget::knowledge::{Assume, Claim, Sighting, Trust};
-use closeranks_core::controller::budget::margin::ErrorBounds;
+use closeranks_core::controller::budget::errors::ErrorBounds;
+use closeranks_core::controller::budget::knowledge::{Claim, Sighting};
 use closeranks_core::controller::budget::rows::Memory;
-use closeranks_core::controller::budget::settings::{Budget, Form};
+use closeranks_core::controller::budget::settings::{Assume, Budget, Form, Trust};
 use closeranks_core::equations::link::LinkShape;
 use closeranks_core::need::{Keep, Need};
 use closeranks_core::num::{Vector, add_scaled, dot, length, subtract};
@@ -108,26 +108,40 @@ fn robots_that_start_too_close_part_and_nothing_gets_worse() {
     }
 }
 
+/// The paper's places, spread by a factor, each robot with a wish along its own place: how long until every h_i is 0 or more,
+/// `None` if that takes more than 1500 ticks, and the least h_i then. The least h_i never falls on the way.
+fn closes_ranks(factor: f64, wish_m: f64) -> (Option<usize>, f64) {
+    let mut positions: Vec<Vector<2>> = PUBLISHED.iter().map(|x| x.map(|c| factor * c)).collect();
+    let mut least = f64::NEG_INFINITY;
+    for ticks in 0..1_500 {
+        let now = tick(&positions, |i| positions[i].map(|component| wish_m * component), Form::Level);
+        let h = now.h.iter().copied().fold(f64::INFINITY, f64::min);
+        assert!(h >= least.min(0.0) - 1e-12, "h fell from {least} to {h} in tick {ticks}");
+        (least, positions) = (h, now.positions);
+        if least >= 0.0 {
+            return (Some(ticks), least);
+        }
+    }
+    (None, least)
+}
+
 //= theory sec:recovery type=test
 #[test]
 fn a_team_that_starts_too_wide_closes_ranks() {
-    let wide: Vec<Vector<2>> = PUBLISHED.iter().map(|x| x.map(|component| 1.75 * component)).collect();
-    let mut positions = wide;
-    let mut least = f64::NEG_INFINITY;
-    for ticks in 0..2_000 {
-        // each wants to leave; the row keeps h from falling, the push makes it rise
-        let away = |i: usize| positions[i].map(|component| 0.003 * component);
-        let now = tick(&positions, away, Form::Level);
-        let h = now.h.iter().copied().fold(f64::INFINITY, f64::min);
-        assert!(ticks > 0 || h < -0.5, "h is {h} at the start");
-        assert!(h >= least.min(0.0) - 1e-12, "h fell from {least} to {h} in tick {ticks}");
-        least = h;
-        positions = now.positions;
-        if least >= 0.0 {
-            return;
-        }
+    let (leave, rest, gather) = (0.003, 0.0, -0.003);
+    for (factor, wish_m) in [(1.4, leave), (1.4, rest), (1.6, leave), (1.6, rest), (1.75, gather)] {
+        let (ticks, least) = closes_ranks(factor, wish_m);
+        assert!(ticks.is_some_and(|ticks| ticks > 10), "{factor} {wish_m}: {ticks:?}, {least}");
     }
-    panic!("least h is {least} after 2000 ticks");
+}
+
+/// What it costs that nobody mends the h of others: from this start the team comes to a standstill unless it wishes to gather.
+/// Robot 1 may not come nearer to robot 10, and robot 10 may not leave it.
+//= theory sec:recovery type=test
+#[test]
+fn a_team_that_starts_far_too_wide_may_come_to_a_standstill() {
+    let (ticks, least) = closes_ranks(1.75, 0.0);
+    assert!(ticks.is_none() && (-1.4..-1.3).contains(&least), "{ticks:?}, {least}");
 }
 
 #[test]
@@ -156,5 +170,29 @@ fn any_floats_give_an_admissible_move() {
             // below 1e-154 m the square of a move vanishes
             assert!(length(&v) < 1e-150, "a neighbour somewhere unknown");
         }
+    }
+}
+
+/// Two malicious robots walk off: they have next to no neighbours left and are certainly below their need. The others stand
+/// close together and want to rest, so nothing moves them, and nothing of theirs is violated.
+//= theory sec:recovery type=test
+#[test]
+fn a_team_that_wishes_to_rest_is_not_towed_by_those_who_walk_off() {
+    for form in [Form::Link, Form::Level] {
+        let mut positions: Vec<Vector<2>> = PUBLISHED.iter().map(|x| x.map(|c| 0.8 * c)).collect();
+        // far enough apart, and the first two have nearly left
+        for (k, x) in positions.iter_mut().enumerate() {
+            let k_m = f64::from(u32::try_from(k).unwrap_or(0));
+            *x = if k < 2 {
+                [2.9, [0.3, -0.3][k]]
+            } else {
+                [0.45 * (k_m % 3.0) - 0.45, 0.45 * libm::floor(k_m / 3.0) - 0.7]
+            };
+        }
+        let now = tick(&positions, |_| [0.0; 2], form);
+        assert!(now.h[..2].iter().all(|h| *h < -0.5), "those who left need others: {:?}", &now.h[..2]);
+        assert!(now.h[2..].iter().all(|h| *h > 0.0), "{form:?}: {:?}", now.h);
+        assert_eq!(now.positions[2..], positions[2..], "{form:?}: who rests is not moved");
+        assert_eq!(now.broken, 2, "only those who left say that something is wrong");
     }
 }

@@ -1,6 +1,6 @@
 //! What a robot answers: the equations, whatever the order of calls, and something safe whatever the calls.
 
-use closeranks_core::controller::budget::knowledge::{Assume, Trust};
+use closeranks_core::controller::budget::settings::{Assume, Trust};
 use closeranks_core::equations::composition::{PhiSplit, Term};
 use closeranks_core::message::{MESSAGE_BYTES, Message};
 use closeranks_core::num::{Vector, dot, is_finite, subtract};
@@ -9,7 +9,8 @@ use closeranks_core::program::box_row::closest;
 use closeranks_core::robot::neighbor::{RobotId, Slot};
 use closeranks_core::robot::report::{Mode, Output};
 use closeranks_core::robot::sized::SizedRobot;
-use closeranks_core::settings::params::{Controller, MAGNITUDE_MAX, Params, Settings};
+use closeranks_core::settings::params::{Controller, Params, Settings};
+use closeranks_core::settings::range::MAGNITUDE_MAX;
 use closeranks_core::settings::{BudgetSettings, ComposedSettings, Limits, LinkSettings};
 use closeranks_core::time::Instant;
 use proptest::prelude::*;

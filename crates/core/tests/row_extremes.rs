@@ -5,7 +5,7 @@
 
 use closeranks_core::equations::composition::{Composition, PhiSplit};
 use closeranks_core::equations::link::LinkShape;
-use closeranks_core::num::scaled::Number;
+use closeranks_core::num::number::Number;
 use closeranks_core::num::{Vector, dot, subtract};
 use cluster::Cluster;
 use seeded::Seeded;

@@ -7,7 +7,8 @@
 use closeranks_core::equations::composition::{Composed, PhiSplit, Sum};
 use closeranks_core::equations::link::Link;
 use closeranks_core::num::dot;
-use closeranks_core::num::scaled::{Number, Scaled};
+use closeranks_core::num::number::Number;
+use closeranks_core::num::scaled::Scaled;
 use cluster::Cluster;
 use seeded::Seeded;
 

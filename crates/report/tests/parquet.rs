@@ -12,8 +12,13 @@ use closeranks_sim::world::{Options, run};
 use parquet::file::reader::{FileReader, SerializedFileReader};
 use parquet::record::{Field, Row};
 
-const METADATA: Metadata<'_> =
-    Metadata { scenario: "name = \"a <b> & 'c'\"\n", seed: u64::MAX, version: "0.1.0", commit: "abc" };
+const METADATA: Metadata<'_> = Metadata {
+    scenario: "name = \"a <b> & 'c'\"\n",
+    seed: u64::MAX,
+    version: "0.1.0",
+    commit: "abc",
+    weight: [2.1, 0.3],
+};
 
 fn record(scenario: &Scenario) -> Record {
     run(scenario, Options { record: true, ..Options::default() }, &mut |_| ()).unwrap().record.unwrap()
@@ -57,7 +62,10 @@ fn expected(record: &Record, row: usize) -> Vec<Field> {
     fields.extend(record.positions_m.iter().map(number));
     fields.extend(record.inputs_m_s.iter().map(input));
     fields.push(Field::UShort(record.degree[row]));
-    fields.extend([&record.level, &record.told, &record.h, &record.phi, &record.value].map(number));
+    let known = |column: &Vec<f64>| if column[row].is_nan() { Field::Null } else { number(column) };
+    fields.extend([number(&record.level), known(&record.told)]);
+    fields.extend([&record.h, &record.phi, &record.value].map(number));
+    fields.extend([&record.value_told, &record.degree_sensed, &record.level_sensed].map(known));
     fields.push(Field::Str(outcome_name(record.outcome[row]).into()));
     fields
 }
@@ -85,11 +93,13 @@ fn columns_are_those_of_the_contract() {
     };
     assert_eq!(
         names(&short()),
-        "tick time_s robot malicious x_m y_m ux_m_s uy_m_s degree level told h phi_i value outcome"
+        "tick time_s robot malicious x_m y_m ux_m_s uy_m_s degree level told h phi_i value \
+         value_told degree_sensed level_sensed outcome"
     );
     assert_eq!(
         names(&cube()),
-        "tick time_s robot malicious x_m y_m z_m ux_m_s uy_m_s uz_m_s degree level told h phi_i value outcome"
+        "tick time_s robot malicious x_m y_m z_m ux_m_s uy_m_s uz_m_s degree level told h phi_i value \
+         value_told degree_sensed level_sensed outcome"
     );
 }
 
@@ -100,9 +110,10 @@ fn the_file_says_what_it_is() {
     let pairs: Vec<(&str, &str)> =
         pairs.iter().map(|pair| (pair.key.as_str(), pair.value.as_deref().unwrap())).collect();
     let seed = u64::MAX.to_string();
-    let expected =
-        [("scenario", METADATA.scenario), ("seed", &seed), ("version", "0.1.0"), ("commit", "abc")];
-    assert_eq!(pairs, expected);
+    let about = [("scenario", METADATA.scenario), ("seed", &seed), ("version", "0.1.0"), ("commit", "abc")];
+    assert_eq!(pairs[..4], about);
+    let names: Vec<&str> = pairs[4..].iter().map(|(name, _)| *name).collect();
+    assert_eq!(names, ["q1", "q2"], "the weight that h is about");
 }
 
 #[test]

@@ -1,4 +1,4 @@
-//! Draws runs of a sweep under `budget` until one violates a law: `hunt FILE RUNS SEED [LAW]`.
+//! Draws runs of a sweep under the controllers that guarantee something until one violates a law: `hunt FILE RUNS SEED [LAW]`.
 //!
 //! Says `found LAW RUN TICK`, or `nothing RUNS`, the same on any number of cores. `tests/oracle.rs` lets it loose on broken
 //! controllers.
@@ -8,7 +8,7 @@ use std::panic::resume_unwind;
 use std::process::ExitCode;
 use std::thread;
 
-use closeranks_sim::scenario::{Controller, Scenario};
+use closeranks_sim::scenario::Scenario;
 use closeranks_sim::sweep::Plan;
 use closeranks_sim::world::{Options, run};
 
@@ -27,9 +27,8 @@ fn main() -> ExitCode {
     let law = rest.first().map(String::as_str);
     match first(runs, |number| {
         let drawn = plan.draw(seed, number).unwrap_or_else(|problems| panic!("run {number}: {problems:?}"));
-        let mut budgets =
-            drawn.scenarios.iter().filter(|(scenario, _)| scenario.controller == Controller::Budget);
-        budgets.find_map(|(scenario, _)| violation(scenario, law))
+        let mut ours = drawn.scenarios.iter().filter(|(scenario, _)| scenario.controller.row().guarantees);
+        ours.find_map(|(scenario, _)| violation(scenario, law))
     }) {
         Some((number, (law, tick))) => say(&format!("found {law} {number} {tick}")),
         None => say(&format!("nothing {runs}")),

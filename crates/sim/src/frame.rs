@@ -6,7 +6,7 @@ use closeranks_core::robot::report::{Mode, Reason};
 
 /// State of every robot in one tick; index 0 is robot 1.
 ///
-/// A robot that is down in this tick (crashed, or missing it) has stopped, has no φ_i and is free; its degree, levels, h, value
+/// A robot that is down in this tick (crashed, or missing it: `down`) has stopped, has no φ_i and is free; its degree, levels, h, value
 /// and what it heard are those of the last tick in which it ran.
 #[derive(Clone, Debug)]
 pub struct Frame<const D: usize> {
@@ -18,26 +18,38 @@ pub struct Frame<const D: usize> {
     pub asked_m_s: Vec<Vector<D>>,
     /// u_i, m/s, held from this tick on.
     pub velocities_m_s: Vec<Vector<D>>,
-    /// δ_i.
+    /// δ_i as sensed.
     pub degrees: Vec<u16>,
-    /// True c_i.
+    /// c_i as sensed.
     pub levels: Vec<f64>,
     /// c_i as told.
     pub told: Vec<f64>,
     /// h_i as the robot's controller has it: c_i − F′, or T_i − θ under `budget` with free liars.
     pub h: Vec<f64>,
+    /// Under `links`: whom each robot counts on, by number.
+    pub counted: Vec<Vec<u16>>,
+    /// Under `links`: for whom each robot keeps its row, by number.
+    pub rows: Vec<Vec<u16>>,
     /// φ_i; NaN where nobody wants to know it, and of a robot that is down.
     pub phis: Vec<f64>,
     /// Whether somebody wants to know φ and φ_i, which not every controller uses.
     pub wants_phi: bool,
-    /// y_i; for malicious robots what they tell.
+    /// y_i; for malicious robots what they tell, if they tell all the same.
     pub values: Vec<f64>,
+    /// y_i as each robot holds it, malicious or not.
+    pub held: Vec<f64>,
+    /// Robots that told everybody the same level, and the same value, when they last told.
+    pub one_level: Vec<bool>,
+    /// See `one_level`.
+    pub one_value: Vec<bool>,
     /// What the program found.
     pub outcomes: Vec<Outcome>,
     /// What each robot says its answer is worth.
     pub modes: Vec<Mode>,
     /// Values that each robot used in the last round, and how many of them were those of normal robots.
     pub heard: Vec<[u16; 2]>,
+    /// Robots that do not run in this tick.
+    pub down: Vec<bool>,
     /// What the theorem is about, m: where velocities have taken each robot if a tracking error is stated, else its position.
     pub references_m: Vec<Vector<D>>,
     /// What the theorem rests on, and whether it holds.
@@ -51,11 +63,13 @@ pub struct Frame<const D: usize> {
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Assumptions {
     /// True if some assumption does not hold, whether or not a robot can know: liars disobey, a robot goes on without having
-    /// looked, clocks differ by more than is stated, a robot is farther from its reference than is stated, or one of the two
+    /// looked, clocks differ or drift by more than is stated, a robot is farther from its reference than is stated, or one of the two
     /// fields below says so.
     pub broken: bool,
-    /// Robots that sensed some position with a larger error than is stated.
+    /// Robots that sensed some position with a larger error than is stated, or cannot know of some robot within R.
     pub sensed_wrong: Vec<bool>,
+    /// Robots that did not sense somebody within R, whether they know of it or not: they cannot be certain of their own state.
+    pub unsensed: Vec<bool>,
     /// True if some reference is not the last one plus its move: what held before says nothing about it.
     pub renewed: bool,
     /// True if some normal robot did not run, or began anew. Rounds of consensus rest on it, safety does not.
@@ -66,7 +80,8 @@ impl Assumptions {
     /// The assumptions as they are in a perfect world.
     #[must_use]
     pub fn all_hold(robots: usize) -> Self {
-        Self { broken: false, sensed_wrong: vec![false; robots], renewed: false, unsteady: false }
+        let none = vec![false; robots];
+        Self { broken: false, sensed_wrong: none.clone(), unsensed: none, renewed: false, unsteady: false }
     }
 }
 
@@ -85,12 +100,18 @@ impl<const D: usize> Frame<D> {
             levels: vec![0.0; robots],
             told: vec![0.0; robots],
             h: vec![0.0; robots],
+            counted: vec![Vec::new(); robots],
+            rows: vec![Vec::new(); robots],
             phis: vec![f64::NAN; robots],
             wants_phi: true,
+            held: values.clone(),
+            one_level: vec![true; robots],
+            one_value: vec![true; robots],
             values,
             outcomes: vec![Outcome::Free; robots],
             modes: vec![Mode::Degraded(Reason::ContinuousTime); robots],
             heard: vec![[0; 2]; robots],
+            down: vec![false; robots],
             assumptions: Assumptions::all_hold(robots),
             links: 0,
         }

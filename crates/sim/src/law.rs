@@ -23,6 +23,12 @@ pub enum Law {
     /// `budget`: no robot calls something guaranteed that does not hold, and every robot says "guaranteed" again soon after
     /// everything holds.
     Mode,
+    /// `budget`: a normal robot moves no farther in a tick than it wishes, and than mending its own h and its own distances
+    /// takes. So a team that wishes to rest is towed by nobody (sec:recovery).
+    Untowed,
+    /// `links`: no link that a normal robot counts on is longer than R (thm:held), and who is counted on keeps its row
+    /// (lem:counted).
+    Held,
     /// The global composition φ of the true levels is not negative (eq:composition).
     Composition,
     /// No φ_i is negative (eq:phi_i). Not a theorem: docs/theory, sec:phi.
@@ -41,7 +47,7 @@ impl Law {
     /// True if it is looked at only under a controller that promises it: it is about what the controller says of itself.
     #[must_use]
     pub fn is_own(self) -> bool {
-        matches!(self, Self::Decay | Self::Mode)
+        matches!(self, Self::Decay | Self::Mode | Self::Untowed | Self::Held)
     }
 
     /// All laws, in the order of reports.
@@ -55,13 +61,15 @@ impl Law {
         Self::Path,
         Self::Decay,
         Self::Mode,
+        Self::Untowed,
+        Self::Held,
         Self::Composition,
         Self::Shares,
         Self::Feasible,
     ];
 
     /// How many laws there are.
-    pub const COUNT: usize = 12;
+    pub const COUNT: usize = 14;
 
     /// What thm:cbf-qp and thm:rs_robust promise for `composed` from a start in their safe set. That programs have solutions
     /// (c) is counted apart: docs/theory, sec:phi.
@@ -69,7 +77,7 @@ impl Law {
         [Self::Degree, Self::Distance, Self::Interval, Self::Agreement, Self::Input, Self::Spare, Self::Path];
 
     /// What `budget` promises where its assumptions hold.
-    pub const PROMISED: [Self; 10] = [
+    pub const PROMISED: [Self; 11] = [
         Self::Degree,
         Self::Distance,
         Self::Interval,
@@ -79,6 +87,22 @@ impl Law {
         Self::Path,
         Self::Decay,
         Self::Mode,
+        Self::Untowed,
+        Self::Feasible,
+    ];
+
+    /// What `links` promises where its assumptions hold.
+    pub const LINKS: [Self; 11] = [
+        Self::Degree,
+        Self::Distance,
+        Self::Interval,
+        Self::Agreement,
+        Self::Input,
+        Self::Path,
+        Self::Decay,
+        Self::Mode,
+        Self::Untowed,
+        Self::Held,
         Self::Feasible,
     ];
 
@@ -99,6 +123,8 @@ impl Law {
             Self::Path => "path",
             Self::Decay => "decay",
             Self::Mode => "mode",
+            Self::Untowed => "untowed",
+            Self::Held => "held",
             Self::Composition => "composition",
             Self::Shares => "shares",
             Self::Feasible => "feasible",
@@ -118,6 +144,8 @@ impl Law {
             Self::Path => "distance of two robots between ticks >= distance_min_m",
             Self::Decay => "h and distances lose no more than their share in a tick",
             Self::Mode => "guaranteed is said where it is true, and only there",
+            Self::Untowed => "a robot moves no more than it wishes and its own needs demand",
+            Self::Held => "a link that is counted on has rows and is no longer than radius_m",
             Self::Composition => "global phi >= 0",
             Self::Shares => "phi_i >= 0",
             Self::Feasible => "the program of a robot has a solution",

@@ -26,6 +26,10 @@ pub enum Stream {
     Faces = 9,
     /// Where disobedient malicious robots go.
     Motion = 10,
+    /// What malicious robots tell of held links.
+    Lists = 11,
+    /// Observations that are missed.
+    Dropouts = 12,
 }
 
 /// A generator for one purpose.

@@ -6,7 +6,7 @@ use closeranks_core::settings::{BudgetSettings, Clock, LinkSettings, Team};
 use closeranks_sim::scenario::Limits;
 use core::time::Duration;
 
-use closeranks_core::controller::budget::knowledge::{Assume, Trust};
+use closeranks_core::controller::budget::settings::{Assume, Trust};
 use closeranks_core::program::Outcome;
 use closeranks_sim::attack::LevelAttack;
 use closeranks_sim::law::Law;
@@ -51,10 +51,10 @@ fn lies_that_change_with_time_are_survived() {
     let sine = LevelAttack::Sine { amplitude: 10.0, period_s: 0.9 };
     let random = LevelAttack::Random { min: -20.0, max: 20.0 };
     for level_attack in [step, sine, random] {
-        for q2 in [0.1, 0.9] {
+        for q2 in [Some(0.1), Some(0.9), None] {
             kept(&Scenario {
                 attack: level_attack.into(),
-                link: LinkSettings { q2, ..budget().link },
+                budget: BudgetSettings { q2, ..budget().budget },
                 ..budget()
             });
         }
@@ -63,12 +63,14 @@ fn lies_that_change_with_time_are_survived() {
 
 #[test]
 fn long_ticks_are_survived() {
-    for (tick_ms, q2) in [(20, 0.9), (50, 0.1), (50, 0.3), (50, 0.9), (100, 0.3)] {
+    for (tick_ms, q2) in
+        [(20, None), (50, Some(0.1)), (50, None), (50, Some(48.0)), (100, None), (100, Some(0.3))]
+    {
         let (tau_1, tau_2) = (Duration::from_millis(tick_ms), Duration::from_millis(100));
         kept(&Scenario {
             attack: LevelAttack::Bias(3.5).into(),
             clock: Clock { level_period: tau_1, value_period: tau_2, ..budget().clock },
-            link: LinkSettings { q2, ..budget().link },
+            budget: BudgetSettings { q2, ..budget().budget },
             ..budget()
         });
     }

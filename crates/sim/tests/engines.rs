@@ -1,11 +1,14 @@
 //! The team computed at once and robots one by one, with every message as bytes, give the same bits.
 #![expect(clippy::unwrap_used, reason = "helpers of tests")]
 
-use closeranks_core::settings::{BudgetSettings, Clock, ComposedSettings, Errors, LinkSettings, Team};
+use closeranks_core::Assume;
+use closeranks_core::settings::{
+    BudgetSettings, Clock, ComposedSettings, Errors, LinkSettings, LinksSettings, Team,
+};
 use closeranks_sim::scenario::Limits;
 use core::time::Duration;
 
-use closeranks_core::controller::budget::knowledge::Trust;
+use closeranks_core::controller::budget::settings::Trust;
 use closeranks_core::equations::composition::PhiSplit;
 use closeranks_sim::attack::{LevelAttack, ValueAttack};
 use closeranks_sim::plant::Plant;
@@ -98,6 +101,25 @@ fn teams_of_other_sizes_and_no_liars() {
     }
 }
 
+/// Robots that keep lists hand over what they tell with or without bytes.
+#[test]
+fn teams_that_hold_links() {
+    let links = Scenario { controller: Controller::Links, ..short("links") };
+    let clock = Clock { level_period: Duration::from_millis(20), ..links.clock };
+    for attack in [ValueAttack::Sway, ValueAttack::None] {
+        same_bits(&Scenario { attack: attack.into(), ..links.clone() });
+        same_bits(&Scenario { attack: attack.into(), clock, duration_s: 6.0, ..links.clone() });
+    }
+    for (robots, faults) in [(2, 0), (5, 1), (20, 4)] {
+        let (malicious, start) = ((1..=faults).collect(), Start::Hexagon { spacing_m: 0.5 });
+        same_bits(&Scenario { malicious, start, clock, team: Team { robots, faults }, ..links.clone() });
+    }
+    let errors = Errors { position_m: 0.01, tracking_m: 0.02 };
+    same_bits(&Scenario { errors, clock, ..links.clone() });
+    let links = LinksSettings { assume: Assume::Free, pass_right: true, ..links.links };
+    same_bits(&Scenario { controller: Controller::Links, links, clock, ..short("free") });
+}
+
 /// Bodies that lag belong to the world, whatever computes the robots.
 #[test]
 fn bodies_that_lag() {
@@ -166,7 +188,7 @@ fn budget_from_starts_inside_and_outside() {
             seed: u64::from(index),
             attack: level_attack.into(),
             link: LinkSettings { q2, ..budget("start").link },
-            budget: BudgetSettings { trust, ..budget("start").budget },
+            budget: BudgetSettings { trust, q2: (q2 != 0.3).then_some(q2), ..budget("start").budget },
             ..budget("start")
         });
     }
@@ -205,7 +227,7 @@ fn budget_with_other_ticks_holds_clocks_and_ranges() {
         same_bits(&Scenario {
             attack: LevelAttack::Bias(3.5).into(),
             clock: Clock { level_period: tau_1, value_period: tau_2, ..budget("ticks").clock },
-            link: LinkSettings { q2, ..budget("ticks").link },
+            budget: BudgetSettings { q2: (q2 != 0.3).then_some(q2), ..budget("ticks").budget },
             ..budget("ticks")
         });
     }

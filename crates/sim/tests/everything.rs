@@ -8,17 +8,28 @@ const EVERYTHING: &str = include_str!("../../../scenarios/everything.toml");
 
 /// The default that the core has for the number of `row`.
 fn default_of(row: &Row) -> f64 {
-    let Scenario { mut team, mut link, mut limits, mut composed, mut budget, mut clock, mut errors, .. } =
-        Scenario::default();
+    let Scenario {
+        mut team,
+        mut link,
+        mut limits,
+        mut composed,
+        mut budget,
+        mut links,
+        mut clock,
+        mut errors,
+        ..
+    } = Scenario::default();
     let parts = Parts {
         team: &mut team,
         link: &mut link,
         distance_min_m: &mut limits.distance_min_m,
         composed: Some(&mut composed),
         budget: Some(&mut budget),
+        links: Some(&mut links),
         clock: &mut clock,
         errors: &mut errors,
         distance_limit_m: f64::INFINITY,
+        move_max_m: 0.005 * 1.5 * 2.0_f64.sqrt(),
     };
     (row.get)(&parts).expect("both controllers are there")
 }
@@ -42,7 +53,7 @@ fn written_for(row: &Row) -> f64 {
 fn every_number_of_the_table_stands_in_the_file_with_its_default() {
     for row in &TABLE {
         let (written, default) = (written_for(row), default_of(row));
-        // Two defaults are computed and have more digits than are of use in a file.
+        // Some defaults are computed and have more digits than are of use in a file.
         assert!(
             (written - default).abs() <= 1e-3 * default.abs(),
             "{}: {written} in everything.toml, {default} by default",

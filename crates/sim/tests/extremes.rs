@@ -5,7 +5,7 @@ use closeranks_sim::scenario::Limits;
 use core::time::Duration;
 
 use closeranks_core::equations::composition::PhiSplit;
-use closeranks_core::settings::params::MAGNITUDE_MAX;
+use closeranks_core::settings::range::MAGNITUDE_MAX;
 use closeranks_sim::attack::{Attack, LevelAttack, ValueAttack};
 use closeranks_sim::law::Law;
 use closeranks_sim::random::{Random, Stream};

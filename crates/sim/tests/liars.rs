@@ -4,7 +4,7 @@
 use closeranks_core::message::{Message, VALUE_MAX};
 use closeranks_core::program::InputBox;
 use closeranks_core::time::Instant;
-use closeranks_sim::attack::liars::Liars;
+use closeranks_sim::attack::liars::{Face, Liars};
 use closeranks_sim::attack::{Attack, LevelAttack, MotionAttack, ValueAttack};
 use closeranks_sim::scenario::Scenario;
 
@@ -38,7 +38,11 @@ fn values(value_attack: ValueAttack) -> [f64; 2] {
 /// What robot 1 tells one neighbour that holds `value`.
 fn told(liars: &mut Liars, value: f64) -> Option<Message> {
     let honest = Message::new(3, Instant::START, 7.0, Some(1.0)).unwrap();
-    Message::parse(&liars.bytes(0, &honest, value)?).ok()
+    match liars.face(0, &honest, value) {
+        Face::Silence => None,
+        Face::Bytes(bytes) => Message::parse(&bytes).ok(),
+        Face::Message(message) => Some(message),
+    }
 }
 
 #[test]
@@ -80,7 +84,7 @@ fn liars_with_faces_tell_each_neighbour_something_else() {
     assert_eq!([low.value(), high.value()], [Some(2.0), Some(10.0)], "whoever is low hears the least");
     assert!(low.level() != high.level() && (0.0..1.0).contains(&low.level()));
     let honest = Message::new(3, Instant::START, 7.0, Some(1.0)).unwrap();
-    assert_eq!(faces.bytes(7, &honest, 0.0), Some(honest.encode()));
+    assert_eq!(faces.face(7, &honest, 0.0), Face::Message(honest));
 }
 
 #[test]

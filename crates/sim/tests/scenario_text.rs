@@ -39,7 +39,7 @@ fn unknown_fields_and_tables_are_refused_with_what_is_known() {
     refused(
         "sed = 4",
         "sed",
-        "`sed` is not a field here, allowed is `name`, `duration_s`, `seed`, `dimension`, `expect`, `team`, `link`, `controller`, `clock`, `start`, `values`, `motion`, `attack`, `network`, `clocks`, `sensing`, `plant`",
+        "`sed` is not a field here, allowed is `name`, `duration_s`, `seed`, `dimension`, `expect`, `team`, `link`, `controller`, `links`, `clock`, `start`, `values`, `motion`, `attack`, `network`, `clocks`, `sensing`, `plant`",
     );
     refused(
         "[link]\nradius = 3",
@@ -76,7 +76,7 @@ fn wrong_types_are_refused_with_the_type_that_is_allowed() {
     refused(
         "expect = [\"degrees\"]",
         "\"degrees\"",
-        "`expect[0]` is \"degrees\", allowed is `degree`, `distance`, `interval`, `agreement`, `input`, `spare`, `path`, `decay`, `mode`, `composition`, `shares`, `feasible`",
+        "`expect[0]` is \"degrees\", allowed is `degree`, `distance`, `interval`, `agreement`, `input`, `spare`, `path`, `decay`, `mode`, `untowed`, `held`, `composition`, `shares`, `feasible`",
     );
 }
 
@@ -101,7 +101,7 @@ fn numbers_that_do_not_fit_are_named_one_by_one() {
     refused(
         "[link]\nq2 = -inf",
         "-inf",
-        "`link.q2` is -inf, allowed is a number, more than 0 and at most 1000000",
+        "`link.q2` is -inf, allowed is a number, more than 0 and at most 1000000000000000",
     );
 }
 
@@ -153,7 +153,11 @@ fn the_second_of_two_that_are_alike_is_marked() {
 #[test]
 fn impossible_numbers_are_refused() {
     refused("duration_s = nan", "nan", "`duration_s` is nan, allowed is a number, 0 to 1000000");
-    refused("[link]\nq2 = 0", "0", "`link.q2` is 0, allowed is a number, more than 0 and at most 1000000");
+    refused(
+        "[link]\nq2 = 0",
+        "0",
+        "`link.q2` is 0, allowed is a number, more than 0 and at most 1000000000000000",
+    );
     refused(
         "[link]\nradius_m = inf",
         "inf",

@@ -1,7 +1,9 @@
 //! The calls that bytes stand for, and what is known of a robot while they are played.
 
+use closeranks_core::controller::links::protocol::{Entry, Number};
+use closeranks_core::controller::links::wire::{Head, Item, LinkMessage, bytes_max};
 use closeranks_core::message::{MESSAGE_BYTES, Message};
-use closeranks_core::num::is_finite;
+use closeranks_core::num::{Vector, is_finite};
 use closeranks_core::robot::Robot;
 use closeranks_core::robot::neighbor::{RobotId, Slot};
 use closeranks_core::robot::scratch::Scratch;
@@ -95,6 +97,10 @@ impl<'memory, const D: usize> Play<'memory, D> {
         if let Some(message) = shared {
             assert!(self.placed);
             assert_eq!(Message::parse(&message.encode()), Ok(message));
+            let mut bytes = vec![0; bytes_max(self.params.settings().team.robots, D).max(MESSAGE_BYTES)];
+            let length = self.robot.encode(&message, &mut bytes).expect("there is room for the longest");
+            let lists = LinkMessage::<D>::parse(&bytes[..length]).is_ok();
+            assert_eq!(lists, self.params.controller().tells_lists());
         }
         let next = self.robot.poll_at().as_nanos();
         assert!(!self.placed || next > self.now || next == u64::MAX, "due again at once");
@@ -102,11 +108,36 @@ impl<'memory, const D: usize> Play<'memory, D> {
 
     fn receive(&mut self, source: &mut Source<'_>) {
         let id = other(source);
+        if self.params.controller().tells_lists() {
+            return self.receive_lists(id, source);
+        }
         let told = if source.byte() < 224 { self.built(source) } else { Message::parse(&raw(source)).ok() };
         let Some(message) = told else { return };
         if self.robot.receive(id, &message).is_ok() {
             assert!(self.placed && id != self.robot.id());
             let value = message.value().unwrap_or(self.hull[0]);
+            self.hull = [self.hull[0].min(value), self.hull[1].max(value)];
+        }
+    }
+
+    /// A message of lists: newer than all before as a rule, and with what was received of the robot, or anything.
+    fn receive_lists(&mut self, sender: RobotId, source: &mut Source<'_>) {
+        let choice = source.byte();
+        let near = |from: u64, source: &mut Source<'_>| match source.byte() {
+            byte @ 0..=199 => from.saturating_add(u64::from(byte)).saturating_sub(20),
+            _ => u64::from_le_bytes(source.take()),
+        };
+        let (number, acknowledged) = (near(self.now, source), near(self.now, source));
+        let value = (choice & 1 == 0).then(|| source.number());
+        let wish_m_s: Vector<D> = core::array::from_fn(|_| source.number());
+        let head = Head { number: Number(number), value, price_m: source.near().abs(), wish_m_s };
+        let entry = Entry { listed: choice & 2 == 0, acknowledged: Number(acknowledged) };
+        let item = Item { id: self.robot.id(), entry, promised: choice & 4 == 0 };
+        let mut bytes = [0; bytes_max(2, 3)];
+        let Some(length) = head.encode(core::iter::once(item), &mut bytes) else { return };
+        if self.robot.receive_bytes(sender, &bytes[..length]).is_ok() {
+            assert!(sender != self.robot.id() && head.checked().is_ok());
+            let value = value.unwrap_or(self.hull[0]);
             self.hull = [self.hull[0].min(value), self.hull[1].max(value)];
         }
     }

@@ -1,23 +1,28 @@
 //! Settings of any kind, from ordinary to refused.
 
-use closeranks_core::controller::budget::knowledge::{Assume, Trust};
+use closeranks_core::controller::budget::settings::{Assume, Trust};
 use closeranks_core::equations::composition::PhiSplit;
 use closeranks_core::settings::field::TABLE;
-use closeranks_core::settings::params::{Controller, MAGNITUDE_MAX, Settings};
-use closeranks_core::settings::{BudgetSettings, ComposedSettings};
+use closeranks_core::settings::params::{Controller, Settings};
+use closeranks_core::settings::range::MAGNITUDE_MAX;
+use closeranks_core::settings::{BudgetSettings, ComposedSettings, LinksSettings};
 
 use crate::source::Source;
 
 /// What the source says: a few choices, and half of the time some fields replaced by anything.
 pub(super) fn settings<const D: usize>(source: &mut Source<'_>) -> Settings<D> {
-    let composed = source.pick(&[true, false]);
+    let kind = source.pick(&["composed", "budget", "composed", "links"]);
     let phi_split = source.pick(&[PhiSplit::Neighbors, PhiSplit::Own]);
     let trust = source.pick(&[Trust::Told, Trust::ToldOrSeen, Trust::Seen]);
     let assume = source.pick(&[Assume::Obedient, Assume::Free]);
-    let controller = if composed {
-        Controller::Composed(ComposedSettings { phi_split, ..ComposedSettings::default() })
-    } else {
-        Controller::Budget(BudgetSettings { trust, assume, ..BudgetSettings::default() })
+    let controller = match kind {
+        "composed" => Controller::Composed(ComposedSettings { phi_split, ..ComposedSettings::default() }),
+        "budget" => Controller::Budget(BudgetSettings { trust, assume, ..BudgetSettings::default() }),
+        _ => Controller::Links(LinksSettings {
+            assume,
+            pass_right: trust == Trust::Seen,
+            ..LinksSettings::default()
+        }),
     };
     let mut settings = Settings { controller, ..Settings::default() };
     settings.team.faults = u16::try_from(source.below(6)).unwrap_or(0);

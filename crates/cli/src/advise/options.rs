@@ -8,7 +8,7 @@ const NAMES: [(&str, &str); 12] = [
     ("--robots", "team.robots"),
     ("--faults", "team.faults"),
     ("--radius", "link.radius_m"),
-    ("--q2", "link.q2"),
+    ("--q2", "controller.q2"),
     ("--distance-min", "controller.distance_min_m"),
     ("--tick", "clock.tau_1_s"),
     ("--hold", "clock.hold_max_s"),
@@ -31,8 +31,8 @@ pub(super) struct Numbers {
     /// R, how far a link reaches [default: 3].
     #[arg(long, value_name = "M", value_parser = |text: &str| number("link.radius_m", text))]
     radius: Option<f64>,
-    /// The steepness of the weight of a link, 1/m^4 [default: 0.3].
-    #[arg(long, value_name = "Q2", value_parser = |text: &str| number("link.q2", text))]
+    /// The steepness of the weight of a link, 1/m^4 [default: chosen from tick, speed and stated errors].
+    #[arg(long, value_name = "Q2", value_parser = |text: &str| number("controller.q2", text))]
     q2: Option<f64>,
     /// How near two robots may come [default: 0.3].
     #[arg(long, value_name = "M", value_parser = |text: &str| number("controller.distance_min_m", text))]

@@ -21,7 +21,7 @@ pub(super) fn told(asked: &Asked, advice: &Advice) -> String {
     let mut parts = vec![wrapped(&team(asked)), wrapped(&counting(asked, advice)), tables::fits(advice)];
     let fits: String = advice.fits.iter().map(|fit| wrapped(&spacings(asked, fit))).collect();
     parts.push(fits + &wrapped(&starting(asked, advice)));
-    parts.extend(file(asked).map(|text| wrapped(&text)));
+    parts.extend(file(asked, advice).map(|text| wrapped(&text)));
     parts.push(wrapped(&assumption(advice)));
     parts.push(wrapped(&faults(asked, advice)));
     parts.push(wrapped(&motion(asked, advice)));
@@ -87,7 +87,6 @@ fn counting(asked: &Asked, advice: &Advice) -> String {
 /// The spacings under one assumption, or why there are none.
 fn spacings(asked: &Asked, fit: &Fit) -> String {
     let (assume, spacings, counts) = (fit.assume, &fit.spacings, &fit.counts);
-    let link = &asked.question.scenario.link;
     match (spacings.best, spacings.largest_m) {
         (Some(Best { spacing_m, h, share }), Some(largest_m)) => format!(
             "Under {assume} a start exists, with spacings from {} m (least h {}) to {} m (least h 0). At {} m there is most room: \
@@ -117,8 +116,8 @@ fn spacings(asked: &Asked, fit: &Fit) -> String {
             "Under {assume} there is NO start: even with all robots at one point h is {}, because a link of R = {} m and q2 = {} \
              weighs too little with what is stated of errors. A larger --q2 or --radius, or smaller errors, help.",
             plain(counts.h_most),
-            given(link.radius_m),
-            given(link.q2),
+            given(asked.question.scenario.link.radius_m),
+            plain(fit.link.q2),
         ),
     }
 }
@@ -141,18 +140,20 @@ fn starting(asked: &Asked, advice: &Advice) -> String {
 }
 
 /// Where the start of the file lies.
-fn file(asked: &Asked) -> Option<String> {
-    let controller = asked.controller?;
+fn file(asked: &Asked, advice: &Advice) -> Option<String> {
+    let (controller, link) = (asked.controller?, advice.fit().link);
     let Some(start) = &asked.start else {
         return Some("The start of the file is none for this team and dimension.".to_owned());
     };
     let place = if start.inside { "inside" } else { "OUTSIDE" };
     let scenario = asked.question.settled();
     let judged = format!(
-        "The start of the file lies {place} the safe set of {}: its least h is {}, its least distance {} m. The file itself runs \
-         {controller}.",
+        "The start of the file lies {place} the safe set of {}: its least h is {} by links with q2 = {} and epsilon = {}, its \
+         least distance {} m. The file itself runs {controller}.",
         scenario.controller.name(),
         plain(start.h_min),
+        plain(link.q2),
+        plain(link.q1 - 2.0),
         plain(start.distance_min_m)
     );
     let stated_m = scenario.errors.tracking_m;

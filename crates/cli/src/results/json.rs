@@ -3,7 +3,7 @@
 use closeranks_report::content::Claim;
 use closeranks_report::table::uses_phi;
 use closeranks_sim::law::Verdict;
-use closeranks_sim::monitors::robustness::weakest;
+use closeranks_sim::monitors::robustness::{narrowest, weakest};
 use closeranks_sim::scenario::Scenario;
 use closeranks_sim::world::Run;
 use serde_json::{Map, Value, json};
@@ -22,6 +22,7 @@ pub(crate) fn run(scenario: &Scenario, run: &Run, wall_s: f64) -> Value {
         "version": env!("CARGO_PKG_VERSION"),
         "commit": env!("CLOSERANKS_COMMIT"),
         "digest": run.digest.map(|digest| format!("{digest:016x}")),
+        "weight": scenario.link_shape().ok().map(|link| json!({ "q2": link.q2, "epsilon": link.q1 - 2.0 })),
         "start": {
             "inside": summary.start.inside,
             "phi_min": phi.then_some(summary.start.phi_min),
@@ -45,7 +46,7 @@ pub(crate) fn run(scenario: &Scenario, run: &Run, wall_s: f64) -> Value {
         "phi_negative": phi.then_some(summary.broken(closeranks_sim::law::Law::Shares)),
         "phi_min": phi.then_some(extremes.phi_min),
         "phi_global_min": phi.then_some(extremes.phi_global_min),
-        "r_max_least": run.rounds.iter().map(|round| round.r_max.least).min(),
+        "r_max_least": narrowest(&run.rounds).map(|round| round.r_max.least),
         "f_max_least": weakest.map(|round| round.f_max.least),
         "guaranteed_share": summary.guaranteed_share,
         "negative_share": summary.negative_share,

@@ -27,7 +27,7 @@ pub(crate) const PATHS: &str = "The way of every robot from its start (small cir
     the shaded region is closer than is allowed.";
 
 /// What the figure of barriers and values shows.
-pub(crate) const SERIES: &str = "h_i of every robot, with its number: normal robots must stay above 0. Values y_i; where they agree \
+pub(crate) const SERIES: &str = "h_i of every robot, with its number, of the weight that its controller gives to links: normal robots must stay above 0. Values y_i; where they agree \
     early the small panel shows how; what malicious robots say is in orange behind.";
 
 /// The last line of a page.
@@ -81,7 +81,7 @@ pub(crate) fn add_figures(
     Ok(links)
 }
 
-/// Adds the scenario, every tick (unless a recorder wrote them already) and every round of a run under the names `stem`, and says
+/// Adds the scenario, and unless a recorder wrote them already every tick and every round of a run under the names `stem`, and says
 /// what is in them.
 pub(crate) fn add_data(
     folder: &mut Folder,
@@ -103,9 +103,11 @@ pub(crate) fn add_data(
         links.push(Link::new(ticks_file, "every tick: positions, inputs, degrees, levels, h, phi_i, values"));
     }
     if !run.rounds.is_empty() {
-        let mut rounds = Vec::new();
-        write_rounds(&run.rounds, scenario.tick_s(), &metadata, &mut rounds)?;
-        folder.add(rounds_file, rounds);
+        if !folder.has(rounds_file) {
+            let mut rounds = Vec::new();
+            write_rounds(&run.rounds, scenario.tick_s(), &metadata, &mut rounds)?;
+            folder.add(rounds_file, rounds);
+        }
         links.push(Link::new(
             rounds_file,
             "every consensus round: largest r and F, least degree, spread of values",

@@ -14,11 +14,12 @@ pub(crate) fn start(scenario: &Scenario, summary: &Summary) -> String {
     let start = &summary.start;
     let row = scenario.controller.row();
     let measure = match row.inside {
-        Inside::Shares => format!("least phi_i {}", telling(start.phi_min, 4)),
-        Inside::Margins => format!("least h {}", number(start.h_min, 3)),
+        Inside::Shares => format!("least phi_i {}, ", telling(start.phi_min, 4)),
+        Inside::Margins => format!("least h {}{}, ", number(start.h_min, 3), weight(scenario)),
+        Inside::Degrees => String::new(),
     };
     let place = format!(
-        "{measure}, least degree {}, least distance {} m",
+        "{measure}least degree {}, least distance {} m",
         start.degree_min,
         number(start.distance_min_m, 3)
     );
@@ -29,7 +30,7 @@ pub(crate) fn start(scenario: &Scenario, summary: &Summary) -> String {
         return format!("start: inside the safe set ({place})");
     }
     let came = match summary.extremes.inside_from {
-        _ if row.inside == Inside::Margins => "recovering".to_owned(),
+        _ if row.inside != Inside::Shares => "recovering".to_owned(),
         Some(tick) => format!("inside from t = {}", time(scenario, tick)),
         None => "never inside".to_owned(),
     };
@@ -38,6 +39,17 @@ pub(crate) fn start(scenario: &Scenario, summary: &Summary) -> String {
         None => "degrees and distances do not hold at the end".to_owned(),
     };
     format!("start: OUTSIDE the safe set ({place}): no theorem covers this run; {came}; {safe}")
+}
+
+/// By which weight of links h is judged.
+fn weight(scenario: &Scenario) -> String {
+    scenario.link_shape().map_or_else(
+        |_| String::new(),
+        |link| {
+            let (q2, epsilon) = (telling(link.q2, 3), telling(link.q1 - 2.0, 3));
+            format!(" by links with q2 = {q2} and epsilon = {epsilon}")
+        },
+    )
 }
 
 /// True if the controller promises to keep degrees.

@@ -2,14 +2,18 @@
 
 use crate::controller::budget::control::BudgetController;
 use crate::controller::composed::ComposedController;
+use crate::controller::links::control::LinksController;
+use crate::controller::links::peer::Ledger;
 use crate::controller::none::Unfiltered;
-use crate::controller::{Control, Decision, Standing, View};
+use crate::controller::{Control, Decision, Kept, Standing, View};
 use crate::equations::link::LinkShape;
 use crate::need::Need;
 use crate::num::Vector;
+use crate::robot::neighbor::{RobotId, Slot};
 use crate::robot::report::Mode;
 use crate::robot::scratch::{Needs, Scratch};
 use crate::settings::{Controller, Settings};
+use crate::time::Instant;
 
 /// A controller of any kind, with its parameters.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -18,6 +22,8 @@ pub enum AnyController<const D: usize> {
     Composed(ComposedController<D>),
     /// Our controller.
     Budget(BudgetController<D>),
+    /// Our controller that holds links.
+    Links(LinksController<D>),
     /// No controller.
     None(Unfiltered<D>),
 }
@@ -28,6 +34,7 @@ macro_rules! dispatch {
         match $of {
             AnyController::Composed($controller) => $call,
             AnyController::Budget($controller) => $call,
+            AnyController::Links($controller) => $call,
             AnyController::None($controller) => $call,
         }
     };
@@ -37,8 +44,20 @@ impl<const D: usize> AnyController<D> {
     pub(crate) fn new(settings: &Settings<D>, link: LinkShape) -> Self {
         match &settings.controller {
             Controller::Composed(of) => Self::Composed(ComposedController::new(settings, of, link)),
-            Controller::Budget(of) => Self::Budget(BudgetController::new(settings, of, link)),
+            Controller::Budget(of) => Self::Budget(BudgetController::new(settings, of)),
+            Controller::Links(of) => Self::Links(LinksController::new(settings, of, link)),
             Controller::None => Self::None(Unfiltered::new(settings)),
+        }
+    }
+
+    /// The shape that it gives to links, where that of the settings is `link`. Only `budget` has one of its own.
+    #[must_use]
+    pub fn link(&self, link: LinkShape) -> LinkShape {
+        match self {
+            Self::Budget(controller) => {
+                LinkShape { radius_m: link.radius_m, ..*controller.budget.curvature.link() }
+            }
+            Self::Composed(_) | Self::Links(_) | Self::None(_) => link,
         }
     }
 
@@ -60,6 +79,18 @@ impl<const D: usize> AnyController<D> {
         dispatch!(self, controller => controller.promises())
     }
 
+    /// What it keeps ([`Control::kept`]).
+    #[must_use]
+    pub fn kept(&self, link: &LinkShape, distance_min_m: f64) -> Kept {
+        dispatch!(self, controller => controller.kept(link, distance_min_m))
+    }
+
+    /// True if malicious robots are assumed to move as its rows allow ([`Control::is_obeyed`]).
+    #[must_use]
+    pub fn is_obeyed(&self) -> bool {
+        dispatch!(self, controller => controller.is_obeyed())
+    }
+
     /// How much scratch a robot needs ([`Control::needs`]).
     #[must_use]
     pub fn needs(&self, neighbors: usize) -> Needs {
@@ -70,6 +101,42 @@ impl<const D: usize> AnyController<D> {
     #[must_use]
     pub fn can_be_computed_at_once(&self) -> bool {
         dispatch!(self, controller => controller.can_be_computed_at_once())
+    }
+
+    /// True if a robot tells lists of links ([`Control::tells_lists`]).
+    #[must_use]
+    pub fn tells_lists(&self) -> bool {
+        dispatch!(self, controller => controller.tells_lists())
+    }
+
+    /// True if a neighbour that is not sensed keeps its slot ([`Control::keeps_unseen`]).
+    #[must_use]
+    pub fn keeps_unseen(&self, slot: &Slot<D>) -> bool {
+        dispatch!(self, controller => controller.keeps_unseen(slot))
+    }
+
+    /// True if a neighbour that loses its slot should have been sensed ([`Control::misses`]).
+    #[must_use]
+    pub fn misses(&self, slot: &Slot<D>) -> bool {
+        dispatch!(self, controller => controller.misses(slot))
+    }
+
+    /// True if missing neighbours keep their rows ([`Control::reckons`]).
+    #[must_use]
+    pub fn reckons(&self) -> bool {
+        dispatch!(self, controller => controller.reckons())
+    }
+
+    /// Decides on the lists that are told in this tick ([`Control::agree`]).
+    pub fn agree(
+        &self,
+        id: RobotId,
+        ledger: &mut Ledger<D>,
+        slots: &mut [Slot<D>],
+        now: Instant,
+        scratch: &mut Scratch<'_, D>,
+    ) {
+        dispatch!(self, controller => controller.agree(id, ledger, slots, now, scratch));
     }
 
     /// What a robot tells ([`Control::level`]).

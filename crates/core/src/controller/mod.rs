@@ -8,16 +8,21 @@
 //! | --- | --- | --- | --- |
 //! | the paper's | [`composed`] | told levels | nothing in discrete time |
 //! | ours | [`budget`] | positions, and told levels if trusted | docs/budget.md |
+//! | ours, without weights | [`links`] | positions, lists and acknowledgements | docs/links.md |
 //! | none | [`none`] | nothing | nothing |
 
 pub mod any;
 pub mod budget;
 pub mod composed;
+pub mod kept;
+pub mod links;
 pub mod none;
 
 pub use any::AnyController;
+pub use kept::Kept;
 
-use crate::equations::link::Link;
+use crate::controller::links::peer::Ledger;
+use crate::equations::link::{Link, LinkShape};
 use crate::need::Need;
 use crate::num::{Vector, subtract};
 use crate::program::Outcome;
@@ -63,6 +68,8 @@ pub struct View<'a, const D: usize> {
     pub told_level: f64,
     /// The velocity of the tick before, m/s.
     pub before_m_s: Vector<D>,
+    /// What it holds of its own messages, under `links`.
+    pub ledger: &'a Ledger<D>,
     /// Its neighbours in order of their numbers; some may not be sensed in this tick.
     pub slots: &'a [Slot<D>],
 }
@@ -71,6 +78,17 @@ impl<'a, const D: usize> View<'a, D> {
     /// The neighbours sensed in this tick.
     pub fn sensed(&self) -> impl Iterator<Item = &'a Slot<D>> + Clone + use<'a, D> {
         self.slots.iter().filter(|slot| slot.sensed)
+    }
+
+    /// The neighbours sensed in this tick, and those that are missing ([`missing`](crate::robot::missing)).
+    pub fn in_view(&self) -> impl Iterator<Item = &'a Slot<D>> + Clone + use<'a, D> {
+        self.slots.iter().filter(|slot| slot.sensed || slot.is_missing())
+    }
+
+    /// True if nobody is missing.
+    #[must_use]
+    pub fn is_whole(&self) -> bool {
+        !self.slots.iter().any(Slot::is_missing)
     }
 
     /// The sensed neighbours within R. Without stated errors these are all sensed neighbours.
@@ -164,6 +182,8 @@ pub struct Standing {
     pub outcome: Outcome,
     /// Neighbours that have told no level yet.
     pub untold: u16,
+    /// Neighbours that were not sensed in this tick and are reckoned with all the same.
+    pub missing: u16,
     /// What else speaks against the answer, if anything does.
     pub reason: Option<Reason>,
 }
@@ -199,6 +219,16 @@ pub trait Control<const D: usize> {
         false
     }
 
+    /// What it keeps where links are `link` and no two robots may come nearer than `distance_min_m`.
+    fn kept(&self, link: &LinkShape, distance_min_m: f64) -> Kept {
+        Kept::plain(link, distance_min_m)
+    }
+
+    /// True if malicious robots are assumed to move as its rows allow (Assumption 1 of the paper).
+    fn is_obeyed(&self) -> bool {
+        true
+    }
+
     /// How much scratch a robot needs for up to so many neighbours: at least a number for the value of each.
     fn needs(&self, neighbors: usize) -> Needs {
         Needs { values: neighbors, sightings: 0, rows: 0 }
@@ -207,6 +237,37 @@ pub trait Control<const D: usize> {
     /// True if a whole team can be computed at once where nothing goes wrong: decisions rest on levels and links alone.
     fn can_be_computed_at_once(&self) -> bool {
         true
+    }
+
+    /// True if a robot tells lists of links in place of its level.
+    fn tells_lists(&self) -> bool {
+        false
+    }
+
+    /// True if a neighbour that is not sensed keeps its slot, because others may rest on it.
+    fn keeps_unseen(&self, _slot: &Slot<D>) -> bool {
+        false
+    }
+
+    /// True if a neighbour that loses its slot should have been sensed, because others may rest on it.
+    fn misses(&self, _slot: &Slot<D>) -> bool {
+        false
+    }
+
+    /// True if a neighbour that must be within R and is not sensed keeps its row ([`missing`](crate::robot::missing)).
+    fn reckons(&self) -> bool {
+        false
+    }
+
+    /// Decides on the lists that are told in this tick.
+    fn agree(
+        &self,
+        _id: RobotId,
+        _ledger: &mut Ledger<D>,
+        _slots: &mut [Slot<D>],
+        _now: Instant,
+        _scratch: &mut Scratch<'_, D>,
+    ) {
     }
 
     /// What a robot on its own has to tell of its connectivity: c_i, the sum of the weights of its links.

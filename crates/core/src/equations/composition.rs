@@ -6,7 +6,8 @@
 use crate::equations::barrier::{collision_barrier, degree_barrier};
 use crate::equations::link::{LANES, Link};
 use crate::num::exponential::exps;
-use crate::num::scaled::{Number, Scaled};
+use crate::num::number::Number;
+use crate::num::scaled::Scaled;
 use crate::num::{Vector, exp, is_finite};
 use crate::program::box_row::Row;
 

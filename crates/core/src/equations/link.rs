@@ -1,7 +1,8 @@
 //! Smooth weight of a link of the proximity graph.
 
 use crate::num::exponential::exps;
-use crate::num::scaled::{Number, Scaled};
+use crate::num::number::Number;
+use crate::num::scaled::Scaled;
 use crate::num::{Vector, dot};
 
 /// How many pairs of robots are computed at a time where there are many.

@@ -3,13 +3,20 @@
 //! Only +, − and × of IEEE 754 are used, in a fixed order and never fused, so every target and every optimisation level
 //! gives the same bits.
 
-use crate::num::scaled::{Number, Scaled};
+use crate::num::scaled::Scaled;
+
+/// Below this, `eˣ` is less than 2⁻¹⁰²² and counts as 0 in `f64`.
+const EXP_IS_ZERO: f64 = -710.0;
 
 /// `eˣ` within 1 unit in the last place; 0 below 2⁻¹⁰²¹ and infinity above the largest `f64`.
 #[inline]
 #[must_use]
 pub fn exp(x: f64) -> f64 {
-    Number::exp(x)
+    match x.abs() {
+        ..=ORDINARY => exp_ordinary(x),
+        _ if x < EXP_IS_ZERO => 0.0,
+        _ => exp_scaled(x).value(),
+    }
 }
 
 /// `eˣ` of several numbers at once, with the bits of [`exp`], and with fewer instructions where all are ordinary.

@@ -1,7 +1,5 @@
 //! Numbers whose exponent cannot overflow: for exponentials of told levels, which may be anything.
 
-use crate::num::exponential::{ORDINARY, exp_ordinary, exp_scaled};
-
 /// `mantissa · 2^exponent`.
 ///
 /// The mantissa stays within a few orders of 1 (or is 0); scaling by powers of two is exact, so a sum of `Scaled`
@@ -13,35 +11,6 @@ pub struct Scaled {
     /// The binary exponent, which saturates.
     pub exponent: i32,
 }
-
-/// The arithmetic that links and rows are made of: plain `f64`, or [`Scaled`] where that runs out of range.
-///
-/// Both give the same bits wherever `f64` neither overflows nor underflows.
-pub trait Number: Copy {
-    /// 0.
-    const ZERO: Self;
-    /// `eˣ`.
-    #[must_use]
-    fn exp(x: f64) -> Self;
-    /// The number as `f64`; 0 or infinity where that is out of range.
-    #[must_use]
-    fn to_f64(self) -> f64;
-    /// The number with this mantissa and exponent. As `f64` it becomes 0 or infinity where that is out of range.
-    #[must_use]
-    fn from_scaled(number: Scaled) -> Self;
-    /// Sum.
-    #[must_use]
-    fn plus(self, other: Self) -> Self;
-    /// Product.
-    #[must_use]
-    fn times(self, other: Self) -> Self;
-    /// Product with an ordinary number.
-    #[must_use]
-    fn times_f64(self, factor: f64) -> Self;
-}
-
-/// Below this, `eˣ` is less than 2⁻¹⁰²² and counts as 0 in `f64`.
-const EXP_IS_ZERO: f64 = -710.0;
 
 /// `2^exponent`; 0 below 2⁻¹⁰²¹ (so that no product with a mantissa is subnormal), infinity above 2¹⁰²³.
 #[inline]
@@ -110,58 +79,10 @@ impl Scaled {
     }
 }
 
-impl Number for f64 {
-    const ZERO: Self = 0.0;
-    #[inline]
-    fn exp(x: f64) -> Self {
-        match x.abs() {
-            ..=ORDINARY => exp_ordinary(x),
-            _ if x < EXP_IS_ZERO => 0.0,
-            _ => exp_scaled(x).value(),
-        }
-    }
-    fn to_f64(self) -> f64 {
-        self
-    }
-    fn from_scaled(number: Scaled) -> Self {
-        number.value()
-    }
-    fn plus(self, other: Self) -> Self {
-        self + other
-    }
-    fn times(self, other: Self) -> Self {
-        self * other
-    }
-    fn times_f64(self, factor: f64) -> Self {
-        self * factor
-    }
-}
-
-impl Number for Scaled {
-    const ZERO: Self = Self::ZERO;
-    fn exp(x: f64) -> Self {
-        exp_scaled(x)
-    }
-    fn to_f64(self) -> f64 {
-        self.value()
-    }
-    fn from_scaled(number: Scaled) -> Self {
-        number
-    }
-    fn plus(self, other: Self) -> Self {
-        Self::plus(self, other).normalized()
-    }
-    fn times(self, other: Self) -> Self {
-        Self::times(self, other)
-    }
-    fn times_f64(self, factor: f64) -> Self {
-        Self::times(self, Self::new(factor)).normalized()
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::num::number::Number;
 
     #[test]
     fn new_and_value_are_inverse() {

@@ -2,8 +2,6 @@
 
 use core::time::Duration;
 
-use crate::controller::budget::knowledge::Assume;
-use crate::controller::budget::settings::Budget;
 use crate::num::{Vector, add_scaled, length, subtract};
 use crate::robot::neighbor::Slot;
 use crate::robot::report::Reason;
@@ -37,15 +35,20 @@ impl<const D: usize> Assurance<D> {
     /// Notes when it is not where it should be, or was not called in time. It then begins anew from where it is.
     pub(crate) fn place(&mut self, params: &Params<D>, now: Instant, sensed: Vector<D>) -> Vector<D> {
         self.anew = true;
-        let Some(Budget { errors, .. }) = params.budget() else { return sensed };
+        let errors = params.kept().errors;
         let Some((then, position, velocity)) = self.last else { return sensed };
         let (elapsed, hold_max) = (now.since(then), params.settings().clock.hold_max());
         let expected = add_scaled(&position, elapsed.min(hold_max).as_secs_f64(), &velocity);
-        if elapsed > hold_max {
+        let late = elapsed > hold_max;
+        if late {
             self.broken = Some((now, Reason::Late));
+        }
+        // Where a velocity is held for exactly a period, a robot that is late has stopped at a known place.
+        if late && (hold_max != params.settings().clock.level_period || errors.away_m == 0.0) {
             return sensed;
         }
-        let blur_m = ROUNDING * (1.0 + length(&sensed)) + CLOCK * length(&subtract(&expected, &position));
+        let span_m = params.reach().longest_m() + length(&sensed);
+        let blur_m = ROUNDING * span_m + CLOCK * length(&subtract(&expected, &position));
         let away_m = length(&subtract(&sensed, &expected));
         // Against a known reference one sensed position is wrong; without references two are.
         let most_m = if errors.away_m > 0.0 { errors.sensed_m() } else { errors.offset_m };
@@ -60,15 +63,19 @@ impl<const D: usize> Assurance<D> {
     /// Notes a neighbour that went farther since the last tick than it can.
     pub(crate) fn watch(&mut self, params: &Params<D>, now: Instant, slot: &Slot<D>, offset_m: &Vector<D>) {
         let Some((then, _, _)) = self.last else { return };
-        let Some(budget) = params.budget() else { return };
-        if budget.assume != Assume::Obedient || now.since(then) > params.settings().clock.hold_max() {
+        if !params.controller().is_obeyed() || now.since(then) > params.settings().clock.hold_max() {
             return;
         }
         let went_m = length(&subtract(offset_m, &slot.offset_m));
-        let most_m = 2.0 * params.reach().longest_m() + 2.0 * budget.errors.offset_m;
-        if went_m > most_m * (1.0 + CLOCK) + ROUNDING {
+        let most_m = 2.0 * params.reach().longest_m() + 2.0 * params.kept().errors.offset_m;
+        if went_m > most_m * (1.0 + CLOCK) + ROUNDING * length(&slot.position_m) {
             self.broken = Some((now, Reason::Moved));
         }
+    }
+
+    /// Notes that an assumption was seen broken.
+    pub(crate) fn note(&mut self, now: Instant, reason: Reason) {
+        self.broken = Some((now, reason));
     }
 
     /// Notes what the rows of this tick say about its state. What is only uncertain does not count while the theorem carries
@@ -93,6 +100,10 @@ impl<const D: usize> Assurance<D> {
     /// Why nothing is guaranteed now; `None` if nothing speaks against it.
     pub(crate) fn reason(&self, now: Instant, told_max: Duration) -> Option<Reason> {
         let recent = self.broken.filter(|(then, _)| now.since(*then) <= told_max);
-        self.doubt.or(recent.map(|(_, reason)| reason))
+        let recent = recent.map(|(_, reason)| reason);
+        match self.doubt {
+            Some(Reason::Uncertain) => recent.or(self.doubt),
+            doubt => doubt.or(recent),
+        }
     }
 }

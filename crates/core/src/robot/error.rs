@@ -2,6 +2,7 @@
 
 use core::fmt;
 
+use crate::message::MessageError;
 use crate::robot::scratch::Needs;
 
 /// What [`Robot::observe`](crate::robot::Robot::observe) made of a position.
@@ -62,6 +63,8 @@ pub enum ReceiveError {
     NotNeighbor,
     /// The message is not newer than the last one of that sender.
     Stale,
+    /// These bytes are no message of this team.
+    Bytes(MessageError),
 }
 
 impl fmt::Display for RobotError {
@@ -100,10 +103,11 @@ impl fmt::Display for ObserveError {
 
 impl fmt::Display for ReceiveError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(match self {
-            Self::NotNeighbor => "sender is not a neighbour",
-            Self::Stale => "message is not newer than the last one",
-        })
+        match self {
+            Self::NotNeighbor => f.write_str("sender is not a neighbour"),
+            Self::Stale => f.write_str("message is not newer than the last one"),
+            Self::Bytes(error) => error.fmt(f),
+        }
     }
 }
 

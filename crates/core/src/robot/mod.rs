@@ -1,7 +1,12 @@
 //! One robot as a state machine without inputs or outputs of its own.
 
+mod answer;
 mod assurance;
 pub mod error;
+pub mod id;
+mod lists;
+pub mod memory;
+pub mod missing;
 pub mod neighbor;
 pub mod report;
 mod round;
@@ -10,7 +15,9 @@ pub mod sized;
 mod slots;
 
 use crate::controller::View;
-use crate::message::{Message, VALUE_MAX};
+use crate::controller::links::peer::Ledger;
+use crate::controller::links::protocol::Number;
+use crate::message::{Message, MessageError, VALUE_MAX, VERSION};
 use crate::num::{Vector, dot, is_finite, subtract};
 use crate::robot::assurance::Assurance;
 use crate::robot::error::{ObserveError, Observed, ReceiveError, RobotError, SenseError};
@@ -36,7 +43,8 @@ impl<const D: usize, S: AsRef<[Slot<D>]> + AsMut<[Slot<D>]>> Slots<D> for S {}
 /// 5. [`tick`](Self::tick): desired velocity in, safe velocity out.
 ///
 /// A level shared before the others' `receive` is used in the same tick (eq:continuous_a). One that comes later is held until
-/// the next (eq:connectivity). A robot that is not observed in a tick is not a neighbour, and what it told is forgotten.
+/// the next (eq:connectivity). A robot that is not observed in a tick is not a neighbour, and what it told is forgotten. Under
+/// `budget` it stays one as long as it must still be within R ([`missing`]).
 ///
 /// *Time.* `now` is the robot's own clock, which must never fall. Nothing is read between two calls of `tick`, so the velocity of
 /// the first is held until the second: for `hold_max` at most, as [`Clock`](crate::settings::Clock) says.
@@ -54,7 +62,8 @@ impl<const D: usize, S: AsRef<[Slot<D>]> + AsMut<[Slot<D>]>> Slots<D> for S {}
 /// | a number that is not one of 1 to n, or the own number, is observed | [`ObserveError::UnknownId`], [`ObserveError::OwnId`] |
 /// | a robot is made with such a number | [`RobotError::Id`] |
 /// | a message comes from such a number, or from one that was not observed | [`ReceiveError::NotNeighbor`] |
-/// | more neighbours are observed than there are slots | [`ObserveError::Full`]; those observed first are kept |
+/// | more neighbours are observed than there are slots | [`ObserveError::Full`]; those observed first are kept. [`Reason::Overlooked`], under `budget` |
+/// | an observation is refused, or two of one robot differ | [`Reason::Overlooked`], under `budget`; of two the last counts |
 /// | a position or a time is not usable | [`SenseError`], [`ObserveError::NotFinite`], then [`Mode::Stopped`] |
 /// | `tick` without `sense` | [`Reason::NotSensed`]; the robot stands still |
 /// | `tick` without `share` when something was due | [`Reason::NotShared`] |
@@ -72,12 +81,14 @@ pub struct Robot<const D: usize, S> {
     /// The slot to look at first when one is looked for.
     pub(crate) next: usize,
     pub(crate) now: Instant,
-    position: Option<Vector<D>>,
+    pub(crate) position: Option<Vector<D>>,
     /// Whether `sense` was called since the last tick.
     sensed_now: bool,
     /// The velocity that was last decided on, m/s.
     pub(crate) before: Vector<D>,
     pub(crate) assurance: Assurance<D>,
+    /// What it holds of its own messages, under `links`.
+    pub(crate) ledger: Ledger<D>,
     level_timer: Timer,
     value_timer: Timer,
     sequence: u32,
@@ -115,6 +126,7 @@ impl<const D: usize, S: Slots<D>> Robot<D, S> {
             sensed_now: false,
             before: [0.0; D],
             assurance: Assurance::NEW,
+            ledger: Ledger::begin(Number::NONE),
             level_timer: Timer::new(Instant::START, clock.level_period),
             value_timer: Timer::new(Instant::START, clock.value_period),
             sequence: 0,
@@ -136,6 +148,7 @@ impl<const D: usize, S: Slots<D>> Robot<D, S> {
         }
         (self.count, self.position, self.sequence) = (0, None, 0);
         (self.assurance, self.before) = (Assurance::NEW, [0.0; D]);
+        self.ledger = Ledger::begin(self.ledger.numbers.last());
         (self.round, self.round_news) = (None, false);
         (self.level, self.told_level, self.value, self.next_value) = (0.0, 0.0, value, value);
         Ok(())
@@ -147,11 +160,16 @@ impl<const D: usize, S: Slots<D>> Robot<D, S> {
         for slot in &mut self.slots.as_mut()[..self.count] {
             slot.seen_before = slot.sensed;
             slot.sensed = false;
+            slot.unsensed_m = 0.0;
         }
         if now < self.now {
             return Err(SenseError::TimeFell);
         }
         self.now = now;
+        if self.ledger.looked_at.is_none() && self.count == 0 {
+            // Numbers of earlier lives are not above the time at which this one begins.
+            self.ledger = Ledger::begin(self.ledger.numbers.last().max(Number(now.as_nanos())));
+        }
         if !is_finite(&position) {
             return Err(SenseError::NotFinite);
         }
@@ -166,43 +184,53 @@ impl<const D: usize, S: Slots<D>> Robot<D, S> {
         if id == self.id {
             return Err(ObserveError::OwnId);
         }
-        if !(1..=self.params.settings().team.robots).contains(&id.0) {
-            return Err(ObserveError::UnknownId);
-        }
-        let own = self.position.ok_or(ObserveError::NoPosition)?;
-        if !is_finite(&position) {
-            return Err(ObserveError::NotFinite);
-        }
+        let known = (1..=self.params.settings().team.robots).contains(&id.0);
+        let without = if known { ObserveError::NoPosition } else { ObserveError::UnknownId };
+        let own = self.position.ok_or(without)?;
         let offset_m = subtract(&own, &position);
         let distance_m2 = dot(&offset_m, &offset_m);
-        let link = self.params.link().link_at(distance_m2);
-        if link.is_none() && distance_m2 > self.params.sight_m2() {
-            self.lose(id);
+        let link = self.link_at(distance_m2);
+        let far = link.is_none() && distance_m2 > self.params.sight_m2();
+        if !known {
+            return Err(if far { ObserveError::UnknownId } else { self.refuse(ObserveError::UnknownId) });
+        }
+        if !is_finite(&position) {
+            return Err(self.refuse(ObserveError::NotFinite));
+        }
+        if far {
+            self.lose(id, &offset_m);
             return Ok(Observed::OutOfRange);
         }
-        let index = self.slot(id)?;
+        let index = self.slot(id).map_err(|error| self.refuse(error))?;
         let slot = &mut self.slots.as_mut()[index];
         if slot.seen_before && self.params.controller().promises() {
             self.assurance.watch(&self.params, self.now, slot, &offset_m);
         }
+        let differs = slot.sensed && slot.position_m != position;
         (slot.sensed, slot.seen_before, slot.offset_m) = (true, false, offset_m);
-        slot.position_m = position;
+        (slot.position_m, slot.sensed_at, slot.unsensed_m) = (position, self.now, 0.0);
         (slot.linked, slot.link) = (link.is_some(), link.unwrap_or(NO_LINK));
-        Ok(if slot.linked { Observed::Neighbor } else { Observed::InView })
+        if differs {
+            self.overlook();
+        }
+        Ok(if link.is_some() { Observed::Neighbor } else { Observed::InView })
     }
 
     /// What to tell now: the level when τ₁ has passed, with the value when τ₂ has. A robot that is late for a round by more
     /// than a velocity may be held, as after a crash, waits for the next one, so that all have theirs at the same time.
     ///
-    /// Forgets robots that were not observed in this tick. `None` while nothing is due, the own position is unknown, or `scratch` is
+    /// Forgets robots that were not observed in this tick, but for those that are missing ([`missing`]). `None` while nothing is due, the own position is unknown, or `scratch` is
     /// too short for the robot.
     //= paper eq:connectivity
     pub fn share(&mut self, scratch: &mut Scratch<'_, D>) -> Option<Message> {
         self.position.filter(|_| scratch.is_for(self.slots.as_ref().len()))?;
-        self.forget_unsensed();
+        self.reckon();
+        self.settle();
         let level_due = self.level_timer.fires(self.now);
         let value_due = self.value_timer.fires_in_turn(self.now, self.params.settings().clock.hold_max());
         if level_due {
+            let (controller, slots) = (self.params.controller(), &mut self.slots.as_mut()[..self.count]);
+            controller.agree(self.id, &mut self.ledger, slots, self.now, scratch);
             self.level = self.params.controller().level(&self.view(), scratch);
             self.level_at = self.now;
             self.told_level = self.level;
@@ -213,17 +241,24 @@ impl<const D: usize, S: Slots<D>> Robot<D, S> {
         if !level_due && !value_due {
             return None;
         }
+        let value = value_due.then_some(self.value);
+        if self.params.controller().tells_lists() {
+            self.ledger.head(self.now, value)?;
+        }
         self.sequence = self.sequence.saturating_add(1);
-        Message::new(self.sequence, self.level_at, self.told_level, value_due.then_some(self.value)).ok()
+        Message::new(self.sequence, self.level_at, self.told_level, value).ok()
     }
 
-    /// Takes a message that arrived from `sender`.
+    /// Takes a message that arrived from `sender`. Under `links` messages are of another kind ([`receive_bytes`](Self::receive_bytes)).
     pub fn receive(&mut self, sender: RobotId, message: &Message) -> Result<(), ReceiveError> {
+        if self.params.controller().tells_lists() {
+            return Err(ReceiveError::Bytes(MessageError::Version(VERSION)));
+        }
         let (now, stamp) = (self.now, message.stamp());
         let in_round = message.value().is_some() && self.in_round(stamp);
         let index = self.find(sender).ok_or(ReceiveError::NotNeighbor)?;
         let slot = &mut self.slots.as_mut()[index];
-        if !slot.sensed {
+        if !slot.sensed && !slot.is_missing() {
             return Err(ReceiveError::NotNeighbor);
         }
         let sequence = message.sequence();
@@ -264,8 +299,12 @@ impl<const D: usize, S: Slots<D>> Robot<D, S> {
         };
         let (known, unshared) = (is_finite(&desired), self.now >= self.poll_at());
         let desired = if known { desired } else { [0.0; D] };
+        if self.params.controller().reckons() {
+            self.settle();
+        }
         let decision = self.params.controller().alone(&self.view(), &desired, scratch);
         self.before = decision.velocity_m_s;
+        self.ledger.wish_m_s = self.params.settings().limits.input.clip(&desired);
         self.assurance.doubt(self.now, decision.doubt);
         let mut report = self.report(Some(&decision), round);
         if !known {
@@ -284,6 +323,7 @@ impl<const D: usize, S: Slots<D>> Robot<D, S> {
             now: self.now,
             told_level: self.told_level,
             before_m_s: self.before,
+            ledger: &self.ledger,
             slots: self.neighbors(),
         }
     }
@@ -324,6 +364,11 @@ impl<const D: usize, S: Slots<D>> Robot<D, S> {
     #[must_use]
     pub fn told_level(&self) -> f64 {
         self.told_level
+    }
+
+    /// Whom the robot counts on, under `links`: neighbours that keep the link to it as it keeps the link to them.
+    pub fn counted(&self) -> impl Iterator<Item = RobotId> + Clone {
+        self.neighbors().iter().filter(|slot| slot.peer.is_counted()).map(|slot| slot.id)
     }
 
     /// The neighbours in order of their number.

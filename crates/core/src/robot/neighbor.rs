@@ -2,16 +2,15 @@
 
 use core::time::Duration;
 
+use crate::controller::links::peer::Peer;
+use crate::controller::links::protocol::Number;
 use crate::equations::link::Link;
 use crate::num::Vector;
+pub use crate::robot::id::RobotId;
 use crate::time::Instant;
 
 /// Stands for the link to a robot that is out of range.
 pub(crate) const NO_LINK: Link<f64> = Link { weight: 0.0, slope: 0.0 };
-
-/// Number of a robot in its team; the paper counts from 1.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub struct RobotId(pub u16);
 
 /// What a neighbour told, and when it was received.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -37,13 +36,18 @@ pub struct Slot<const D: usize> {
     /// True if it was sensed in the tick before and not yet in this one.
     pub(crate) seen_before: bool,
     pub(crate) offset_m: Vector<D>,
-    /// Where it was sensed, m.
+    /// Where it was sensed, m, and when.
     pub(crate) position_m: Vector<D>,
+    pub(crate) sensed_at: Instant,
+    /// How far it can have gone since, m; 0 unless it is missing.
+    pub(crate) unsensed_m: f64,
     pub(crate) link: Link<f64>,
     /// True if it is within R as sensed. It is false for a robot that only the margin of `budget` brings into view.
     pub(crate) linked: bool,
     pub(crate) told: Option<Told>,
     pub(crate) discarded: bool,
+    /// What `links` holds of it.
+    pub(crate) peer: Peer<D>,
 }
 
 impl<const D: usize> Default for Slot<D> {
@@ -54,10 +58,13 @@ impl<const D: usize> Default for Slot<D> {
             seen_before: false,
             offset_m: [0.0; D],
             position_m: [0.0; D],
+            sensed_at: Instant::START,
+            unsensed_m: 0.0,
             link: NO_LINK,
             linked: false,
             told: None,
             discarded: false,
+            peer: Peer::new(Number::NONE),
         }
     }
 }
@@ -69,7 +76,13 @@ impl<const D: usize> Slot<D> {
         self.id
     }
 
-    /// x_i − x_j, m, as sensed.
+    /// True if it was not sensed in this tick, but must still be within R ([`missing`](crate::robot::missing)).
+    #[must_use]
+    pub fn is_missing(&self) -> bool {
+        self.unsensed_m > 0.0
+    }
+
+    /// x_i − x_j, m, as sensed; of a missing neighbour with x_j where it was last sensed.
     #[must_use]
     pub fn offset_m(&self) -> Vector<D> {
         self.offset_m
@@ -97,6 +110,12 @@ impl<const D: usize> Slot<D> {
     #[must_use]
     pub fn told_value(&self) -> Option<f64> {
         self.told.and_then(|told| told.value)
+    }
+
+    /// True if `links` lists it.
+    #[must_use]
+    pub fn is_listed(&self) -> bool {
+        self.peer.hold.is_listed()
     }
 
     /// True if W-MSR discarded its value in the last consensus round.

@@ -2,11 +2,8 @@
 
 use core::time::Duration;
 
-use crate::controller::{Decision, Standing};
-use crate::equations::barrier::degree_barrier;
 use crate::num::Vector;
 use crate::program::Outcome;
-use crate::robot::{Robot, Slots};
 
 /// Velocity and everything a caller should look at before using it.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -26,7 +23,8 @@ pub struct Report {
     pub degree_margin: i32,
     /// c_i as sensed at the last update, before any restatement.
     pub level: f64,
-    /// h_i = c_i − F′ (eq:h_i). Under `budget` with free liars it is T_i − θ; with stated errors it is the least that it can be.
+    /// h_i = c_i − F′ (eq:h_i). Under `budget` with free liars it is T_i − θ; with stated errors, or while a neighbour is
+    /// missing, it is the least that it can be.
     pub h: f64,
     /// φ_i (eq:phi_i) if the answer depends on it: under `composed`. It may be negative while all is well
     /// (docs/theory, sec:phi).
@@ -58,7 +56,7 @@ pub struct RoundReport {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Mode {
     /// Every assumption of `budget` that a robot can check holds (docs/theory, thm:any-claim). It cannot check that all robots
-    /// have the same settings, that every robot within R is sensed, and more (docs/budget.md). `composed` never says so: its
+    /// have the same settings, that every robot near the rim of its range is sensed, and more (docs/budget.md). `composed` never says so: its
     /// theorem needs continuous time.
     Guaranteed,
     /// The answer is used, but an assumption does not hold.
@@ -72,24 +70,30 @@ pub enum Mode {
 /// Why an answer is not guaranteed. Of several reasons the gravest is given.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Reason {
-    /// There are fewer than F′ neighbours (θ under [`Assume::Free`](crate::controller::budget::knowledge::Assume::Free)).
+    /// There are fewer than F′ neighbours (θ under [`Assume::Free`](crate::controller::budget::settings::Assume::Free)).
     Degree,
     /// The program had no solution.
     Infeasible,
-    /// `composed`: φ_i < 0, outside Z_i (thm:cbf-qp). `budget`: h_i < 0, a neighbour's h certainly negative, or a pair too
-    /// close.
+    /// `composed`: φ_i < 0, outside Z_i (thm:cbf-qp). `budget`: h_i < 0, or another robot too close.
     OutsideSafeSet,
     /// More time than a velocity may be held has passed since the last tick. It is said for
     /// [`told_max`](crate::settings::Clock::told_max) more, because until then a level told before may be worth less than it says.
     Late,
-    /// The robot, or under [`Assume::Obedient`](crate::controller::budget::knowledge::Assume::Obedient) a neighbour, is not where the
+    /// The robot, or under [`Assume::Obedient`](crate::controller::budget::settings::Assume::Obedient) a neighbour, is not where the
     /// stated errors and the input box allow it to be: sensing or tracking is worse than stated. It is said for as long.
     Moved,
-    /// `budget` with stated errors: h_i or a distance is not certain to be safe, and was not since the start or since the
+    /// A robot within R may be overlooked. An observation was refused or found no slot, two of one robot differed, or a
+    /// neighbour is missing for so long that it may have left ([`missing`](crate::robot::missing)). It is said for as long.
+    Overlooked,
+    /// `budget` with stated errors or while a neighbour is missing: h_i or a distance is not certain to be safe, and was not since the start or since the
     /// last broken assumption.
     Uncertain,
     /// A neighbour has told no level.
     Untold,
+    /// `links`: the robot counts on fewer neighbours than it must.
+    Uncounted,
+    /// `links`: a neighbour that others may rest on was not sensed for longer than `told_max`.
+    Unseen,
     /// There is no controller: the desired velocity is only cut to its box.
     Unfiltered,
     /// `tick` was called again without `sense`: the robot stands still, because it does not know where it is by now.
@@ -101,44 +105,6 @@ pub enum Reason {
     Scratch,
     /// thm:cbf-qp needs continuous time and a constant bias; a robot that ticks cannot have the first.
     ContinuousTime,
-}
-
-impl<const D: usize, S: Slots<D>> Robot<D, S> {
-    /// What the robot says after a decision; `None` where it could not decide.
-    pub(crate) fn report(&self, decision: Option<&Decision<D>>, round: Option<RoundReport>) -> Report {
-        let degree = small(self.linked().count());
-        let untold = small(self.linked().filter(|slot| slot.told.is_none()).count());
-        let oldest = self.sensed().filter_map(|slot| slot.told.map(|told| told.at)).min();
-        let need = self.params.need().need(self.id);
-        let h = degree_barrier(self.level, need);
-        let phi = decision.and_then(|decision| decision.phi);
-        let outcome = decision.map_or(Outcome::Infeasible, |decision| decision.outcome);
-        Report {
-            degree,
-            degree_margin: i32::from(degree) - i32::from(need),
-            level: self.level,
-            h,
-            phi,
-            outcome,
-            mode: self.mode(Standing { degree: 0, need, h, phi, outcome, untold, reason: None }),
-            untold,
-            told_age_max: oldest.map_or(Duration::ZERO, |at| self.now.since(at)),
-            round,
-        }
-    }
-
-    /// What the answer is worth. With stated errors, whoever is in sight may be a neighbour.
-    fn mode(&self, standing: Standing) -> Mode {
-        let reason = self.assurance.reason(self.now, self.params.settings().clock.told_max);
-        let degree = small(self.sensed().count());
-        self.params.controller().mode(&Standing { degree, reason, ..standing })
-    }
-
-    /// Stands still in a `mode` that says why.
-    pub(crate) fn stand(&self, mode: Mode, round: Option<RoundReport>) -> Output<D> {
-        let report = self.report(None, round);
-        Output { velocity_m_s: [0.0; D], report: Report { mode, ..report } }
-    }
 }
 
 pub(crate) fn small(count: usize) -> u16 {

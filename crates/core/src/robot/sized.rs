@@ -2,13 +2,14 @@
 
 use core::ops::Deref;
 
+use crate::controller::links::wire::Notice;
 use crate::message::Message;
 use crate::num::Vector;
 use crate::robot::Robot;
 use crate::robot::error::{ObserveError, Observed, ReceiveError, RobotError, SenseError};
+use crate::robot::memory::RobotMemory;
 use crate::robot::neighbor::{RobotId, Slot};
 use crate::robot::report::Output;
-use crate::robot::scratch::RobotMemory;
 use crate::settings::params::Params;
 use crate::time::Instant;
 
@@ -51,6 +52,16 @@ impl<const D: usize, const N: usize, const K: usize> SizedRobot<D, N, K> {
     /// See [`Robot::receive`].
     pub fn receive(&mut self, sender: RobotId, message: &Message) -> Result<(), ReceiveError> {
         self.robot.receive(sender, message)
+    }
+
+    /// See [`Robot::receive_bytes`].
+    pub fn receive_bytes(&mut self, sender: RobotId, bytes: &[u8]) -> Result<(), ReceiveError> {
+        self.robot.receive_bytes(sender, bytes)
+    }
+
+    /// See [`Robot::receive_notice`].
+    pub fn receive_notice(&mut self, sender: RobotId, notice: &Notice<D>) -> Result<(), ReceiveError> {
+        self.robot.receive_notice(sender, notice)
     }
 
     /// See [`Robot::restate`].

@@ -1,28 +1,35 @@
 //! Slots of neighbours in order of their numbers. There are never more of them than were lent.
 
+use crate::controller::links::peer::Peer;
+use crate::num::Vector;
 use crate::robot::error::ObserveError;
 use crate::robot::neighbor::{RobotId, Slot};
+use crate::robot::report::Reason;
 use crate::robot::{Robot, Slots};
 
 impl<const D: usize, S: Slots<D>> Robot<D, S> {
-    /// Where the slot of `id` is. If it has none, one is made at its place in the order. When all slots are taken, that of a
-    /// robot that was not yet sensed in this tick is given up.
+    /// Where the slot of `id` is. If it has none, one is made at its place in the order. When all slots are taken, that of the
+    /// farthest robot that was not yet sensed in this tick is given up.
     pub(crate) fn slot(&mut self, id: RobotId) -> Result<usize, ObserveError> {
         if let Some(index) = self.find(id) {
             return Ok(index);
         }
         if self.count == self.slots.as_ref().len() {
-            let unsensed =
-                self.neighbors().iter().rposition(|slot| !slot.sensed).ok_or(ObserveError::Full)?;
+            let unsensed = self.farthest_unsensed().ok_or(ObserveError::Full)?;
             self.slots.as_mut().copy_within(unsensed + 1..self.count, unsensed);
             self.count -= 1;
         }
         let index = self.neighbors().partition_point(|slot| slot.id < id);
-        let slots = self.slots.as_mut();
+        let (slots, last) = (self.slots.as_mut(), self.ledger.numbers.last());
         slots.copy_within(index..self.count, index + 1);
-        slots[index] = Slot { id, ..Slot::default() };
+        slots[index] = Slot { id, peer: Peer::new(last), ..Slot::default() };
         self.count += 1;
         Ok(index)
+    }
+
+    /// True if a robot keeps its slot although it is not sensed.
+    pub(crate) fn stays(&self, slot: &Slot<D>) -> bool {
+        self.params.controller().keeps_unseen(slot)
     }
 
     /// The slot of `id`, if it has one. As a rule it is the one after that found last, because robots come in order.
@@ -37,18 +44,21 @@ impl<const D: usize, S: Slots<D>> Robot<D, S> {
         Some(index)
     }
 
-    /// A robot seen out of range is not a neighbour, whatever was observed before.
-    pub(crate) fn lose(&mut self, id: RobotId) {
-        if let Some(index) = self.find(id) {
-            self.slots.as_mut()[index].sensed = false;
+    /// A robot seen out of range at `offset_m` is not sensed as a neighbour, whatever was observed before.
+    pub(crate) fn lose(&mut self, id: RobotId, offset_m: &Vector<D>) {
+        let Some(index) = self.find(id) else { return };
+        let slot = &mut self.slots.as_mut()[index];
+        if slot.seen_before && self.params.controller().promises() {
+            self.assurance.watch(&self.params, self.now, slot, offset_m);
         }
+        (slot.sensed, slot.peer) = (false, Peer::new(self.ledger.numbers.last()));
     }
 
-    /// Frees the slots of robots that were not sensed in this tick.
-    pub(crate) fn forget_unsensed(&mut self) {
+    /// Keeps the slots for which `keep` says so.
+    pub(crate) fn keep(&mut self, mut keep: impl FnMut(&mut Slot<D>) -> bool) {
         let (mut kept, slots) = (0, self.slots.as_mut());
         for index in 0..self.count {
-            if slots[index].sensed {
+            if keep(&mut slots[index]) {
                 if kept < index {
                     slots[kept] = slots[index];
                 }
@@ -56,5 +66,18 @@ impl<const D: usize, S: Slots<D>> Robot<D, S> {
             }
         }
         self.count = kept;
+    }
+
+    /// Frees the slots of robots that were not sensed in this tick, but for those that stay.
+    pub(crate) fn forget_unsensed(&mut self) {
+        let (controller, mut missed) = (*self.params.controller(), false);
+        self.keep(|slot| {
+            let stays = slot.sensed || controller.keeps_unseen(slot);
+            missed |= !stays && controller.misses(slot);
+            stays
+        });
+        if missed {
+            self.assurance.note(self.now, Reason::Unseen);
+        }
     }
 }

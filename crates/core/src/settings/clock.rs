@@ -16,6 +16,9 @@ pub struct Clock {
     pub told_max: Duration,
     /// Bound of the difference between the clocks of any two robots. A told level counts as that much older than it says.
     pub error: Duration,
+    /// Bound p of what any clock gains or loses in a second, less than a second. Ages are stretched by `(1 + p)/(1 − p)`: if all
+    /// clocks are slow together, their differences do not show it.
+    pub drift: Duration,
 }
 
 impl Default for Clock {
@@ -26,6 +29,7 @@ impl Default for Clock {
             hold_max: None,
             told_max: Duration::from_secs(1),
             error: Duration::ZERO,
+            drift: Duration::ZERO,
         }
     }
 }
@@ -35,5 +39,25 @@ impl Clock {
     #[must_use]
     pub fn hold_max(&self) -> Duration {
         self.hold_max.unwrap_or(self.level_period)
+    }
+
+    /// The longest time that other robots may have counted while the own clock counted `age`.
+    ///
+    /// ```text
+    /// (1 + p)/(1 − p) · age        rounded up; without end if p is a second or more
+    /// ```
+    //= theory sec:clocks
+    #[must_use]
+    pub fn stretched(&self, age: Duration) -> Duration {
+        const SECOND: u128 = 1_000_000_000;
+        let drift = self.drift.as_nanos();
+        if drift == 0 {
+            return age;
+        }
+        let Some(slowest) = SECOND.checked_sub(drift).filter(|slowest| *slowest > 0) else {
+            return Duration::MAX;
+        };
+        let nanos = age.as_nanos().saturating_mul(SECOND + drift).div_ceil(slowest);
+        u64::try_from(nanos).map_or(Duration::MAX, Duration::from_nanos)
     }
 }

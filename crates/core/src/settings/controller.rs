@@ -2,9 +2,10 @@
 
 use core::time::Duration;
 
-use crate::controller::budget::knowledge::{Assume, Trust};
-use crate::controller::budget::settings::fraction_of_rate;
+use crate::controller::budget::settings::{Assume, Trust, fraction_of_rate};
+use crate::controller::budget::weight::{Conditions, Weight};
 use crate::equations::composition::PhiSplit;
+use crate::need::Need;
 
 /// Which controller a robot runs.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -13,6 +14,8 @@ pub enum Controller {
     Composed(ComposedSettings),
     /// Ours ([`crate::controller::budget`]): a guarantee in discrete time, for any lie and any loss of told levels.
     Budget(BudgetSettings),
+    /// Ours without weights ([`crate::controller::links`]): robots agree on the links that they keep.
+    Links(LinksSettings),
     /// No program: the desired velocity, cut to the box. For whoever wants the consensus alone, or filters elsewhere.
     None,
 }
@@ -33,17 +36,56 @@ pub struct ComposedSettings {
 /// Parameters of `budget`. All robots of a team must have the same; only trust may differ.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct BudgetSettings {
-    /// γ: the fraction of h_k that may be lost in a tick, in (0, 1]. `None` stands for a rate of 2/s, with which robots get
-    /// far ([`fraction_of_rate`]).
+    /// q₂ of its own weight, 1/m⁴. `None`, here and below, stands for what is chosen for the task
+    /// ([`weight`](crate::controller::budget::weight)).
+    pub q2: Option<f64>,
+    /// ε of its own weight, with 0 < ε < 2/(need − 1).
+    pub epsilon: Option<f64>,
+    /// γ: the fraction of h_k that may be lost in a tick, in (0, 1].
     pub gamma: Option<f64>,
     /// q, at least 0: by how much that fraction rises with h_k (docs/theory, eq:loss).
     pub gain_slope: f64,
     /// γ_c: the fraction of D − Δ_d² that may be lost in a tick, in (0, 1].
-    pub gamma_c: f64,
+    pub gamma_c: Option<f64>,
     /// What is believed of levels.
     pub trust: Trust,
     /// What malicious robots are assumed to do.
     pub assume: Assume,
+}
+
+impl BudgetSettings {
+    /// Who counts for whom in a team of `robots` of which up to `faults` are malicious, and how many a robot must keep.
+    #[must_use]
+    pub fn need(&self, robots: u16, faults: u16) -> Need {
+        Need::new(robots, faults, self.assume.keep())
+    }
+
+    /// What is set, and for the rest what is chosen for these conditions.
+    #[must_use]
+    pub fn weight(&self, of: &Conditions) -> Weight {
+        let chosen = of.chosen();
+        Weight {
+            q2: self.q2.unwrap_or(chosen.q2),
+            epsilon: self.epsilon.unwrap_or(chosen.epsilon),
+            gamma: self.gamma.unwrap_or(chosen.gamma),
+            gamma_c: self.gamma_c.unwrap_or(chosen.gamma_c),
+        }
+    }
+}
+
+/// Parameters of `links`. All robots of a team must have the same; only the last two may differ.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct LinksSettings {
+    /// γ: the fraction of R² − D that may be lost in a tick, in (0, 1]. `None` stands for a rate of 8/s.
+    pub gamma: Option<f64>,
+    /// γ_c: the fraction of D − Δ_d² that may be lost in a tick, in (0, 1]. `None` stands for a rate of 45/s.
+    pub gamma_c: Option<f64>,
+    /// What malicious robots are assumed to do.
+    pub assume: Assume,
+    /// H, s: robots release each other by where they would be after so long.
+    pub horizon_s: f64,
+    /// Whether robots that meet pass each other on the right.
+    pub pass_right: bool,
 }
 
 impl Default for Controller {
@@ -61,19 +103,33 @@ impl Default for ComposedSettings {
 impl Default for BudgetSettings {
     fn default() -> Self {
         Self {
+            q2: None,
+            epsilon: None,
             gamma: None,
             gain_slope: 0.0,
-            gamma_c: 0.2,
+            gamma_c: None,
             trust: Trust::ToldOrSeen,
             assume: Assume::Obedient,
         }
     }
 }
 
-impl BudgetSettings {
-    /// γ: the given one, or that of a rate of 2/s in a tick of `period`.
+impl Default for LinksSettings {
+    fn default() -> Self {
+        Self { gamma: None, gamma_c: None, assume: Assume::Obedient, horizon_s: 4.0, pass_right: false }
+    }
+}
+
+impl LinksSettings {
+    /// γ: the given one, or that of a rate of 8/s in a tick of `period`.
     #[must_use]
     pub fn gamma(&self, period: Duration) -> f64 {
-        self.gamma.unwrap_or_else(|| fraction_of_rate(2.0, period.as_secs_f64()))
+        self.gamma.unwrap_or_else(|| fraction_of_rate(8.0, period.as_secs_f64()))
+    }
+
+    /// γ_c: the given one, or that of a rate of 45/s in a tick of `period`.
+    #[must_use]
+    pub fn gamma_c(&self, period: Duration) -> f64 {
+        self.gamma_c.unwrap_or_else(|| fraction_of_rate(45.0, period.as_secs_f64()))
     }
 }

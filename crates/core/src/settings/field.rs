@@ -1,12 +1,11 @@
 //! Every number of the settings: its name in files, what it is, what it may be. One row each.
 
-use core::time::Duration;
+pub use crate::settings::parts::Parts;
 
-use crate::settings::params::{MAGNITUDE_MAX, ROBOTS_MAX};
-use crate::settings::range::Allowed;
-use crate::settings::{
-    BudgetSettings, Clock, ComposedSettings, Controller, Errors, LinkSettings, Settings, Team, epsilon_of,
-};
+use crate::controller::budget::weight::Q2_MAX;
+use crate::settings::epsilon_of;
+use crate::settings::parts::{budget, composed, conditions, links, time, weight, whole};
+use crate::settings::range::{Allowed, MAGNITUDE_MAX, ROBOTS_MAX};
 
 /// The name of a number in an error.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -20,9 +19,14 @@ pub enum Field {
     WR,
     WC,
     Alpha,
+    OwnQ2,
+    OwnEpsilon,
     Gamma,
     GainSlope,
     GammaC,
+    HeldGamma,
+    HeldGammaC,
+    HorizonS,
     DistanceMinM,
     PositionErrorM,
     TrackingErrorM,
@@ -31,29 +35,9 @@ pub enum Field {
     HoldMax,
     ToldMax,
     ClockError,
+    ClockDrift,
     InputMinMS,
     InputMaxMS,
-}
-
-/// The settings of a team without those of a dimension. Parameters of a controller are there if it may be run.
-#[derive(Debug)]
-pub struct Parts<'a> {
-    /// Who is in the team.
-    pub team: &'a mut Team,
-    /// What a link is.
-    pub link: &'a mut LinkSettings,
-    /// Δ_d, m.
-    pub distance_min_m: &'a mut f64,
-    /// Parameters of `composed`.
-    pub composed: Option<&'a mut ComposedSettings>,
-    /// Parameters of `budget`.
-    pub budget: Option<&'a mut BudgetSettings>,
-    /// Periods and ages.
-    pub clock: &'a mut Clock,
-    /// Stated bounds of errors.
-    pub errors: &'a mut Errors,
-    /// Δ_d must be below this, m. It depends on the input box.
-    pub distance_limit_m: f64,
 }
 
 /// A number of the settings.
@@ -84,11 +68,13 @@ const POSITIVE: Allowed = Allowed::LeftOpen(0.0, MAGNITUDE_MAX);
 const NOT_NEGATIVE: Allowed = Allowed::Closed(0.0, MAGNITUDE_MAX);
 const FRACTION: Allowed = Allowed::LeftOpen(0.0, 1.0);
 const TEAM_MAX: f64 = ROBOTS_MAX as f64;
+/// 1/m⁴: links of a millimetre are as steep as they are short.
+const STEEPNESS: Allowed = Allowed::LeftOpen(0.0, 1e15);
 /// A time between two events, s.
 const SECONDS: Allowed = Allowed::Closed(1e-6, 3_600.0);
 
 /// All numbers, in the order in which they are checked.
-pub const TABLE: [Row; 19] = [
+pub const TABLE: [Row; 25] = [
     Row {
         field: Field::Robots,
         name: "team.robots",
@@ -165,7 +151,7 @@ pub const TABLE: [Row; 19] = [
         about: "steepness of the weight, 1/m^4",
         get: |of| Some(of.link.q2),
         set: |of, to| of.link.q2 = to,
-        range: POSITIVE,
+        range: STEEPNESS,
         limit: None,
         why: "",
     },
@@ -220,10 +206,30 @@ pub const TABLE: [Row; 19] = [
         why: "",
     },
     Row {
+        field: Field::OwnQ2,
+        name: "controller.q2",
+        about: "budget: steepness of its own weight, 1/m^4; by default chosen for the task",
+        get: |of| Some(weight(of)?.q2),
+        set: |of, to| budget(of, |budget| budget.q2 = Some(to)),
+        range: Allowed::LeftOpen(0.0, Q2_MAX),
+        limit: None,
+        why: "",
+    },
+    Row {
+        field: Field::OwnEpsilon,
+        name: "controller.epsilon",
+        about: "budget: of q1 = 2 + epsilon of its own weight; by default a hair below 2/(need - 1)",
+        get: |of| Some(weight(of)?.epsilon),
+        set: |of, to| budget(of, |budget| budget.epsilon = Some(to)),
+        range: Allowed::Open(-3.0, 3.0),
+        limit: Some(|of| Allowed::Open(0.0, conditions(of).map_or(2.0, |of| of.epsilon_limit()))),
+        why: "below 2/(need - 1)",
+    },
+    Row {
         field: Field::Gamma,
         name: "controller.gamma",
-        about: "budget: fraction of h that may be lost in a tick; by default 1 - exp(-2 tau_1)",
-        get: |of| of.budget.as_ref().map(|budget| budget.gamma(of.clock.level_period)),
+        about: "budget: fraction of h that may be lost in a tick; by default chosen for the task",
+        get: |of| Some(weight(of)?.gamma),
         set: |of, to| budget(of, |budget| budget.gamma = Some(to)),
         range: FRACTION,
         limit: None,
@@ -242,10 +248,40 @@ pub const TABLE: [Row; 19] = [
     Row {
         field: Field::GammaC,
         name: "controller.gamma_c",
-        about: "budget: fraction of distance^2 - distance_min^2 that may be lost in a tick",
-        get: |of| of.budget.as_ref().map(|budget| budget.gamma_c),
-        set: |of, to| budget(of, |budget| budget.gamma_c = to),
+        about: "budget: fraction of distance^2 - distance_min^2 that may be lost in a tick; by default 1 - exp(-45 tau_1)",
+        get: |of| Some(weight(of)?.gamma_c),
+        set: |of, to| budget(of, |budget| budget.gamma_c = Some(to)),
         range: FRACTION,
+        limit: None,
+        why: "",
+    },
+    Row {
+        field: Field::HeldGamma,
+        name: "links.gamma",
+        about: "links: fraction of R^2 - distance^2 that may be lost in a tick; by default 1 - exp(-8 tau_1)",
+        get: |of| of.links.as_ref().map(|links| links.gamma(of.clock.level_period)),
+        set: |of, to| links(of, |links| links.gamma = Some(to)),
+        range: FRACTION,
+        limit: None,
+        why: "",
+    },
+    Row {
+        field: Field::HeldGammaC,
+        name: "links.gamma_c",
+        about: "links: fraction of distance^2 - distance_min^2 that may be lost in a tick; by default 1 - exp(-45 tau_1)",
+        get: |of| of.links.as_ref().map(|links| links.gamma_c(of.clock.level_period)),
+        set: |of, to| links(of, |links| links.gamma_c = Some(to)),
+        range: FRACTION,
+        limit: None,
+        why: "",
+    },
+    Row {
+        field: Field::HorizonS,
+        name: "links.horizon_s",
+        about: "links: robots release each other by where they would be after so long, s",
+        get: |of| of.links.as_ref().map(|links| links.horizon_s),
+        set: |of, to| links(of, |links| links.horizon_s = to),
+        range: SECONDS,
         limit: None,
         why: "",
     },
@@ -276,6 +312,16 @@ pub const TABLE: [Row; 19] = [
         get: |of| Some(of.clock.error.as_secs_f64()),
         set: |of, to| of.clock.error = time(to),
         range: Allowed::Closed(0.0, 3_600.0),
+        limit: None,
+        why: "",
+    },
+    Row {
+        field: Field::ClockDrift,
+        name: "clock.drift_s",
+        about: "budget: bound of what any clock gains or loses in a second, s",
+        get: |of| Some(of.clock.drift.as_secs_f64()),
+        set: |of, to| of.clock.drift = time(to),
+        range: Allowed::Closed(0.0, 0.5),
         limit: None,
         why: "",
     },
@@ -318,78 +364,6 @@ impl Field {
         match self {
             Self::InputMinMS | Self::InputMaxMS => "the box must contain 0",
             _ => self.row().map_or("", |row| row.why),
-        }
-    }
-}
-
-impl<const D: usize> Settings<D> {
-    /// All numbers but those of the input box. Δ_d may be up to `distance_limit_m`, m.
-    #[must_use]
-    pub fn parts(&mut self, distance_limit_m: f64) -> Parts<'_> {
-        let (composed, budget) = match &mut self.controller {
-            Controller::Composed(composed) => (Some(composed), None),
-            Controller::Budget(budget) => (None, Some(budget)),
-            Controller::None => (None, None),
-        };
-        Parts {
-            team: &mut self.team,
-            link: &mut self.link,
-            distance_min_m: &mut self.limits.distance_min_m,
-            composed,
-            budget,
-            clock: &mut self.clock,
-            errors: &mut self.errors,
-            distance_limit_m,
-        }
-    }
-}
-
-fn composed(of: &mut Parts<'_>, set: impl FnOnce(&mut ComposedSettings)) {
-    if let Some(composed) = of.composed.as_deref_mut() {
-        set(composed);
-    }
-}
-
-fn budget(of: &mut Parts<'_>, set: impl FnOnce(&mut BudgetSettings)) {
-    if let Some(budget) = of.budget.as_deref_mut() {
-        set(budget);
-    }
-}
-
-fn whole(number: f64) -> u16 {
-    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "saturates")]
-    let whole = number as u16;
-    whole
-}
-
-/// The time, rounded to nanoseconds.
-fn time(seconds: f64) -> Duration {
-    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "saturates")]
-    let nanos = libm::round(seconds * 1e9) as u64;
-    Duration::from_nanos(nanos)
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn what_is_set_is_what_one_gets() {
-        for row in &TABLE {
-            let controllers = [Controller::default(), Controller::Budget(BudgetSettings::default())];
-            let mut found = 0;
-            for controller in controllers {
-                let mut settings = Settings::<2> { controller, ..Settings::default() };
-                let mut parts = settings.parts(3.0);
-                (row.set)(&mut parts, 4.0);
-                if let Some(value) = (row.get)(&parts) {
-                    assert!((value - 4.0).abs() < 1e-12, "{}", row.name);
-                    found += 1;
-                }
-            }
-            assert!(found > 0, "{} belongs to no controller", row.name);
-            assert_eq!(row.field.name(), row.name);
-            assert!(!row.about.is_empty());
         }
     }
 }

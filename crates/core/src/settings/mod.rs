@@ -7,18 +7,22 @@ pub mod clock;
 pub mod controller;
 pub mod field;
 pub mod params;
+mod parts;
 pub mod range;
 
 pub use clock::Clock;
-pub use controller::{BudgetSettings, ComposedSettings, Controller};
+pub use controller::{BudgetSettings, ComposedSettings, Controller, LinksSettings};
 
-use crate::controller::budget::margin::ErrorBounds;
+use crate::controller::budget::errors::ErrorBounds;
+use crate::controller::budget::weight::Conditions;
+use crate::equations::link::LinkShape;
 use crate::program::InputBox;
+use crate::robot::neighbor::RobotId;
 
 /// Who is in the team.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Team {
-    /// n, the number of robots, 2 to [`ROBOTS_MAX`](params::ROBOTS_MAX).
+    /// n, the number of robots, 2 to [`ROBOTS_MAX`](range::ROBOTS_MAX).
     pub robots: u16,
     /// F, how many of them may be malicious, with 2F + 1 ≤ n.
     pub faults: u16,
@@ -103,11 +107,32 @@ impl<const D: usize> Settings<D> {
         self.link.epsilon.unwrap_or(epsilon_of(self.team.robots))
     }
 
+    /// Shape of the links of these settings, as the paper has it.
+    #[must_use]
+    pub fn paper_link(&self) -> LinkShape {
+        LinkShape { radius_m: self.link.radius_m, q1: 2.0 + self.epsilon(), q2: self.link.q2 }
+    }
+
+    /// What `budget` chooses its own weight for.
+    #[must_use]
+    pub fn conditions(&self, parameters: &BudgetSettings) -> Conditions {
+        let need = parameters.need(self.team.robots, self.team.faults);
+        Conditions {
+            radius_m: self.link.radius_m,
+            need: need.need(RobotId(1)),
+            period_s: self.clock.level_period.as_secs_f64(),
+            move_max_m: self.reach().longest_m(),
+            offset_error_m: self.error_bounds().offset_m,
+        }
+    }
+
     /// What errors of sensing and tracking cost; nothing where the controller has no room for them.
     #[must_use]
     pub fn error_bounds(&self) -> ErrorBounds {
         match self.controller {
-            Controller::Budget(_) => ErrorBounds::new(self.errors.position_m, self.errors.tracking_m),
+            Controller::Budget(_) | Controller::Links(_) => {
+                ErrorBounds::new(self.errors.position_m, self.errors.tracking_m)
+            }
             Controller::Composed(_) | Controller::None => ErrorBounds::NONE,
         }
     }

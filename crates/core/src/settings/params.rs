@@ -1,21 +1,15 @@
 //! Checked settings: what a robot is told once, constant from then on.
 
-use crate::controller::AnyController;
-use crate::controller::budget::margin::ErrorBounds;
 use crate::controller::budget::settings::Budget;
+use crate::controller::{AnyController, Kept};
 use crate::equations::composition::Composed;
 use crate::equations::link::LinkShape;
 use crate::need::{Keep, Need};
 use crate::num::{Vector, is_finite};
 use crate::program::balls::reach::Reach;
 use crate::settings::field::{Field, TABLE};
-use crate::settings::range::{Allowed, ParamsError};
+pub use crate::settings::range::{Allowed, MAGNITUDE_MAX, ROBOTS_MAX};
 pub use crate::settings::{Controller, Settings};
-
-/// Greatest number of robots in a team.
-pub const ROBOTS_MAX: u16 = 10_000;
-/// Greatest magnitude of any length, weight or speed: far outside use, far inside `f64`.
-pub const MAGNITUDE_MAX: f64 = 1e6;
 
 /// Settings that were checked, and what follows from them.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -29,15 +23,15 @@ pub struct Params<const D: usize> {
     hold_s: f64,
 }
 
-/// What a controller keeps among references: where velocities have taken each robot ([`ErrorBounds`]).
+/// A setting outside what is allowed.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Kept {
-    /// The shape of their links.
-    pub link: LinkShape,
-    /// How near two of them may come, m.
-    pub distance_min_m: f64,
-    /// How far they are from the robots.
-    pub errors: ErrorBounds,
+pub struct ParamsError {
+    /// Which number it is about.
+    pub field: Field,
+    /// What the number is (in s for periods).
+    pub value: f64,
+    /// What it may be.
+    pub allowed: Allowed,
 }
 
 impl<const D: usize> Params<D> {
@@ -45,9 +39,9 @@ impl<const D: usize> Params<D> {
     pub fn new(settings: Settings<D>) -> Result<Self, ParamsError> {
         settings.check_input()?;
         settings.check()?;
-        let q1 = 2.0 + settings.epsilon();
-        let link = LinkShape { radius_m: settings.link.radius_m, q1, q2: settings.link.q2 };
-        let controller = AnyController::new(&settings, link);
+        let paper_link = settings.paper_link();
+        let controller = AnyController::new(&settings, paper_link);
+        let link = controller.link(paper_link);
         let sight_m = controller.sight_m(&link);
         Ok(Self {
             link,
@@ -66,10 +60,22 @@ impl<const D: usize> Params<D> {
         &self.settings
     }
 
-    /// Shape of the links.
+    /// Shape of the links, of the weight that the controller gives to them: that of the settings, or one of its own.
     #[must_use]
     pub fn link(&self) -> &LinkShape {
         &self.link
+    }
+
+    /// True if the controller gives links a weight of its own.
+    #[must_use]
+    pub fn weighs_its_own_way(&self) -> bool {
+        self.link != self.paper_link()
+    }
+
+    /// Shape of the links of the settings, which is the paper's, whatever the controller. φ is about it.
+    #[must_use]
+    pub fn paper_link(&self) -> LinkShape {
+        self.settings.paper_link()
     }
 
     /// Who counts for whom, and how many of them each robot must keep.
@@ -105,18 +111,7 @@ impl<const D: usize> Params<D> {
     /// What the controller keeps. With stated errors this is about references and not about positions.
     #[must_use]
     pub fn kept(&self) -> Kept {
-        match self.budget() {
-            Some(budget) => Kept {
-                link: *budget.curvature.link(),
-                distance_min_m: budget.distance_min_m,
-                errors: budget.errors,
-            },
-            None => Kept {
-                link: self.link,
-                distance_min_m: self.settings.limits.distance_min_m,
-                errors: ErrorBounds::NONE,
-            },
-        }
+        self.controller.kept(&self.link, self.settings.limits.distance_min_m)
     }
 
     /// The displacements of one tick, `T U_i`.
@@ -158,12 +153,12 @@ impl<const D: usize> Settings<D> {
         Ok(())
     }
 
-    /// What Δ_d must be below: R, and with `budget` R − 2ρ − 4A, because robots that are not linked have no row for their
+    /// What Δ_d must be below: R, and with `budget` and `links` R − 2ρ − 4A, because robots that are not linked have no row for their
     /// distance.
     fn distance_limit(&self) -> f64 {
         match self.controller {
             Controller::Composed(_) | Controller::None => self.link.radius_m,
-            Controller::Budget(_) => {
+            Controller::Budget(_) | Controller::Links(_) => {
                 self.link.radius_m - 2.0 * self.reach().longest_m() - 4.0 * self.error_bounds().away_m
             }
         }
@@ -195,6 +190,16 @@ impl<const D: usize> Settings<D> {
     }
 }
 
+impl core::fmt::Display for ParamsError {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        write!(f, "{} is {}, allowed is {}", self.field.name(), self.value, self.allowed)?;
+        let why = self.field.why();
+        if why.is_empty() { Ok(()) } else { write!(f, " ({why})") }
+    }
+}
+
+impl core::error::Error for ParamsError {}
+
 #[cfg(test)]
 mod tests {
     extern crate std;
@@ -202,7 +207,9 @@ mod tests {
     use core::time::Duration;
 
     use super::*;
+    use crate::controller::budget::settings::Assume;
     use crate::robot::neighbor::RobotId;
+    use crate::settings::range::ROBOTS_MAX;
     use crate::settings::{BudgetSettings, ComposedSettings};
 
     type Change = fn(&mut Settings<2>);
@@ -229,7 +236,7 @@ mod tests {
 
     #[test]
     fn each_setting_is_refused_outside_its_range() {
-        let wrong: [(Field, Change); 17] = [
+        let wrong: [(Field, Change); 21] = [
             (Field::Robots, |s| s.team.robots = 1),
             (Field::Robots, |s| s.team.robots = ROBOTS_MAX + 1),
             (Field::Faults, |s| s.team.faults = 6),
@@ -242,7 +249,13 @@ mod tests {
             (Field::WC, |s| composed(s, |composed| composed.w_c = f64::INFINITY)),
             (Field::Alpha, |s| composed(s, |composed| composed.alpha = 2e6)),
             (Field::Gamma, |s| budget(s, |budget| budget.gamma = Some(0.0))),
-            (Field::GammaC, |s| budget(s, |budget| budget.gamma_c = 1.1)),
+            (Field::GammaC, |s| budget(s, |budget| budget.gamma_c = Some(1.1))),
+            (Field::OwnQ2, |s| budget(s, |budget| budget.q2 = Some(0.0))),
+            (Field::OwnEpsilon, |s| budget(s, |budget| budget.epsilon = Some(0.0))),
+            (Field::OwnEpsilon, |s| budget(s, |budget| budget.epsilon = Some(2.0 / 6.0))),
+            (Field::OwnEpsilon, |s| {
+                budget(s, |budget| (budget.epsilon, budget.assume) = (Some(2.0 / 5.0), Assume::Free));
+            }),
             (Field::DistanceMinM, |s| {
                 budget(s, |_| ());
                 s.limits.distance_min_m = 2.98;

@@ -1,17 +1,9 @@
-//! What a setting may be, and the error that says so.
+//! What a setting may be, and the greatest numbers that there are.
 
-use crate::settings::field::Field;
-
-/// A setting outside what is allowed.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct ParamsError {
-    /// Which number it is about.
-    pub field: Field,
-    /// What the number is (in s for periods).
-    pub value: f64,
-    /// What it may be.
-    pub allowed: Allowed,
-}
+/// Greatest number of robots in a team.
+pub const ROBOTS_MAX: u16 = 10_000;
+/// Greatest magnitude of any length, weight or speed: far outside use, far inside `f64`.
+pub const MAGNITUDE_MAX: f64 = 1e6;
 
 /// A range of allowed numbers.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -45,13 +37,3 @@ impl core::fmt::Display for Allowed {
         }
     }
 }
-
-impl core::fmt::Display for ParamsError {
-    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
-        write!(f, "{} is {}, allowed is {}", self.field.name(), self.value, self.allowed)?;
-        let why = self.field.why();
-        if why.is_empty() { Ok(()) } else { write!(f, " ({why})") }
-    }
-}
-
-impl core::error::Error for ParamsError {}

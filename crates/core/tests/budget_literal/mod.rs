@@ -1,7 +1,7 @@
 //! What a robot knows of a neighbour, from the formulas alone: one neighbour at a time, one weight at a time.
 
-use closeranks_core::controller::budget::knowledge::{Assume, KnownMargin, Sighting, Trust};
-use closeranks_core::controller::budget::settings::Budget;
+use closeranks_core::controller::budget::knowledge::{KnownMargin, Sighting};
+use closeranks_core::controller::budget::settings::{Assume, Budget, Trust};
 use closeranks_core::equations::link::Link;
 use closeranks_core::num::{Vector, is_finite, length, subtract};
 use closeranks_core::robot::neighbor::RobotId;
@@ -41,7 +41,7 @@ pub(crate) fn known<const D: usize>(
         Trust::ToldOrSeen => told.max(seen),
         Trust::Seen => seen,
     };
-    KnownMargin { budget: believed.max(0.0), deficit: (-most).max(0.0), degree_max }
+    KnownMargin { budget: believed.max(0.0), degree_max }
 }
 
 fn interval<const D: usize>(

@@ -1,7 +1,7 @@
 //! The rows of a tick, one after the other, each from its formula. Nothing is kept from one row to the next.
 
-use closeranks_core::controller::budget::knowledge::{Assume, KnownMargin, Sighting};
-use closeranks_core::controller::budget::settings::{Budget, Form};
+use closeranks_core::controller::budget::knowledge::{KnownMargin, Sighting};
+use closeranks_core::controller::budget::settings::{Assume, Budget, Form};
 use closeranks_core::equations::link::Link;
 use closeranks_core::num::{Vector, add_scaled, dot, is_finite, length};
 use closeranks_core::program::balls::Program;
@@ -87,10 +87,6 @@ impl<const D: usize> Tick<'_, D> {
             (self.bend, self.wrong) = (self.bend + bend, self.wrong + wrong);
             let spend = budget.loss_max(known.budget) / (known.degree_max + 1.0);
             self.push(&gradient, wrong, |gradient| Row::far_level(gradient, bend, spend));
-        }
-        if known.deficit > 0.0 {
-            self.broken += 1;
-            self.raise(&gradient, (known.deficit / length(&gradient)).min(move_m));
         }
     }
 

@@ -3,10 +3,10 @@
 #![allow(dead_code, reason = "not every file of tests needs every part")]
 
 use closeranks_core::controller::budget::curvature::Curvature;
-use closeranks_core::controller::budget::knowledge::{Assume, Claim, Sighting, Trust};
-use closeranks_core::controller::budget::margin::ErrorBounds;
+use closeranks_core::controller::budget::errors::ErrorBounds;
+use closeranks_core::controller::budget::knowledge::{Claim, Sighting};
 use closeranks_core::controller::budget::rows::Memory;
-use closeranks_core::controller::budget::settings::{Budget, Form};
+use closeranks_core::controller::budget::settings::{Assume, Budget, Form, Trust};
 use closeranks_core::equations::link::LinkShape;
 use closeranks_core::need::Need;
 use closeranks_core::num::{Vector, add_scaled, dot, length, subtract};
@@ -26,6 +26,17 @@ const DISTANCE_MIN_M: f64 = 0.3;
 /// The rows of robot i from what it senses and hears.
 pub(crate) type Builder<'a, const D: usize> =
     &'a dyn Fn(&Budget, RobotId, &[Sighting<D>], Reach<D>) -> Vec<Row<D>>;
+
+/// A weight of links. One of those that `budget` chooses is steeper than the paper's, and has up to the largest ε with which h of at
+/// least 0 means enough neighbours (lem:degree).
+fn shape(chosen: bool, robots: u16, need: u16, random: &mut Seeded) -> LinkShape {
+    if chosen {
+        let q1 = 2.0 + random.between(0.1, 0.999) * 2.0 / f64::from((need - 1).max(1));
+        return LinkShape { radius_m: 3.0, q1, q2: [1.0, 5.0, 48.0, 280.0][random.below(4)] };
+    }
+    let q1 = 2.0 + random.between(0.1, 0.9) / f64::from(robots - 1);
+    LinkShape { radius_m: 3.0, q1, q2: [0.05, 0.1, 0.3, 0.9][random.below(4)] }
+}
 
 /// The rows of the crate.
 pub(crate) fn crate_rows<const D: usize>(
@@ -61,13 +72,13 @@ impl<const D: usize> Team<D> {
         let count = 4 + random.below(9);
         let robots = u16::try_from(count).ok()?;
         let faults = u16::try_from(random.below((count - 1) / 2 + 1)).ok()?;
-        let q1 = 2.0 + random.between(0.1, 0.9) / f64::from(robots - 1);
-        let link = LinkShape { radius_m: 3.0, q1, q2: [0.05, 0.1, 0.3, 0.9][random.below(4)] };
+        let need = Need::new(robots, faults, assume.keep());
+        let link = shape(seed % 3 == 2, robots, need.need(RobotId(1)), &mut random);
         let period_s = [0.005, 0.05][random.below(2)];
         let reach = Reach::new(&InputBox { min_m_s: [-1.5; D], max_m_s: [1.5; D] }, period_s);
         let budget = Budget {
             curvature: Curvature::new(link),
-            need: Need::new(robots, faults, assume.keep()),
+            need,
             faults,
             distance_min_m: DISTANCE_MIN_M,
             move_max_m: reach.longest_m(),

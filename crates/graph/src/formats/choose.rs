@@ -5,7 +5,8 @@ use alloc::string::String;
 use alloc::vec::Vec;
 
 use super::error::{FormatError, Problem};
-use super::table::{Format, ROWS, Row, Sign, row};
+use super::format::Format;
+use super::table::{ROWS, Row, Sign, row};
 use super::{Named, Options, ToldBy, matrix};
 
 /// The row to read `text` with. Who asks for weights has a matrix. Where several shapes fit and read different graphs, the ending of the name decides if it

@@ -4,7 +4,7 @@ use alloc::string::String;
 use alloc::vec::Vec;
 use core::fmt;
 
-use super::table::Format;
+use super::format::Format;
 use super::{NAME_LIMIT, TEXT_LIMIT};
 use crate::graph::set::NODE_LIMIT;
 

@@ -4,7 +4,7 @@
 //! the file, or its rank if all names are whole numbers and the format has no list of nodes.
 //!
 //! Nothing is guessed in silence: what a text is, is told by its content, and a text that two formats read as two different
-//! graphs is refused with both names ([`Problem::Ambiguous`]). A format is one file and one row of `table.rs`.
+//! graphs is refused with both names ([`Problem::Ambiguous`]). A format is one file, its words in `format.rs` and one row of `table.rs`.
 //!
 //! | folder | formats |
 //! | --- | --- |
@@ -21,6 +21,7 @@ mod builder;
 mod choose;
 mod dot;
 mod error;
+mod format;
 mod gml;
 mod json;
 mod matrix;
@@ -36,8 +37,8 @@ use alloc::vec::Vec;
 
 use crate::graph::Graph;
 pub use error::{FormatError, Problem, WriteError};
+pub use format::Format;
 pub use note::Note;
-pub use table::Format;
 pub use words::unix_lines;
 
 /// Longest text that is read, bytes.

@@ -124,6 +124,9 @@ fn empty(part: &Record) -> Record {
         h: Vec::new(),
         phi: Vec::new(),
         value: Vec::new(),
+        value_told: Vec::new(),
+        degree_sensed: Vec::new(),
+        level_sensed: Vec::new(),
         outcome: Vec::new(),
         ..*part
     }

@@ -26,6 +26,8 @@ pub(crate) enum Data<'a> {
     Robot,
     Malicious,
     Numbers(&'a [f64]),
+    /// Null where there is no number.
+    Known(&'a [f64]),
     /// Null at the last tick.
     Inputs(&'a [f64]),
     Degree,
@@ -47,14 +49,16 @@ pub(crate) fn columns(record: &Record) -> Vec<Column<'_>> {
     let inputs = axes().zip(&record.inputs_m_s);
     columns.extend(inputs.map(|(axis, numbers)| column(&format!("u{axis}_m_s"), Data::Inputs(numbers))));
     columns.push(column("degree", Data::Degree));
-    let numbers = ["level", "told", "h", "phi_i", "value"].into_iter().zip([
-        &record.level,
-        &record.told,
-        &record.h,
-        &record.phi,
-        &record.value,
+    columns.extend([
+        column("level", Data::Numbers(&record.level)),
+        column("told", Data::Known(&record.told)),
+        column("h", Data::Numbers(&record.h)),
+        column("phi_i", Data::Numbers(&record.phi)),
+        column("value", Data::Numbers(&record.value)),
+        column("value_told", Data::Known(&record.value_told)),
+        column("degree_sensed", Data::Known(&record.degree_sensed)),
+        column("level_sensed", Data::Known(&record.level_sensed)),
     ]);
-    columns.extend(numbers.map(|(name, numbers)| column(name, Data::Numbers(numbers))));
     columns.push(column("outcome", Data::Outcome));
     columns
 }
@@ -65,7 +69,7 @@ impl Data<'_> {
             Self::Tick => (Physical::INT32, Some(LogicalType::integer(32, false))),
             Self::Robot | Self::Degree => (Physical::INT32, Some(LogicalType::integer(16, false))),
             Self::Malicious => (Physical::BOOLEAN, None),
-            Self::Time | Self::Numbers(_) | Self::Inputs(_) => (Physical::DOUBLE, None),
+            Self::Time | Self::Numbers(_) | Self::Known(_) | Self::Inputs(_) => (Physical::DOUBLE, None),
             Self::Outcome => (Physical::BYTE_ARRAY, Some(LogicalType::String)),
         }
     }
@@ -73,7 +77,7 @@ impl Data<'_> {
     /// Its place in the schema.
     pub(crate) fn field(&self, name: &str) -> Result<TypePtr, ParquetError> {
         let (physical, logical) = self.kind();
-        let optional = matches!(self, Self::Inputs(_));
+        let optional = matches!(self, Self::Inputs(_) | Self::Known(_));
         let repetition = if optional { Repetition::OPTIONAL } else { Repetition::REQUIRED };
         let field = Type::primitive_type_builder(name, physical);
         Ok(Arc::new(field.with_repetition(repetition).with_logical_type(logical).build()?))
@@ -95,6 +99,7 @@ impl Data<'_> {
             Self::Robot => put::<Int32Type>(target, rows.map(|row| word(row % robots + 1)))?,
             Self::Malicious => put::<BoolType>(target, rows.map(|row| record.malicious[row % robots]))?,
             Self::Numbers(numbers) => put::<DoubleType>(target, numbers[rows].iter().copied())?,
+            Self::Known(numbers) => put_known(target, &numbers[rows])?,
             Self::Inputs(numbers) => put_inputs(target, numbers, rows, end)?,
             Self::Degree => {
                 put::<Int32Type>(target, record.degree[rows].iter().map(|degree| i32::from(*degree)))?;
@@ -120,6 +125,14 @@ pub(crate) fn put<T: DataType>(
 ) -> Result<(), ParquetError> {
     let values: Vec<T::T> = values.collect();
     column.typed::<T>().write_batch(&values, None, None)?;
+    Ok(())
+}
+
+/// Numbers, or null where there is none.
+fn put_known(column: &mut SerializedColumnWriter<'_>, numbers: &[f64]) -> Result<(), ParquetError> {
+    let levels: Vec<i16> = numbers.iter().map(|number| i16::from(!number.is_nan())).collect();
+    let known: Vec<f64> = numbers.iter().copied().filter(|number| !number.is_nan()).collect();
+    column.typed::<DoubleType>().write_batch(&known, Some(&levels), None)?;
     Ok(())
 }
 

@@ -10,10 +10,7 @@ use std::collections::BTreeSet;
 
 use closeranks_graph::graph::set::NODE_LIMIT;
 
-use super::read::{ROWS_MAX, ReadError, Recording};
-
-/// What all columns are called.
-pub const COLUMNS: &str = "time_s or tick, robot, x_m, y_m and perhaps z_m";
+use super::positions::{ROWS_MAX, ReadError, Recording};
 
 /// Greatest magnitude of a number.
 const MOST: f64 = 1e9;

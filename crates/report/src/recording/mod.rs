@@ -8,10 +8,12 @@
 //! | positions that others recorded | [`elsewhere`] |
 
 pub mod elsewhere;
+pub mod positions;
 pub mod read;
 pub mod rounds;
 pub mod write;
 
 mod columns;
 
-pub use self::read::{ReadError, Recording, read};
+pub use self::positions::{ReadError, Recording};
+pub use self::read::read;

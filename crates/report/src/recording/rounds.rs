@@ -16,40 +16,72 @@ use super::write::{Metadata, WriteError, properties};
 /// A whole number of a round, given its place in the run.
 type Whole = fn(usize, &Round) -> i32;
 
-/// Writes one row a round, for ticks of `tick_s`: `round`, `tick` (u32), `time_s`, `r_max`, `r_max_most`, `f_max`, `f_max_most` (i32; the two
-/// differ where the search ran out of its budget), `degree` (i32, least of normal robots), `spread` (of normal values).
+/// Writes rounds while a run goes on, one row a round: `round`, `tick` (u32), `time_s`, `r_max`, `r_max_most`, `f_max`, `f_max_most`
+/// (i32; the two differ where the search ran out of its budget), `degree` (i32, least of normal robots), `spread` (of normal
+/// values).
+pub struct RoundWriter<W: Write + Send> {
+    writer: SerializedFileWriter<W>,
+    tick_s: f64,
+    /// How many rounds were written yet.
+    written: usize,
+}
+
+impl<W: Write + Send> RoundWriter<W> {
+    /// Begins a file for a run with ticks of `tick_s`.
+    pub fn new(tick_s: f64, metadata: &Metadata<'_>, sink: W) -> Result<Self, WriteError> {
+        let writer = SerializedFileWriter::new(sink, schema()?, properties(metadata))?;
+        Ok(Self { writer, tick_s, written: 0 })
+    }
+
+    /// Writes the next `rounds`.
+    pub fn write(&mut self, rounds: &[Round]) -> Result<(), WriteError> {
+        let (first, tick_s) = (self.written, self.tick_s);
+        let mut group = self.writer.next_row_group()?;
+        for number in WHOLE {
+            let Some(mut column) = group.next_column()? else { return Err(WriteError::Ragged) };
+            put::<Int32Type>(&mut column, (first..).zip(rounds).map(|(index, round)| number(index, round)))?;
+            column.close()?;
+        }
+        let times = rounds.iter().map(|round| f64::from(round.tick) * tick_s).collect();
+        let spreads = rounds.iter().map(|round| round.spread).collect();
+        for numbers in [times, spreads] as [Vec<f64>; 2] {
+            let Some(mut column) = group.next_column()? else { return Err(WriteError::Ragged) };
+            put::<DoubleType>(&mut column, numbers.into_iter())?;
+            column.close()?;
+        }
+        group.close()?;
+        self.written += rounds.len();
+        Ok(())
+    }
+
+    /// Ends the file; the sink is flushed but not closed.
+    pub fn finish(self) -> Result<(), WriteError> {
+        self.writer.close()?;
+        Ok(())
+    }
+}
+
+/// The columns of whole numbers, in order.
+const WHOLE: [Whole; 7] = [
+    |index, _| i32::try_from(index).unwrap_or(i32::MAX),
+    |_, round| round.tick.cast_signed(),
+    |_, round| round.r_max.least,
+    |_, round| round.r_max.most,
+    |_, round| round.f_max.least,
+    |_, round| round.f_max.most,
+    |_, round| i32::from(round.degree_min),
+];
+
+/// Writes all `rounds` of a run, as a [`RoundWriter`] does part by part.
 pub fn write_rounds<W: Write + Send>(
     rounds: &[Round],
     tick_s: f64,
     metadata: &Metadata<'_>,
     sink: W,
 ) -> Result<(), WriteError> {
-    let mut writer = SerializedFileWriter::new(sink, schema()?, properties(metadata))?;
-    let mut group = writer.next_row_group()?;
-    let whole: [Whole; 7] = [
-        |index, _| i32::try_from(index).unwrap_or(i32::MAX),
-        |_, round| round.tick.cast_signed(),
-        |_, round| round.r_max.least,
-        |_, round| round.r_max.most,
-        |_, round| round.f_max.least,
-        |_, round| round.f_max.most,
-        |_, round| i32::from(round.degree_min),
-    ];
-    for number in whole {
-        let Some(mut column) = group.next_column()? else { return Err(WriteError::Ragged) };
-        put::<Int32Type>(&mut column, rounds.iter().enumerate().map(|(index, round)| number(index, round)))?;
-        column.close()?;
-    }
-    let times = rounds.iter().map(|round| f64::from(round.tick) * tick_s).collect();
-    let spreads = rounds.iter().map(|round| round.spread).collect();
-    for numbers in [times, spreads] as [Vec<f64>; 2] {
-        let Some(mut column) = group.next_column()? else { return Err(WriteError::Ragged) };
-        put::<DoubleType>(&mut column, numbers.into_iter())?;
-        column.close()?;
-    }
-    group.close()?;
-    writer.close()?;
-    Ok(())
+    let mut writer = RoundWriter::new(tick_s, metadata, sink)?;
+    writer.write(rounds)?;
+    writer.finish()
 }
 
 fn schema() -> Result<TypePtr, ParquetError> {
@@ -76,6 +108,22 @@ mod tests {
     fn rounds() -> Vec<Round> {
         let scenario = Scenario { duration_s: 0.35, ..Scenario::default() };
         run(&scenario, Options { robustness: true, ..Options::default() }, &mut |_| ()).unwrap().rounds
+    }
+
+    #[test]
+    fn parts_go_on_counting() {
+        let (rounds, mut file) = (rounds(), Vec::new());
+        let mut writer = RoundWriter::new(0.005, &Metadata::default(), &mut file).unwrap();
+        writer.write(&rounds[..1]).unwrap();
+        writer.write(&rounds[1..]).unwrap();
+        writer.finish().unwrap();
+        let mut whole = Vec::new();
+        write_rounds(&rounds, 0.005, &Metadata::default(), &mut whole).unwrap();
+        let rows = |file: Vec<u8>| {
+            let reader = SerializedFileReader::new(bytes::Bytes::from(file)).unwrap();
+            reader.get_row_iter(None).unwrap().map(|row| row.unwrap().to_string()).collect::<Vec<_>>()
+        };
+        assert_eq!(rows(file), rows(whole));
     }
 
     //= paper def:robustness type=test

@@ -3,12 +3,17 @@
 //! ```text
 //! tick u32 | time_s f64 | robot u16 from 1 | malicious bool | x_m, y_m[, z_m] f64
 //! ux_m_s, uy_m_s[, uz_m_s] f64, the input held from this tick on, null at the last tick
-//! degree u16 | level f64, true c_i | told f64, c_i as told | h f64, level − F′ | phi_i f64 | value f64, y_i
-//! outcome string: free, active or infeasible
+//! degree u16, δ_i | level f64, c_i | told f64, c_i as told | h f64, level − F′ | phi_i f64 | value f64, y_i as held
+//! value_told f64, y_i as told | degree_sensed f64 | level_sensed f64 | outcome string: free, active or infeasible
 //! ```
 //!
-//! Ticks run from 0 to the last, both included. The file's key-value metadata are `scenario` (TOML), `seed`, `version` and
-//! `commit`. The same record and metadata give the same bytes.
+//! `degree`, `level` and `h` are what is so, computed from the positions; what the robot senses itself, with whatever is wrong
+//! with its sensors, are the columns that say so. Those and what was told are null for a robot that is down, and what was told
+//! also where a liar does not tell all the same.
+//!
+//! Ticks run from 0 to the last, both included. The file's key-value metadata are `scenario` (TOML), `seed`, `version`, `commit`,
+//! and `q1` and `q2` of the weight that the controller gives to links: `level`, `told` and `h` are about that one, `phi_i` about
+//! the paper's, which is that of the scenario. The same record and metadata give the same bytes.
 
 use core::ops::Range;
 use std::io::Write;
@@ -20,13 +25,13 @@ use ::parquet::file::metadata::KeyValue;
 use ::parquet::file::properties::{WriterProperties, WriterPropertiesPtr};
 use ::parquet::file::writer::SerializedFileWriter;
 use ::parquet::schema::types::{Type, TypePtr};
-use closeranks_sim::output::parts::{PART_ROWS, part_ticks};
-use closeranks_sim::output::record::Record;
+use closeranks_sim::output::parts::part_ticks;
+use closeranks_sim::output::record::{PART_ROWS, Record};
 
 use crate::recording::columns::{AXES, Column, columns};
 
 /// What a file says about itself.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Metadata<'a> {
     /// The scenario in TOML.
     pub scenario: &'a str,
@@ -36,6 +41,8 @@ pub struct Metadata<'a> {
     pub version: &'a str,
     /// Commit of the program.
     pub commit: &'a str,
+    /// q₁ and q₂ (1/m⁴) of the weight of a link, as the controller has it.
+    pub weight: [f64; 2],
 }
 
 /// Why there is no file.
@@ -103,9 +110,8 @@ pub fn write<W: Write + Send>(record: &Record, metadata: &Metadata<'_>, sink: W)
 
 fn check(record: &Record) -> Result<(), WriteError> {
     let (rows, dimension) = (record.rows(), record.dimension);
-    let numbers = [&record.level, &record.told, &record.h, &record.phi, &record.value];
-    let vectors = record.positions_m.iter().chain(&record.inputs_m_s);
-    let full = vectors.chain(numbers).all(|column| column.len() == rows) && record.outcome.len() == rows;
+    let numbers = record.numbers();
+    let full = numbers.iter().all(|column| column.len() == rows) && record.outcome.len() == rows;
     let full = full && record.ticks.len() * usize::from(record.robots) == rows;
     let whole =
         record.malicious.len() == usize::from(record.robots) && rows % record.malicious.len().max(1) == 0;
@@ -121,11 +127,14 @@ fn schema(columns: &[Column<'_>]) -> Result<TypePtr, ParquetError> {
 /// Snappy everywhere; dictionaries only where values repeat.
 pub(crate) fn properties(metadata: &Metadata<'_>) -> WriterPropertiesPtr {
     let seed = metadata.seed.to_string();
+    let [q1, q2] = metadata.weight.map(|number| number.to_string());
     let pairs = [
         ("scenario", metadata.scenario),
         ("seed", &seed),
         ("version", metadata.version),
         ("commit", metadata.commit),
+        ("q1", &q1),
+        ("q2", &q2),
     ];
     let pairs = pairs.map(|(key, value)| KeyValue::new(key.to_owned(), value.to_owned()));
     let mut properties = WriterProperties::builder()
@@ -133,7 +142,7 @@ pub(crate) fn properties(metadata: &Metadata<'_>) -> WriterPropertiesPtr {
         .set_max_row_group_row_count(Some(PART_ROWS))
         .set_dictionary_enabled(false)
         .set_key_value_metadata(Some(pairs.into()));
-    for name in ["tick", "time_s", "robot", "degree", "value", "outcome"] {
+    for name in ["tick", "time_s", "robot", "degree", "value", "value_told", "degree_sensed", "outcome"] {
         properties = properties.set_column_dictionary_enabled(name.into(), true);
     }
     Arc::new(properties.build())

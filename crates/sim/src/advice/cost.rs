@@ -2,8 +2,7 @@
 
 use core::time::Duration;
 
-use closeranks_core::settings::params::Params;
-use closeranks_core::settings::range::ParamsError;
+use closeranks_core::settings::params::{Params, ParamsError};
 
 use super::level::Levels;
 use super::patch::{Spacings, start};

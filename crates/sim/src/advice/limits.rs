@@ -2,7 +2,7 @@
 
 use core::time::Duration;
 
-use closeranks_core::settings::params::MAGNITUDE_MAX;
+use closeranks_core::settings::range::MAGNITUDE_MAX;
 
 use super::halving::last;
 use super::question::Question;

@@ -20,9 +20,11 @@ pub mod patch;
 pub mod question;
 pub mod team;
 
-use closeranks_core::controller::budget::knowledge::Assume;
+use closeranks_core::controller::budget::settings::Assume;
+use closeranks_core::equations::link::LinkShape;
 use closeranks_core::settings::field::Field;
-use closeranks_core::settings::range::{Allowed, ParamsError};
+use closeranks_core::settings::params::ParamsError;
+use closeranks_core::settings::range::Allowed;
 
 use crate::advice::cost::Cost;
 use crate::advice::limits::Limits;
@@ -48,6 +50,8 @@ pub struct Advice {
 pub struct Fit {
     /// Its name in files.
     pub assume: &'static str,
+    /// The shape that `budget` gives to links, which every h here is about.
+    pub link: LinkShape,
     /// Who counts, and which F and n go together.
     pub counts: Counts,
     /// The spacings of a patch of a lattice.
@@ -88,7 +92,7 @@ fn advise_in<const D: usize>(question: &Question) -> Result<Advice, ParamsError>
 fn fit<const D: usize>(assume: &'static str, question: &Question) -> Result<Fit, ParamsError> {
     let params = question.settled().params::<D>()?;
     let (counts, spacings) = (Counts::new::<D>(question, &params), Spacings::new(&params));
-    Ok(Fit { assume, counts, spacings })
+    Ok(Fit { assume, link: *params.link(), counts, spacings })
 }
 
 /// The error, with what would be slow enough where that is the matter.

@@ -1,11 +1,10 @@
 //! What is asked: a scenario, with numbers set by their names in files, a speed and a lag.
 
-use closeranks_core::controller::budget::knowledge::Assume;
+use closeranks_core::controller::budget::settings::Assume;
 use closeranks_core::program::InputBox;
 use closeranks_core::program::balls::reach::Reach;
 use closeranks_core::settings::field::{Field, Row, TABLE};
-use closeranks_core::settings::params::MAGNITUDE_MAX;
-use closeranks_core::settings::range::Allowed;
+use closeranks_core::settings::range::{Allowed, MAGNITUDE_MAX};
 
 use super::ASSUMPTIONS;
 use crate::controllers::Controller;

@@ -1,8 +1,9 @@
 //! Who counts for whom, and which F and n go together.
 
-use closeranks_core::controller::budget::knowledge::Assume;
+use closeranks_core::controller::budget::settings::Assume;
 use closeranks_core::robot::neighbor::RobotId;
-use closeranks_core::settings::params::{Params, ROBOTS_MAX};
+use closeranks_core::settings::params::Params;
+use closeranks_core::settings::range::ROBOTS_MAX;
 
 use super::halving::last_whole;
 use super::level::most;
@@ -92,7 +93,7 @@ mod tests {
                 .flat_map(|faults| [(faults, Assume::Obedient), (faults, Assume::Free)])
             {
                 let mut question = Question::new(Scenario::default()).under(assume);
-                (question.scenario.link.q2, question.scenario.link.epsilon) = (q2, epsilon);
+                (question.scenario.budget.q2, question.scenario.budget.epsilon) = (Some(q2), epsilon);
                 let fits = |robots: &u16| {
                     of_team::<2>(&question, *robots, faults).is_some_and(|params| most(&params) >= 0.0)
                 };

@@ -107,7 +107,7 @@ impl LevelAttack {
 }
 
 /// What one neighbour gets from a liar.
-pub(crate) enum Face {
+pub(crate) enum LevelFace {
     /// No message arrives.
     Silence,
     /// These bytes arrive.
@@ -180,12 +180,12 @@ impl LevelLiar {
     }
 
     /// What one neighbour gets in place of `message`.
-    pub(crate) fn to_one(&self, message: &Message, random: &mut Random) -> Face {
+    pub(crate) fn to_one(&self, message: &Message, random: &mut Random) -> LevelFace {
         match self.attack {
-            LevelAttack::Silent => Face::Silence,
-            LevelAttack::Garbage => Face::Bytes(garbage(message, random)),
-            LevelAttack::Faces { min, max } => Face::Level(random.uniform(min, max)),
-            _ => Face::Level(message.level()),
+            LevelAttack::Silent => LevelFace::Silence,
+            LevelAttack::Garbage => LevelFace::Bytes(garbage(message, random)),
+            LevelAttack::Faces { min, max } => LevelFace::Level(random.uniform(min, max)),
+            _ => LevelFace::Level(message.level()),
         }
     }
 }

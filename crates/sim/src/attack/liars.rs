@@ -3,22 +3,40 @@
 use closeranks_core::message::{MESSAGE_BYTES, Message};
 use closeranks_core::num::Vector;
 use closeranks_core::program::InputBox;
+use closeranks_core::robot::neighbor::RobotId;
 
-use crate::attack::level::{Face, LevelLiar};
+use crate::attack::level::{LevelFace, LevelLiar};
+use crate::attack::lists::ListsLiar;
 use crate::attack::motion::MotionLiar;
 use crate::attack::value::ValueLiar;
 use crate::random::{Random, Stream};
 use crate::scenario::Scenario;
+use crate::transport::Bytes;
+
+/// What one robot gets from a sender.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Face {
+    /// Nothing.
+    Silence,
+    /// These bytes.
+    Bytes([u8; MESSAGE_BYTES]),
+    /// This message.
+    Message(Message),
+}
 
 /// What malicious robots do in a run; normal robots tell the truth and obey.
 #[derive(Clone, Debug)]
 pub struct Liars {
     level: LevelLiar,
+    lists: ListsLiar,
     value: ValueLiar,
     motion: MotionLiar,
     /// Draws what is told to one neighbour alone, levels and values in one order.
     faces: Random,
     malicious: Vec<bool>,
+    /// Whether the lies of the scenario are the same for everybody.
+    one_level: bool,
+    one_value: bool,
     /// What is told in this tick in place of the scenario's lies, if it was given from outside.
     given_levels: Option<Vec<f64>>,
     given_values: Option<Vec<f64>>,
@@ -33,10 +51,13 @@ impl Liars {
         let (robots, seed, tick_s) = (usize::from(scenario.team.robots), scenario.seed, scenario.tick_s());
         Self {
             level: LevelLiar::new(scenario.attack.level, seed, robots, tick_s),
+            lists: ListsLiar::new(scenario.attack.lists, seed, scenario.team.robots, tick_s),
             value: ValueLiar::new(scenario.attack.value, seed, robots),
             motion: MotionLiar::new(scenario.attack.motion.clone(), seed, robots, tick_s),
             faces: Random::new(seed, Stream::Faces),
             malicious: scenario.malicious_mask(),
+            one_level: scenario.attack.level.is_alike_for_all(),
+            one_value: scenario.attack.value.is_alike_for_all() && scenario.attack.level.is_alike_for_all(),
             given_levels: None,
             given_values: None,
             tick_s,
@@ -80,20 +101,49 @@ impl Liars {
         }
     }
 
-    /// The bytes that go from `sender` to one robot that holds `value`: `message`, unless the sender has another face for it.
-    pub fn bytes(&mut self, sender: usize, message: &Message, value: f64) -> Option<[u8; MESSAGE_BYTES]> {
+    /// Whether robot `index` tells everybody the same level, and the same value.
+    pub(crate) fn tells_alike(&self, index: usize) -> [bool; 2] {
+        if !self.malicious[index] {
+            return [true; 2];
+        }
+        [self.given_levels.is_some() || self.one_level, self.given_values.is_some() || self.one_value]
+    }
+
+    /// What goes from `sender` to one robot that holds `value`: `message`, unless the sender has another face for it.
+    pub fn face(&mut self, sender: usize, message: &Message, value: f64) -> Face {
         if !self.malicious[sender] {
-            return Some(message.encode());
+            return Face::Message(*message);
         }
         let level = match self.level.to_one(message, &mut self.faces) {
             _ if self.given_levels.is_some() => message.level(),
-            Face::Silence => return None,
-            Face::Bytes(bytes) => return Some(bytes),
-            Face::Level(level) => level,
+            LevelFace::Silence => return Face::Silence,
+            LevelFace::Bytes(bytes) => return Face::Bytes(bytes),
+            LevelFace::Level(level) => level,
         };
         let face = message.value().and_then(|told| self.value.to_one(told, value, &mut self.faces));
         let value = if self.given_values.is_some() { message.value() } else { face };
-        Message::new(message.sequence(), message.stamp(), level, value).ok().map(|message| message.encode())
+        let told = Message::new(message.sequence(), message.stamp(), level, value);
+        told.map_or(Face::Silence, Face::Message)
+    }
+
+    /// What goes from `sender` to `reader`, who wants to go with `wish_m_s`, in place of `bytes`; `None` if nothing does.
+    pub fn lists<const D: usize>(
+        &mut self,
+        sender: usize,
+        reader: RobotId,
+        wish_m_s: &Vector<D>,
+        bytes: Bytes,
+    ) -> Option<Bytes> {
+        if !self.malicious[sender] {
+            return Some(bytes);
+        }
+        self.lists.lists(self.tick, sender, reader, wish_m_s, bytes)
+    }
+
+    /// True if `index` keeps its row for everybody, because it acknowledges what it did not receive.
+    #[must_use]
+    pub fn binds(&self, index: usize) -> bool {
+        self.malicious[index] && self.lists.binds()
     }
 
     /// Where a malicious robot goes that does not obey, m/s; `None` for all others.

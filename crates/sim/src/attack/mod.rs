@@ -1,18 +1,20 @@
-//! What malicious robots do: tell wrong levels, tell wrong values, go where they like. One file for each of the three holds
+//! What malicious robots do: tell wrong levels, values and lists, go where they like. One file for each of the four holds
 //! the data, its table in scenario files and its player; [`liars`] plays all of them in a run.
 
 pub mod level;
 pub mod liars;
+pub mod lists;
 pub mod motion;
 mod swing;
 pub mod value;
 
 pub use level::LevelAttack;
+pub use lists::ListsAttack;
 pub use motion::MotionAttack;
 pub use value::ValueAttack;
 
 use crate::parse::reader::{Reader, Section};
-use crate::scenario::Scenario;
+use crate::scenario::route::Whose;
 
 /// What all malicious robots of a run do. By default they do what the paper's nominal scenario says: true levels, random
 /// values, obedient motion.
@@ -20,6 +22,8 @@ use crate::scenario::Scenario;
 pub struct Attack {
     /// What they tell of their level.
     pub level: LevelAttack,
+    /// What they tell of held links.
+    pub lists: ListsAttack,
     /// What they tell of their value.
     pub value: ValueAttack,
     /// Where they go.
@@ -27,12 +31,13 @@ pub struct Attack {
 }
 
 impl Attack {
-    /// Reads the table `attack` of a scenario text.
-    pub(crate) fn read(reader: &mut Reader, section: &mut Section<'_>, scenario: &Scenario) -> Self {
+    /// Reads the table `attack` of a scenario text. Lists of motions are those of `malicious`.
+    pub(crate) fn read(reader: &mut Reader, section: &mut Section<'_>, malicious: &Whose<'_>) -> Self {
         Self {
             level: reader.table(section, "level", LevelAttack::read),
+            lists: reader.table(section, "lists", ListsAttack::read),
             value: reader.table(section, "value", ValueAttack::read),
-            motion: MotionAttack::read(reader, section, scenario),
+            motion: MotionAttack::read(reader, section, malicious),
         }
     }
 
@@ -56,6 +61,13 @@ impl Attack {
 impl From<LevelAttack> for Attack {
     fn from(level: LevelAttack) -> Self {
         Self { level, ..Self::default() }
+    }
+}
+
+/// The default attack, but with this lie about held links.
+impl From<ListsAttack> for Attack {
+    fn from(lists: ListsAttack) -> Self {
+        Self { lists, ..Self::default() }
     }
 }
 

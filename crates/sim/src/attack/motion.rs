@@ -5,8 +5,7 @@ use closeranks_core::program::InputBox;
 
 use crate::parse::reader::{Reader, Section};
 use crate::random::{Random, Stream};
-use crate::scenario::Scenario;
-use crate::scenario::route::{KINDS, Route};
+use crate::scenario::route::{KINDS, Route, Whose};
 
 /// Ticks for which a wandering robot keeps its way.
 const WANDER_TICKS: u32 = 20;
@@ -40,10 +39,10 @@ const WORDS: [(&str, Option<Word>); 6] = [
 
 impl MotionAttack {
     /// Reads the field `attack.motion` of a scenario text: a word, or a table with a list.
-    pub(crate) fn read(reader: &mut Reader, section: &mut Section<'_>, scenario: &Scenario) -> Self {
+    pub(crate) fn read(reader: &mut Reader, section: &mut Section<'_>, malicious: &Whose<'_>) -> Self {
         if section.has_table("motion") {
             return reader
-                .table(section, "motion", |reader, section| Self::listed(reader, section, scenario));
+                .table(section, "motion", |reader, section| Self::listed(reader, section, malicious));
         }
         match reader.word(section, "motion", &WORDS) {
             Some(Some(motion)) => motion(),
@@ -56,7 +55,7 @@ impl MotionAttack {
         }
     }
 
-    fn listed(reader: &mut Reader, section: &mut Section<'_>, scenario: &Scenario) -> Self {
+    fn listed(reader: &mut Reader, section: &mut Section<'_>, malicious: &Whose<'_>) -> Self {
         let Some(kind) = reader.kind(section, &KINDS) else {
             if !section.has("kind") {
                 let allowed = "`goals`, `waypoints`, `velocities`";
@@ -64,7 +63,7 @@ impl MotionAttack {
             }
             return Self::Obedient;
         };
-        Self::Listed(Route::read(reader, section, kind, scenario, Some(&scenario.malicious)))
+        Self::Listed(Route::read(reader, section, kind, malicious))
     }
 }
 

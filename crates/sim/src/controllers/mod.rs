@@ -9,11 +9,10 @@ pub mod orca;
 
 use closeranks_core::num::Vector;
 use closeranks_core::program::Outcome;
-use closeranks_core::settings;
 use closeranks_core::settings::params::Params;
+use closeranks_core::settings::{self, BudgetSettings, ComposedSettings, LinksSettings};
 
 use crate::law::Law;
-use crate::scenario::Scenario;
 
 /// What a controller with global state is given in a tick.
 #[derive(Clone, Copy, Debug)]
@@ -59,6 +58,8 @@ pub enum Inside {
     Shares,
     /// Every h_i of a normal robot is not negative, and no two robots are closer than Δ_d.
     Margins,
+    /// Every normal robot has as many neighbours as it must count on, and no two robots are closer than Δ_d.
+    Degrees,
 }
 
 /// Which violations of what a controller promises count against it.
@@ -70,13 +71,24 @@ pub enum Counted {
     All,
 }
 
+/// Parameters of all controllers that have any. They are there whichever controller is run.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Parameters {
+    /// Parameters of `composed`.
+    pub composed: ComposedSettings,
+    /// Parameters of `budget`.
+    pub budget: BudgetSettings,
+    /// Parameters of `links`.
+    pub links: LinksSettings,
+}
+
 /// How a controller is made.
 #[derive(Clone, Copy, Debug)]
 pub enum Make {
     /// Every robot runs it.
-    Local(fn(&Scenario) -> settings::Controller),
+    Local(fn(&Parameters) -> settings::Controller),
     /// It is made for the whole team.
-    Global(fn(&Scenario) -> Global),
+    Global(fn(&Parameters) -> Global),
 }
 
 /// What is to be known of a controller.
@@ -159,7 +171,7 @@ controllers! {
             counted: Counted::Covered,
             expects: &Law::PROMISED,
             inside: Inside::Margins,
-            make: Make::Local(|scenario| settings::Controller::Budget(scenario.budget)),
+            make: Make::Local(|of| settings::Controller::Budget(of.budget)),
         },
         /// The paper's (eq:split, seq:qp).
         Composed: Row {
@@ -172,7 +184,20 @@ controllers! {
             counted: Counted::Covered,
             expects: &Law::EXPECTED,
             inside: Inside::Shares,
-            make: Make::Local(|scenario| settings::Controller::Composed(scenario.composed)),
+            make: Make::Local(|of| settings::Controller::Composed(of.composed)),
+        },
+        /// Ours without weights (docs/links.md).
+        Links: Row {
+            name: "links",
+            about: "ours, without weights: robots agree on the links that they keep",
+            knows: Knows::Local,
+            guarantees: true,
+            uses_phi: false,
+            promises: &Law::LINKS,
+            counted: Counted::Covered,
+            expects: &Law::LINKS,
+            inside: Inside::Degrees,
+            make: Make::Local(|scenario| settings::Controller::Links(scenario.links)),
         },
         /// None: the desired velocity, cut to the box. What the paper's robots would do unfiltered.
         None: Row {
@@ -232,18 +257,18 @@ impl Controller {
     }
 
     /// What every robot runs: the controller itself, or none beside one with global state.
-    pub(crate) fn settings(self, scenario: &Scenario) -> settings::Controller {
+    pub(crate) fn settings(self, parameters: &Parameters) -> settings::Controller {
         match self.row().make {
-            Make::Local(make) => make(scenario),
+            Make::Local(make) => make(parameters),
             Make::Global(_) => settings::Controller::None,
         }
     }
 
     /// The controller of the whole team, if it is one.
-    pub(crate) fn global(self, scenario: &Scenario) -> Option<Global> {
+    pub(crate) fn global(self, parameters: &Parameters) -> Option<Global> {
         match self.row().make {
             Make::Local(_) => None,
-            Make::Global(make) => Some(make(scenario)),
+            Make::Global(make) => Some(make(parameters)),
         }
     }
 }

@@ -47,6 +47,7 @@ impl Consensus {
         liars.begin_round(self.next_values.iter().copied());
         for (index, value) in frame.values.iter_mut().enumerate() {
             *value = liars.value(index, self.next_values[index]);
+            frame.held[index] = self.next_values[index];
         }
         self.speakers.sort_unstable_by(|a, b| frame.values[*a].total_cmp(&frame.values[*b]).then(a.cmp(b)));
         for (index, own) in self.next_values.iter_mut().enumerate() {

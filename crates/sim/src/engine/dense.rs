@@ -1,4 +1,4 @@
-//! What robots of a small team see of each other, in tables: weights of all with all, and sums over them a few at a time.
+//! What robots of a small team see of each other, in tables: weights of all with all, and sums over them.
 
 use closeranks_core::equations::link::Link;
 use closeranks_core::num::add_scaled;
@@ -7,7 +7,7 @@ use crate::engine::links::Linked;
 
 /// Teams up to this size are kept in tables.
 pub(crate) const DENSE_MAX: usize = 64;
-/// So many weights are summed at a time.
+/// So many weights are added at a time. Lines are filled up to a multiple of this.
 const LANES: usize = 4;
 /// In place of a pair of two robots that have none.
 const NO_PAIR: u16 = u16::MAX;
@@ -16,7 +16,7 @@ const NO_PAIR: u16 = u16::MAX;
 #[derive(Clone, Debug)]
 pub(crate) struct Dense {
     robots: usize,
-    /// Weight of every robot with every other, in lines of whole blocks, and how long a line is.
+    /// Weight of every robot with every other, a line a robot, and how long a line is in all tables.
     weights: Vec<f64>,
     line: usize,
     /// Which pair every robot is with every other.
@@ -33,20 +33,21 @@ impl Dense {
             robots,
             weights: vec![Link::NONE.weight; robots * line],
             line,
-            pairs: vec![NO_PAIR; robots * robots],
+            pairs: vec![NO_PAIR; robots * line],
             lows: vec![0.0; line],
         }
     }
 
     /// Takes the pairs of a tick and their weights.
     pub(crate) fn fill<Pair>(&mut self, pairs: &[Linked<Pair>], weights: &[f64]) {
-        self.weights.fill(Link::NONE.weight);
-        self.pairs.fill(NO_PAIR);
+        let line = self.line;
+        let (all_weights, all_pairs) = (&mut self.weights[..], &mut self.pairs[..]);
+        all_weights.fill(Link::NONE.weight);
+        all_pairs.fill(NO_PAIR);
         for ((index, linked), weight) in (0..).zip(pairs).zip(weights) {
             let [first, second] = linked.ends.map(usize::from);
-            for (end, other) in [(first, second), (second, first)] {
-                self.weights[end * self.line + other] = *weight;
-                self.pairs[end * self.robots + other] = index;
+            for place in [first * line + second, second * line + first] {
+                (all_weights[place], all_pairs[place]) = (*weight, index);
             }
         }
     }
@@ -54,18 +55,21 @@ impl Dense {
     /// The others that `robot` has a pair with, in order of their numbers, and which pair each is.
     #[inline]
     pub(crate) fn neighbors(&self, robot: usize) -> impl Iterator<Item = (usize, usize)> + Clone {
-        let pairs = self.pairs[robot * self.robots..][..self.robots].iter().enumerate();
+        let pairs = self.pairs[robot * self.line..][..self.robots].iter().enumerate();
         pairs.filter(|(_, pair)| **pair != NO_PAIR).map(|(other, pair)| (other, usize::from(*pair)))
     }
 
     /// What `robot` sees of the level of each: sums over itself and the robots that it sees, in order of their numbers.
     pub(crate) fn look_around(&mut self, robot: usize) {
-        let (line, pairs) = (self.line, &self.pairs[robot * self.robots..][..self.robots]);
-        let sees = |other: &usize| *other == robot || pairs[*other] != NO_PAIR;
-        for (block, lows) in self.lows.as_chunks_mut().0.iter_mut().enumerate() {
-            let weights = |other: usize| self.weights[other * line + block * LANES..].first_chunk();
-            let weights = (0..pairs.len()).filter(sees).filter_map(weights);
-            *lows = weights.fold([0.0; LANES], |sums, weights| add_scaled(&sums, 1.0, weights));
+        let pairs = &self.pairs[robot * self.line..][..self.robots];
+        self.lows.fill(0.0);
+        for ((other, pair), weights) in pairs.iter().enumerate().zip(self.weights.chunks_exact(self.line)) {
+            if other == robot || *pair != NO_PAIR {
+                let weights = weights.as_chunks::<LANES>().0;
+                for (lows, weights) in self.lows.as_chunks_mut().0.iter_mut().zip(weights) {
+                    *lows = add_scaled(lows, 1.0, weights);
+                }
+            }
         }
     }
 

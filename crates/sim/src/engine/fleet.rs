@@ -3,8 +3,9 @@
 //! This is the whole path that a robot in the world takes; [`crate::engine::team`] gives the same bits faster where the world is
 //! perfect.
 
+use closeranks_core::controller::links::wire::{Notice, bytes_max};
 use closeranks_core::equations::composition::Composed;
-use closeranks_core::message::Message;
+use closeranks_core::message::{MESSAGE_BYTES, Message};
 use closeranks_core::num::dot;
 use closeranks_core::program::Outcome;
 use closeranks_core::robot::Robot;
@@ -13,7 +14,7 @@ use closeranks_core::robot::neighbor::{RobotId, Slot};
 use closeranks_core::robot::report::Mode;
 use closeranks_core::settings::params::Params;
 
-use crate::attack::liars::Liars;
+use crate::attack::liars::{Face, Liars};
 use crate::engine::memory::Memory;
 use crate::faults::edges::Edges;
 use crate::faults::network::{FaultyNetwork, LATE_MAX};
@@ -22,7 +23,7 @@ use crate::frame::Frame;
 use crate::geometry::squared_distance;
 use crate::scenario::Scenario;
 use crate::transport::memory::InMemory;
-use crate::transport::{Parcel, Transport};
+use crate::transport::{Bytes, Parcel, Transport};
 
 /// All robots of a run, with whatever goes wrong around them.
 #[derive(Debug)]
@@ -35,14 +36,25 @@ pub struct Fleet<const D: usize, T = FaultyNetwork<InMemory>> {
     values: Vec<f64>,
     malicious: Vec<bool>,
     outbox: Vec<Option<Message>>,
+    /// What everybody says to everybody in a tick, where messages need no bytes.
+    notices: Option<Vec<(usize, usize, Notice<D>)>>,
+    /// Room for the longest message.
+    buffer: Vec<u8>,
     transport: T,
     edges: Edges<D>,
+    /// Robots tell lists of links and not levels.
+    lists: bool,
     ticks_per_round: u32,
     tick: u32,
     tick_s: f64,
 }
 
 impl<const D: usize> Fleet<D> {
+    /// The robots of `scenario` in a perfect world, in which they hand over what they tell without bytes.
+    pub fn at_once(scenario: &Scenario, params: Params<D>, values: &[f64]) -> Result<Self, RobotError> {
+        Ok(Self { notices: Some(Vec::new()), ..Self::new(scenario, params, values)? })
+    }
+
     /// The robots of `scenario` with initial `values`, over the network of `scenario`.
     pub fn new(scenario: &Scenario, params: Params<D>, values: &[f64]) -> Result<Self, RobotError> {
         let (network, seed, robots) = (scenario.faults.network, scenario.seed, scenario.team.robots);
@@ -63,9 +75,10 @@ impl<const D: usize, T: Transport> Fleet<D, T> {
         values: &[f64],
     ) -> Result<Self, RobotError> {
         let others = values.len().saturating_sub(1);
+        let slots = scenario.faults.sensing.dropouts.slots.map_or(others, usize::from);
         let robots = (0..)
             .zip(values)
-            .map(|(index, value)| Robot::new(params, id(index), *value, vec![Slot::default(); others]));
+            .map(|(index, value)| Robot::new(params, id(index), *value, vec![Slot::default(); slots]));
         Ok(Self {
             robots: robots.collect::<Result<_, _>>()?,
             memory: Memory::new(&params, others),
@@ -74,8 +87,11 @@ impl<const D: usize, T: Transport> Fleet<D, T> {
             values: values.to_vec(),
             malicious: scenario.malicious_mask(),
             outbox: vec![None; values.len()],
+            notices: None,
+            buffer: vec![0; MESSAGE_BYTES.max(bytes_max(scenario.team.robots, D))],
             transport,
-            edges: Edges::new(scenario),
+            edges: Edges::new(scenario, &params),
+            lists: params.controller().tells_lists(),
             ticks_per_round: scenario.ticks_per_round(),
             tick: 0,
             tick_s: params.settings().clock.level_period.as_secs_f64(),
@@ -87,8 +103,12 @@ impl<const D: usize, T: Transport> Fleet<D, T> {
         self.begin_tick(frame, liars);
         self.sense(frame);
         self.share(liars);
-        self.send(liars);
-        self.deliver();
+        if self.notices.is_some() {
+            self.hand_over();
+        } else {
+            self.send(liars);
+            self.deliver();
+        }
         self.control(frame, liars);
         self.tick = self.tick.saturating_add(1);
     }
@@ -114,30 +134,35 @@ impl<const D: usize, T: Transport> Fleet<D, T> {
         if self.tick.is_multiple_of(self.ticks_per_round) {
             frame.heard.fill([0; 2]);
         }
-        self.edges.begin_tick(time_s, &frame.positions_m);
+        self.edges.begin_tick(self.tick, time_s, &frame.positions_m);
         self.transport.begin_tick(self.tick);
         liars.begin_tick(self.tick);
         for (index, robot) in self.robots.iter_mut().enumerate() {
+            frame.down[index] = self.edges.downtime.down(index);
             if self.edges.downtime.reborn(index) {
                 // The value was good once.
                 let _ = robot.restart(self.values[index]);
+                self.edges.sight.forget(index);
             }
         }
     }
 
     fn sense(&mut self, frame: &Frame<D>) {
         let sight_m2 = self.params.link().radius_m * self.params.link().radius_m;
-        let Edges { clocks, senses, downtime } = &mut self.edges;
+        let Edges { clocks, senses, sight, downtime } = &mut self.edges;
         for (observer, robot) in self.robots.iter_mut().enumerate() {
             if downtime.down(observer) {
                 continue;
             }
             let own = &frame.positions_m[observer];
-            // Sensed positions are finite and clocks rise, so nothing here is refused.
+            // Sensed positions are finite and clocks rise, so nothing here is refused unless slots are too few.
             let _ = robot.sense(clocks.now(observer, self.tick), senses.sense(observer, observer, own));
             for (index, position) in frame.positions_m.iter().enumerate() {
-                if index != observer && squared_distance(own, position) <= sight_m2 {
-                    let _ = robot.observe(id(index), senses.sense(observer, index, position));
+                let within = squared_distance(own, position) <= sight_m2;
+                if index != observer && sight.senses((observer, own), index, within) {
+                    let sensed = senses.sense(observer, index, position);
+                    sight.note((observer, index), position, &sensed);
+                    let _ = robot.observe(id(index), sensed);
                 }
             }
         }
@@ -156,20 +181,53 @@ impl<const D: usize, T: Transport> Fleet<D, T> {
             let Some(message) = *slot else { continue };
             let level = liars.level(index, message.level());
             robot.restate(level);
+            if liars.binds(index) {
+                robot.oblige();
+            }
             let value = message.value().map(|value| liars.value(index, value));
             *slot = Message::new(message.sequence(), message.stamp(), level, value).ok();
         }
+    }
+
+    /// What is told to every other robot, without bytes and with the same bits.
+    fn hand_over(&mut self) {
+        let mut notices = self.notices.take().unwrap_or_default();
+        notices.clear();
+        for (sender, message) in self.outbox.iter().enumerate() {
+            let Some(message) = message else { continue };
+            for receiver in (0..self.robots.len()).filter(|receiver| *receiver != sender) {
+                let notice = self.robots[sender].notice(message, id(receiver));
+                notices.extend(notice.map(|notice| (sender, receiver, notice)));
+            }
+        }
+        for (sender, receiver, notice) in &notices {
+            // Robots out of range refuse it.
+            let _ = self.robots[*receiver].receive_notice(id(*sender), notice);
+        }
+        self.notices = Some(notices);
     }
 
     /// Bytes to every other robot, each with its own fate.
     fn send(&mut self, liars: &mut Liars) {
         for (sender, message) in self.outbox.iter().enumerate() {
             let Some(message) = message else { continue };
+            let own = &self.robots[sender];
+            let all = encode(own, message, &mut self.buffer);
             for (receiver, robot) in self.robots.iter().enumerate() {
                 if receiver == sender {
                     continue;
                 }
-                if let Some(bytes) = liars.bytes(sender, message, robot.value()) {
+                let bytes = match liars.face(sender, message, robot.value()) {
+                    Face::Silence => None,
+                    Face::Bytes(bytes) => Some(bytes.into()),
+                    Face::Message(told) if told == *message => all.clone(),
+                    Face::Message(told) => encode(own, &told, &mut self.buffer),
+                };
+                let bytes = match bytes {
+                    Some(bytes) if self.lists => liars.lists(sender, id(receiver), robot.wish_m_s(), bytes),
+                    bytes => bytes,
+                };
+                if let Some(bytes) = bytes {
                     // A message for which there is no room is lost.
                     let _ = self.transport.send(Parcel { sender, receiver, bytes });
                 }
@@ -182,17 +240,15 @@ impl<const D: usize, T: Transport> Fleet<D, T> {
             if self.edges.downtime.down(receiver) {
                 continue;
             }
-            if let Ok(message) = Message::parse(&bytes) {
-                // Robots out of range are not neighbours and refuse it.
-                let _ = self.robots[receiver].receive(id(sender), &message);
-            }
+            // Robots refuse what is no message, and what comes from out of range.
+            let _ = self.robots[receiver].receive_bytes(id(sender), &bytes);
         }
     }
 
     fn control(&mut self, frame: &mut Frame<D>, liars: &mut Liars) {
         let input = self.params.settings().limits.input;
         let mut scratch = self.memory.lend();
-        let mut ends: u32 = 0;
+        let (mut ends, own_way): (u32, bool) = (0, self.params.weighs_its_own_way());
         for (index, robot) in self.robots.iter_mut().enumerate() {
             if self.edges.downtime.down(index) {
                 stand(index, frame, &self.edges.downtime);
@@ -204,18 +260,28 @@ impl<const D: usize, T: Transport> Fleet<D, T> {
                 None => output.velocity_m_s,
             };
             frame.degrees[index] = output.report.degree;
-            frame.levels[index] =
-                robot.neighbors().iter().fold(0.0, |level, slot| level + slot.link().weight);
+            frame.levels[index] = if self.lists {
+                output.report.level
+            } else {
+                robot.neighbors().iter().fold(0.0, |level, slot| level + slot.link().weight)
+            };
             frame.h[index] = output.report.h;
             frame.told[index] = robot.told_level();
             frame.phis[index] = match output.report.phi {
                 Some(phi) => phi,
-                None if frame.wants_phi => phi(robot, &self.composed),
+                None if frame.wants_phi && !own_way => phi(robot, &self.composed),
                 None => f64::NAN,
             };
             frame.outcomes[index] = output.report.outcome;
             frame.modes[index] = output.report.mode;
             frame.values[index] = liars.value(index, robot.value());
+            frame.held[index] = robot.value();
+            if self.lists {
+                frame.counted[index].clear();
+                frame.counted[index].extend(robot.counted().map(|id| id.0));
+                frame.rows[index].clear();
+                frame.rows[index].extend(robot.keeps_rows_for().map(|id| id.0));
+            }
             ends += u32::from(output.report.degree);
             if output.report.round.is_some() {
                 frame.heard[index] = heard(robot, &self.malicious);
@@ -223,6 +289,16 @@ impl<const D: usize, T: Transport> Fleet<D, T> {
         }
         frame.links = ends / 2;
     }
+}
+
+/// The bytes of a message of `robot`.
+fn encode<const D: usize>(
+    robot: &Robot<D, Vec<Slot<D>>>,
+    message: &Message,
+    buffer: &mut [u8],
+) -> Option<Bytes> {
+    let length = robot.encode(message, buffer)?;
+    Some(Bytes::from(&buffer[..length]))
 }
 
 /// What is known of a robot that is down: how it moves. It has no φ_i and solves no program; the rest stays as it was.

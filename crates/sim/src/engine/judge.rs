@@ -1,6 +1,5 @@
 //! Which assumptions of the theorem hold in a tick, as only the world can know.
 
-use closeranks_core::controller::budget::knowledge::Assume;
 use closeranks_core::settings::params::Params;
 
 use crate::attack::MotionAttack;
@@ -28,13 +27,14 @@ pub(crate) struct Judge {
     away_m: f64,
     position_error_m: f64,
     clock_error_s: f64,
+    clock_drift: f64,
 }
 
 impl Judge {
     /// For the robots of `scenario`.
     pub(crate) fn new<const D: usize>(scenario: &Scenario, params: &Params<D>) -> Self {
         let settings = params.settings();
-        let obedient = scenario.budget.assume == Assume::Obedient;
+        let obedient = params.controller().is_obeyed();
         let disobedient = scenario.attack.motion != MotionAttack::Obedient && !scenario.malicious.is_empty();
         Self {
             malicious: scenario.malicious_mask(),
@@ -42,6 +42,7 @@ impl Judge {
             away_m: params.kept().errors.away_m,
             position_error_m: settings.errors.position_m,
             clock_error_s: settings.clock.error.as_secs_f64(),
+            clock_drift: settings.clock.drift.as_secs_f64(),
         }
     }
 
@@ -57,10 +58,19 @@ impl Judge {
         let edges = robots.edges();
         frame.assumptions.unsteady = edges.is_some_and(|edges| self.is_unsteady(edges));
         for (index, wrong) in frame.assumptions.sensed_wrong.iter_mut().enumerate() {
-            *wrong = edges.is_some_and(|edges| edges.senses.error_m(index) > self.position_error_m + STILL_M);
+            *wrong = edges.is_some_and(|edges| {
+                let error_m = edges.senses.error_m(index);
+                error_m > self.position_error_m + STILL_M || edges.sight.overlooks(index)
+            });
+        }
+        for (index, unsensed) in frame.assumptions.unsensed.iter_mut().enumerate() {
+            *unsensed = edges.is_some_and(|edges| edges.sight.misses(index));
         }
         let misled = edges.is_some_and(|edges| {
-            edges.downtime.blind() || edges.clocks.difference_s(tick) > self.clock_error_s + CLOCK_S
+            let clocks = &edges.clocks;
+            edges.downtime.blind()
+                || clocks.difference_s(tick) > self.clock_error_s + CLOCK_S
+                || clocks.drift() > self.clock_drift + CLOCK_S
         });
         frame.assumptions.broken = self.disobeyed
             || misled

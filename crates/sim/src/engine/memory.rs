@@ -20,12 +20,14 @@ impl<const D: usize> Memory<D> {
     #[must_use]
     pub fn new(params: &Params<D>, robots: usize) -> Self {
         let needs = Needs::new(params, robots);
+        // Every row may be there once for every corner of a cube, if all others are missing.
+        let rows = needs.rows.max((2 * robots + 1) * (1 << D) + 2 * D);
         Self {
             params: *params,
             robots,
             values: vec![0.0; needs.values],
             sightings: vec![Sighting::NOBODY; needs.sightings],
-            rows: vec![Row::default(); needs.rows],
+            rows: vec![Row::default(); rows],
         }
     }
 

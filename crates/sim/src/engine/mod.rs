@@ -6,6 +6,7 @@ pub mod fleet;
 pub(crate) mod judge;
 mod links;
 pub mod memory;
+pub(crate) mod phi;
 pub(crate) mod robots;
 mod sees;
 pub mod team;
@@ -14,6 +15,7 @@ use closeranks_core::controller::AnyController;
 use closeranks_core::robot::error::RobotError;
 use closeranks_core::settings::params::Params;
 
+use crate::attack::ListsAttack;
 use crate::engine::fleet::Fleet;
 use crate::engine::robots::Robots;
 use crate::engine::team::Team;
@@ -41,6 +43,13 @@ pub(crate) fn robots<const D: usize>(
 ) -> Result<Box<dyn Robots<D>>, RobotError> {
     let controller = *params.controller();
     let steady = !controller.promises() || is_near(scenario, &params, frame);
+    if engine == Engine::Team
+        && scenario.is_plain()
+        && controller.tells_lists()
+        && scenario.attack.lists == ListsAttack::None
+    {
+        return Ok(Box::new(Fleet::at_once(scenario, params, values)?));
+    }
     let at_once = scenario.is_plain() && controller.can_be_computed_at_once() && steady;
     if engine == Engine::Robots || !at_once {
         return Ok(Box::new(Fleet::new(scenario, params, values)?));
@@ -48,6 +57,7 @@ pub(crate) fn robots<const D: usize>(
     Ok(match controller {
         AnyController::Composed(composed) => Box::new(Team::new(scenario, params, composed, values)),
         AnyController::Budget(budget) => Box::new(Team::new(scenario, params, budget, values)),
+        AnyController::Links(_) => Box::new(Fleet::new(scenario, params, values)?),
         AnyController::None(none) => Box::new(Team::new(scenario, params, none, values)),
     })
 }

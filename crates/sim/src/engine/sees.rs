@@ -19,10 +19,12 @@ impl Sees {
     /// Takes the links, robot by robot with those before it.
     pub(crate) fn fill<'a>(&mut self, links: impl Iterator<Item = (usize, &'a [u16])>) {
         self.bits.fill(0);
+        let words = self.words;
         for (second, firsts) in links {
+            let (before, from_second) = self.bits.split_at_mut(second * words);
             for first in firsts.iter().map(|first| usize::from(*first)) {
-                self.bits[first * self.words + second / 64] |= 1 << (second % 64);
-                self.bits[second * self.words + first / 64] |= 1 << (first % 64);
+                before[first * words + second / 64] |= 1 << (second % 64);
+                from_second[first / 64] |= 1 << (first % 64);
             }
         }
     }
@@ -36,10 +38,16 @@ impl Sees {
     /// How many neighbours of `other` `robot` does not see, itself left aside.
     #[inline]
     pub(crate) fn unseen_near(&self, robot: usize, other: usize) -> usize {
-        if self.words == 1 {
-            let (own, its) = (self.bits[robot], self.bits[other]);
-            return (its & !own & !(1 << robot)).count_ones() as usize;
+        if self.words > 1 {
+            return self.unseen_near_of_many(robot, other);
         }
+        let (own, its) = (self.bits[robot], self.bits[other]);
+        (its & !own & !(1 << robot)).count_ones() as usize
+    }
+
+    /// The same in a team whose bits take several words.
+    #[inline(never)]
+    fn unseen_near_of_many(&self, robot: usize, other: usize) -> usize {
         let [own, its] = [robot, other].map(|of| &self.bits[of * self.words..][..self.words]);
         let beyond = own.iter().zip(its).map(|(own, its)| (its & !own).count_ones() as usize);
         beyond.sum::<usize>() - usize::from(self.linked(other, robot))

@@ -6,8 +6,7 @@
 
 use closeranks_core::controller::{Control, Decision, Glimpse, Low, Motion, Neighbor, Own, Standing};
 use closeranks_core::equations::barrier::degree_barrier;
-use closeranks_core::equations::composition::{Composed, Sum};
-use closeranks_core::num::{dot, sqrt, subtract};
+use closeranks_core::num::{Vector, dot, sqrt, subtract};
 use closeranks_core::robot::neighbor::RobotId;
 use closeranks_core::robot::scratch::Scratch;
 use closeranks_core::settings::params::Params;
@@ -17,10 +16,10 @@ use crate::engine::consensus::Consensus;
 use crate::engine::dense::{DENSE_MAX, Dense};
 use crate::engine::links::{Linked, Links};
 use crate::engine::memory::Memory;
+use crate::engine::phi::Phi;
 use crate::engine::sees::{Around, Half, Sees};
 use crate::frame::Frame;
 use crate::geometry::near::small;
-use crate::geometry::squared_distance;
 use crate::scenario::Scenario;
 
 /// A team in a perfect network.
@@ -28,7 +27,8 @@ use crate::scenario::Scenario;
 pub struct Team<const D: usize, C: Control<D>> {
     robots: Robots<D, C>,
     consensus: Consensus,
-    phi: Phi,
+    /// φ_i of a controller that does not use it, from what all told; `None` where that is of another weight than φ.
+    phi: Option<Phi>,
     memory: Memory<D>,
     tick: u32,
 }
@@ -46,17 +46,27 @@ struct Robots<const D: usize, C: Control<D>> {
     /// What others make of what each told, and what each adds up.
     told: Vec<C::Told>,
     sums: Vec<C::Sums>,
-    /// What those who see everybody know of each.
-    known: Vec<C::Known>,
+    /// What can be said of each, and what those who see everybody know of it.
+    others: Vec<Other<C::Told, C::Known>>,
 }
 
-/// φ_i of controllers that do not use it.
-#[derive(Clone, Debug)]
-struct Phi {
-    composed: Composed,
-    terms: Vec<f64>,
-    sums: Vec<Sum<0, f64>>,
-    radius_m2: f64,
+/// What can be said of a robot in a tick, in one place, because every neighbour asks for all of it.
+#[derive(Clone, Copy, Debug)]
+struct Other<Told, Known> {
+    told_level: f64,
+    told: Told,
+    level: f64,
+    degree: u16,
+    known: Known,
+}
+
+/// A robot that looks at its neighbours.
+#[derive(Clone, Copy, Debug)]
+struct Looker<const D: usize> {
+    index: usize,
+    position_m: Vector<D>,
+    /// How many robots of the team it does not see.
+    unseen: usize,
 }
 
 impl<const D: usize, C: Control<D> + Copy> Team<D, C> {
@@ -73,18 +83,17 @@ impl<const D: usize, C: Control<D> + Copy> Team<D, C> {
             dense: (C::LOOKS && count <= DENSE_MAX).then(|| Dense::new(count)),
             told: Vec::with_capacity(count),
             sums: Vec::with_capacity(count),
-            known: Vec::with_capacity(count),
+            others: Vec::with_capacity(count),
         };
         Self {
             robots,
             consensus: Consensus::new(scenario, values),
-            phi: Phi::new(scenario),
+            phi: (!params.weighs_its_own_way()).then(|| Phi::new(scenario)),
             memory: Memory::new(&params, count),
             tick: 0,
         }
     }
 
-    /// τ₁, s.
     /// One tick: fills everything in `frame` but positions and desired velocities.
     pub fn step(&mut self, frame: &mut Frame<D>, liars: &mut Liars) {
         let (robots, round) = (&mut self.robots, self.consensus.is_due(self.tick));
@@ -99,8 +108,8 @@ impl<const D: usize, C: Control<D> + Copy> Team<D, C> {
         }
         robots.add(frame);
         robots.control(frame, &mut self.memory.lend());
-        if frame.wants_phi && !C::USES_PHI {
-            self.phi.fill(robots.links.by_second(), frame);
+        if let Some(phi) = self.phi.as_mut().filter(|_| frame.wants_phi && !C::USES_PHI) {
+            phi.fill(robots.links.by_second(), &frame.told, &frame.positions_m, &mut frame.phis);
         }
         self.tick = self.tick.saturating_add(1);
     }
@@ -115,33 +124,39 @@ impl<const D: usize, C: Control<D> + Copy> Robots<D, C> {
             frame.told[index] = liars.level(index, *level);
             self.told.push(self.controller.told(id(index), Some(frame.told[index])));
         }
-        self.known.clear();
+        self.others.clear();
         if C::LOOKS {
-            let glimpses = (0..frame.told.len()).map(|other| glimpse(frame, &self.told, other));
-            self.known.extend(glimpses.map(|glimpse| self.controller.know(&glimpse)));
+            self.others.extend((0..frame.told.len()).map(|other| Other {
+                told_level: frame.told[other],
+                told: self.told[other],
+                level: frame.levels[other],
+                degree: frame.degrees[other],
+                known: self.controller.know(&glimpse(frame, &self.told, other)),
+            }));
         }
     }
 
     /// What each adds up over its neighbours.
     fn add(&mut self, frame: &Frame<D>) {
-        let (controller, told) = (&self.controller, &self.told);
+        let (controller, told) = (&self.controller, &self.told[..]);
         self.sums.clear();
         self.sums.extend(told.iter().map(|own| controller.sums(own)));
+        let sums = &mut self.sums[..];
         if !C::ADDS {
             return;
         }
         for (second, firsts) in self.links.by_second() {
-            let mut own = self.sums[second];
+            let mut own = sums[second];
             for first in firsts.iter().map(|first| usize::from(*first)) {
                 controller.hear(&mut own, &told[first]);
-                controller.hear(&mut self.sums[first], &told[second]);
+                controller.hear(&mut sums[first], &told[second]);
             }
-            self.sums[second] = own;
+            sums[second] = own;
         }
         for Linked { ends, pair } in self.links.pairs() {
             let [first, second] = ends.map(usize::from);
             let offset_m = subtract(&frame.positions_m[first], &frame.positions_m[second]);
-            let (before, from_second) = self.sums.split_at_mut(second);
+            let (before, from_second) = sums.split_at_mut(second);
             let sums = [&mut before[first], &mut from_second[0]];
             controller.add_both(sums, &offset_m, pair, [&told[first], &told[second]]);
         }
@@ -171,12 +186,13 @@ impl<const D: usize, C: Control<D> + Copy> Robots<D, C> {
     fn control_in_tables(&self, dense: &mut Dense, frame: &mut Frame<D>, scratch: &mut Scratch<'_, D>) {
         dense.fill(self.links.pairs(), self.links.pair_weights());
         for robot in 0..frame.positions_m.len() {
-            if usize::from(frame.degrees[robot]) + 1 < frame.positions_m.len() {
+            let looker = Looker::new(robot, frame);
+            if looker.unseen > 0 {
                 dense.look_around(robot);
             }
-            let neighbors = dense
-                .neighbors(robot)
-                .map(|(other, pair)| self.neighbor(robot, other, pair, Low::Known(dense.low(other)), frame));
+            let neighbors = dense.neighbors(robot).map(|(other, pair)| {
+                self.neighbor(&looker, other, pair, Low::Known(dense.low(other)), frame)
+            });
             let decision = self.decide(robot, neighbors, frame, scratch);
             self.take(robot, &decision, frame);
         }
@@ -186,10 +202,11 @@ impl<const D: usize, C: Control<D> + Copy> Robots<D, C> {
     fn control_in_lists(&mut self, frame: &mut Frame<D>, scratch: &mut Scratch<'_, D>) {
         self.around.fill(frame.positions_m.len(), self.links.pairs());
         for robot in 0..frame.positions_m.len() {
+            let looker = Looker::new(robot, frame);
             let neighbors = self.around.of(robot).iter().map(|half| {
                 let other = usize::from(half.other);
                 let low = || self.seen_level(robot, other);
-                self.neighbor(robot, other, half.pair as usize, Low::Asked(&low), frame)
+                self.neighbor(&looker, other, half.pair as usize, Low::Asked(&low), frame)
             });
             let decision = self.decide(robot, neighbors, frame, scratch);
             self.take(robot, &decision, frame);
@@ -211,44 +228,48 @@ impl<const D: usize, C: Control<D> + Copy> Robots<D, C> {
         self.controller.decide(&own, &self.sums[robot], neighbors, &motion, scratch)
     }
 
+    #[inline]
     fn take(&self, robot: usize, decision: &Decision<D>, frame: &mut Frame<D>) {
         let (degree, h, need) = (frame.degrees[robot], frame.h[robot], self.params.need().need(id(robot)));
         let (outcome, phi, reason) = (decision.outcome, decision.phi, decision.doubt);
         frame.velocities_m_s[robot] = decision.velocity_m_s;
         frame.outcomes[robot] = outcome;
         frame.modes[robot] =
-            self.controller.mode(&Standing { degree, need, h, phi, outcome, untold: 0, reason });
+            self.controller.mode(&Standing { degree, need, h, phi, outcome, untold: 0, missing: 0, reason });
         if let Some(phi) = phi {
             frame.phis[robot] = phi;
         }
     }
 
-    /// A neighbour as `robot` knows it.
+    /// A neighbour as a robot knows it.
     #[inline(always)]
     #[expect(clippy::inline_always, reason = "asked of every neighbour in every tick")]
     fn neighbor(
         &self,
-        robot: usize,
+        looker: &Looker<D>,
         other: usize,
         pair: usize,
         low: Low<'_>,
         frame: &Frame<D>,
     ) -> Neighbor<'_, D, C::Pair, C::Known> {
-        let offset_m = subtract(&frame.positions_m[robot], &frame.positions_m[other]);
-        let linked = &self.links.pairs()[pair];
-        let unseen = frame.positions_m.len() - 1 - usize::from(frame.degrees[robot]);
-        let known = if unseen == 0 {
-            self.known[other]
-        } else {
-            self.controller.know(&Glimpse {
-                unseen,
-                unseen_near: self.sees.unseen_near(robot, other),
-                distance_m: sqrt(dot(&offset_m, &offset_m)),
-                low,
-                ..glimpse(frame, &self.told, other)
-            })
-        };
-        Neighbor { id: id(other), offset_m, pair: Some(&linked.pair), known }
+        let offset_m = subtract(&looker.position_m, &frame.positions_m[other]);
+        let (pair, id) = (Some(&self.links.pairs()[pair].pair), id(other));
+        let Other { told_level, told, level, degree, known } = &self.others[other];
+        if looker.unseen == 0 {
+            return Neighbor { id, offset_m, pair, known: *known };
+        }
+        let known = self.controller.know(&Glimpse {
+            id,
+            told_level: *told_level,
+            told,
+            level: *level,
+            degree: *degree,
+            unseen: looker.unseen,
+            unseen_near: self.sees.unseen_near(looker.index, other),
+            distance_m: sqrt(dot(&offset_m, &offset_m)),
+            low,
+        });
+        Neighbor { id, offset_m, pair, known }
     }
 
     /// Sum of the weights of `other` with `robot` and with whomever it sees, in order of numbers.
@@ -289,53 +310,10 @@ fn glimpse<'a, const D: usize, Told>(frame: &Frame<D>, told: &'a [Told], other: 
     }
 }
 
-impl Phi {
-    fn new(scenario: &Scenario) -> Self {
-        let radius_m2 = scenario.link.radius_m * scenario.link.radius_m;
-        Self { composed: scenario.composition(), terms: Vec::new(), sums: Vec::new(), radius_m2 }
-    }
-
-    /// φ_i of every robot, from what all told and all distances.
-    fn fill<'a, const D: usize>(
-        &mut self,
-        links: impl Iterator<Item = (usize, &'a [u16])>,
-        frame: &mut Frame<D>,
-    ) {
-        let composed = self.composed;
-        self.terms.clear();
-        self.terms.extend(frame.told.iter().map(|told| composed.degree_term::<f64>(*told)));
-        self.sums.clear();
-        self.sums.extend(self.terms.iter().map(|term| Sum::new(*term)));
-        for (second, firsts) in links {
-            for first in firsts.iter().map(|first| usize::from(*first)) {
-                let distance_m2 = squared_distance(&frame.positions_m[first], &frame.positions_m[second]);
-                let collision = composed.collision_term(distance_m2);
-                for (end, other) in [(first, second), (second, first)] {
-                    self.sums[end].add_told(composed.shared(self.terms[other]));
-                    self.sums[end].add_link(&[], 0.0, collision);
-                }
-            }
-        }
-        for robot in 0..frame.told.len() {
-            let phi = self.sums[robot].phi(&composed);
-            frame.phis[robot] = if phi.is_finite() { phi } else { self.careful(robot, frame) };
-        }
-    }
-
-    /// φ_i of a robot whose plain sums overflowed.
-    fn careful<const D: usize>(&self, robot: usize, frame: &Frame<D>) -> f64 {
-        let own = &frame.positions_m[robot];
-        let others =
-            frame.positions_m.iter().zip(&frame.told).enumerate().filter(|(other, _)| *other != robot);
-        let near = others.filter_map(|(_, (position, told))| {
-            let distance_m2 = squared_distance(own, position);
-            (self.radius_m2 - distance_m2 >= 0.0).then_some((distance_m2, *told))
-        });
-        self.composed.phi(
-            frame.told[robot],
-            near.clone().map(|(_, told)| told),
-            near.map(|(distance, _)| distance),
-        )
+impl<const D: usize> Looker<D> {
+    fn new(index: usize, frame: &Frame<D>) -> Self {
+        let unseen = frame.positions_m.len() - 1 - usize::from(frame.degrees[index]);
+        Self { index, position_m: frame.positions_m[index], unseen }
     }
 }
 

@@ -16,6 +16,8 @@ pub struct Clocks {
     pub offset_max_s: f64,
     /// Each clock is fast or slow by up to this, s/s.
     pub drift_max: f64,
+    /// All clocks are slow together by this, s/s.
+    pub slow: f64,
 }
 
 impl Clocks {
@@ -24,6 +26,7 @@ impl Clocks {
         let mut clocks = Self::default();
         set(&mut clocks.offset_max_s, reader.number(section, "offset_max_s", Allowed::Closed(0.0, 3_600.0)));
         set(&mut clocks.drift_max, reader.number(section, "drift_max", Allowed::Closed(0.0, 0.5)));
+        set(&mut clocks.slow, reader.number(section, "slow", Allowed::Closed(0.0, 0.4)));
         clocks
     }
 }
@@ -40,12 +43,12 @@ impl Shown {
     /// The clocks of so many robots that tick every `tick`.
     #[must_use]
     pub fn new(clocks: Clocks, seed: u64, robots: u16, tick: Duration) -> Self {
-        let Clocks { offset_max_s, drift_max } = clocks;
+        let Clocks { offset_max_s, drift_max, slow } = clocks;
         let mut random = Random::new(seed, Stream::Clocks);
         let mut draws = |min, max| (0..robots).map(|_| random.uniform(min, max)).collect();
         Self {
             offsets_s: draws(0.0, offset_max_s),
-            drifts: draws(-drift_max, drift_max),
+            drifts: draws(-drift_max - slow, drift_max - slow),
             tick_nanos: u64::try_from(tick.as_nanos()).unwrap_or(u64::MAX),
         }
     }
@@ -63,6 +66,12 @@ impl Shown {
         #[expect(clippy::cast_possible_truncation, reason = "saturates")]
         let off = off as i64;
         Instant::from_nanos(world.saturating_add_signed(off))
+    }
+
+    /// The most that a clock gains or loses, s/s.
+    #[must_use]
+    pub fn drift(&self) -> f64 {
+        self.drifts.iter().fold(0.0, |most, drift| most.max(drift.abs()))
     }
 
     /// Greatest difference between any two clocks at `tick`, s.
@@ -84,9 +93,10 @@ mod tests {
     fn clocks_differ_by_their_offsets_and_ever_more_by_their_drifts() {
         let shown = |clocks| Shown::new(clocks, 1, 11, Duration::from_millis(5));
         assert_eq!(shown(Clocks::default()).now(3, 7), Instant::from_nanos(35_000_000));
-        let shown = shown(Clocks { offset_max_s: 0.2, drift_max: 0.01 });
+        let shown = shown(Clocks { offset_max_s: 0.2, drift_max: 0.01, slow: 0.0 });
         assert!((0.05..=0.2).contains(&shown.difference_s(0)));
         assert!((0.05..=0.4).contains(&shown.difference_s(2_000)), "at most 0.2 more after 10 s");
+        assert!(shown.drift() <= 0.01 && shown.drift() > 0.005);
         assert_ne!(shown.difference_s(0), shown.difference_s(2_000));
         assert!((0..11).all(|index| shown.now(index, 1) > shown.now(index, 0)));
     }

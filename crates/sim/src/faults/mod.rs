@@ -2,10 +2,12 @@
 //! player. All of them wrap the network, the clocks, the sensors or the robot itself: a robot never knows.
 
 pub mod clocks;
+pub mod dropouts;
 pub mod edges;
 pub mod network;
 pub mod outages;
 pub mod sensing;
+pub mod sight;
 pub mod spell;
 
 pub use clocks::Clocks;

@@ -9,7 +9,7 @@ use crate::parse::reader::{Reader, Section};
 use crate::random::{Random, Stream};
 use crate::transport::{Full, Parcel, Transport};
 
-/// How many messages may be late at once; more are lost. They take some 50 MB.
+/// How many messages may be late at once; more are lost. They take some 60 MB, and what lists of links need.
 pub(crate) const LATE_MAX: usize = 1 << 20;
 
 /// What the network does to every message on its way to one robot. Shares and probabilities lie in `[0, 1]`.
@@ -186,7 +186,7 @@ impl<T: Transport> Transport for FaultyNetwork<T> {
         let copies = if self.happens(self.network.duplicate) { 2 } else { 1 };
         let mut sent = Ok(());
         for _ in 0..copies {
-            sent = sent.and(self.send_copy(parcel));
+            sent = sent.and(self.send_copy(parcel.clone()));
         }
         sent
     }
@@ -217,10 +217,10 @@ mod tests {
     fn late_messages_are_bounded() {
         let network = Network { delay_min_s: 1.0, delay_max_s: 1.0, ..Network::default() };
         let mut wire = FaultyNetwork::new(InMemory::new(usize::MAX), network, 1, 2, 0.005);
-        let parcel = Parcel { sender: 0, receiver: 1, bytes: [0; MESSAGE_BYTES] };
+        let parcel = Parcel { sender: 0, receiver: 1, bytes: [0; MESSAGE_BYTES].into() };
         wire.begin_tick(0);
-        assert!((0..LATE_MAX).all(|_| wire.send(parcel) == Ok(())));
-        assert_eq!((wire.send(parcel), wire.poll()), (Err(Full), None));
+        assert!((0..LATE_MAX).all(|_| wire.send(parcel.clone()) == Ok(())));
+        assert_eq!((wire.send(parcel.clone()), wire.poll()), (Err(Full), None));
         wire.begin_tick(200);
         assert_eq!(core::iter::from_fn(|| wire.poll()).count(), LATE_MAX);
         assert_eq!(wire.send(parcel), Ok(()));
@@ -232,7 +232,8 @@ mod tests {
         (0..200)
             .map(|tick| {
                 wire.begin_tick(tick);
-                wire.send(Parcel { sender: 0, receiver: 1, bytes: [at(tick); MESSAGE_BYTES] }).unwrap();
+                wire.send(Parcel { sender: 0, receiver: 1, bytes: [at(tick); MESSAGE_BYTES].into() })
+                    .unwrap();
                 core::iter::from_fn(|| wire.poll()).map(|parcel| parcel.bytes[0]).collect()
             })
             .collect()

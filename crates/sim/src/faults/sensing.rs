@@ -2,6 +2,7 @@
 
 use closeranks_core::num::{Vector, add_scaled, dot, length, subtract};
 
+use crate::faults::dropouts::Dropouts;
 use crate::faults::spell::Spell;
 use crate::parse::common::NOT_NEGATIVE;
 use crate::parse::reader::{Reader, Section};
@@ -17,15 +18,24 @@ pub struct Sensing {
     pub frozen: Option<Spell>,
     /// For a while all robots, itself included, sense one robot so far off, m.
     pub jump: Option<(Spell, f64)>,
+    /// Who is not sensed at all.
+    pub dropouts: Dropouts,
 }
 
 impl Sensing {
+    /// True if everybody within R is sensed where it is.
+    #[must_use]
+    pub fn is_right(&self) -> bool {
+        *self == Self::default()
+    }
+
     /// Reads the table `sensing` of a scenario text for a team of so many robots.
     pub(crate) fn read(reader: &mut Reader, section: &mut Section<'_>, robots: u16) -> Self {
         Self {
             noise_m: reader.number_or(section, "noise_m", NOT_NEGATIVE, 0.0),
             frozen: Spell::read(reader, section, "frozen", robots),
             jump: Spell::read_with(reader, section, "jump", robots, ("by_m", NOT_NEGATIVE)),
+            dropouts: Dropouts::read(reader, section, robots),
         }
     }
 }

@@ -82,14 +82,15 @@ impl Found {
             self.firsts.resize(count, 0);
             self.distances_m2.resize(count, 0.0);
         }
+        let (firsts, distances_m2) = (&mut self.firsts[..count], &mut self.distances_m2[..count]);
         let (mut kept, radius_m2) = (0, radius_m * radius_m);
         for (first, position_m) in robots {
             let distance_m2 = squared_distance(position_m, own);
-            (self.firsts[kept], self.distances_m2[kept]) = (first, distance_m2);
+            (firsts[kept], distances_m2[kept]) = (first, distance_m2);
             // Where a robot is out of range, the next one takes its place.
             kept += usize::from(radius_m2 - distance_m2 >= 0.0);
         }
-        (&self.firsts[..kept], &self.distances_m2[..kept])
+        (&firsts[..kept], &distances_m2[..kept])
     }
 }
 

@@ -6,7 +6,9 @@ use crate::frame::Frame;
 use crate::law::{Law, Verdicts, Violation};
 use crate::monitors::before::Before;
 use crate::monitors::distance::Distances;
+use crate::monitors::held::Held;
 use crate::monitors::mode::ModeWatch;
+use crate::monitors::rest::RestWatch;
 use crate::monitors::time::{fraction, longer_ago};
 use crate::monitors::truth::{ROUNDING, Truth, required};
 use crate::scenario::Scenario;
@@ -25,8 +27,10 @@ pub(crate) struct Carry<const D: usize> {
     /// Robots that were safe once and must have been ever since: no assumption was broken.
     kept: Vec<bool>,
     distances: Distances<D>,
-    /// What robots say of it.
+    held: Held<D>,
+    /// What robots say of it, and how far they move.
     mode: ModeWatch<D>,
+    rest: RestWatch<D>,
     /// Ticks, and those in which every assumption held.
     ticks: [u64; 2],
 }
@@ -44,7 +48,9 @@ impl<const D: usize> Carry<D> {
             told_ticks,
             shares: params.budget().map_or([1.0, 0.0], |budget| [budget.gamma, budget.gain_slope]),
             mode: ModeWatch::new(scenario, params, told_ticks),
+            rest: RestWatch::new(scenario, params),
             distances: Distances::new(scenario, params),
+            held: Held::new(scenario, params),
             params,
             before: None,
             broken: None,
@@ -53,7 +59,14 @@ impl<const D: usize> Carry<D> {
         }
     }
 
-    /// Looks at one tick. `covered` is false where more robots lie than the team is prepared for.
+    /// Takes what was true in the last tick, before `truth` is about the next one. What comes back says nothing any more.
+    pub(crate) fn keep(&mut self, truth: &mut Truth) {
+        if let Some(before) = &mut self.before {
+            core::mem::swap(&mut before.truth, truth);
+        }
+    }
+
+    /// Looks at one tick; what was true in the one before was [kept](Self::keep). `covered` is false where more robots lie than the team is prepared for.
     pub(crate) fn watch(
         &mut self,
         tick: u32,
@@ -72,14 +85,18 @@ impl<const D: usize> Carry<D> {
         }
         let moves = !frame.assumptions.broken && covered;
         let claims = moves && longer_ago(self.broken, tick, self.told_ticks);
+        let moved = carried.is_some_and(|before| before.moves);
+        if self.lists() {
+            self.held.watch(tick, frame, [moved, moves], verdicts);
+        }
         for (counter, counts) in self.ticks.iter_mut().zip([true, claims]) {
             *counter += u64::from(counts);
         }
         if self.params.controller().promises() {
             self.mode.watch(tick, frame, truth, verdicts);
+            self.rest.watch(tick, frame, truth, verdicts);
         }
         let mut now = before.unwrap_or_default();
-        now.truth.clone_from(truth);
         now.positions_m.clone_from(&frame.positions_m);
         self.carry(frame, truth, &now, [moves, claims]);
         (now.moves, now.claims) = (moves, claims);
@@ -90,11 +107,18 @@ impl<const D: usize> Carry<D> {
     /// φ_i ≥ 0 (thm:cbf-qp).
     fn carry(&mut self, frame: &Frame<D>, truth: &Truth, before: &Before<D>, [moves, claims]: [bool; 2]) {
         let budget = self.params.controller().promises();
+        let lists = self.lists();
         let inside = budget || frame.phis.iter().all(|phi| *phi >= 0.0);
-        for (kept, h) in self.kept.iter_mut().zip(&truth.h) {
-            *kept = claims && ((inside && *h >= 0.0) || (*kept && before.claims));
+        for (index, (kept, h)) in self.kept.iter_mut().zip(&truth.h).enumerate() {
+            let safe = if lists { self.held.is_kept(index) } else { inside && *h >= 0.0 };
+            *kept = claims && (safe || (*kept && before.claims));
         }
         self.distances.carry(truth, before, inside, moves);
+    }
+
+    /// True if robots keep lists of links and not sums of weights.
+    fn lists(&self) -> bool {
+        self.params.controller().tells_lists()
     }
 
     /// What a tick leaves of h at least (docs/budget.md), written down once more.
@@ -129,7 +153,7 @@ impl<const D: usize> Carry<D> {
                     (budget && !frame.assumptions.broken && h >= 0.0) || carried.is_some(),
                 );
             }
-            if let Some(before) = before.filter(|_| budget) {
+            if let Some(before) = before.filter(|_| budget && !self.lists()) {
                 let floor = self.left(before.truth.h[index]);
                 if floor >= 0.0 && h < floor - ROUNDING {
                     verdicts.broke(Law::Decay, at(h, floor), carried.is_some());

@@ -1,5 +1,6 @@
 //! Distances of robots from tick to tick: how near they come, between ticks too, and how fast.
 
+use closeranks_core::controller::Kept;
 use closeranks_core::num::{Vector, add_scaled, dot, sqrt, subtract};
 use closeranks_core::settings::params::Params;
 
@@ -16,11 +17,10 @@ use crate::scenario::Scenario;
 #[derive(Clone, Debug)]
 pub(crate) struct Distances<const D: usize> {
     params: Params<D>,
+    kept: Kept,
     malicious: Vec<bool>,
     /// Distances with a malicious robot may collide: it goes where it likes.
     free: bool,
-    /// Squares of distances are rounded by far less than this, m².
-    blur_m2: f64,
     /// Pairs of the last tick that were safe once and must have been ever since: no assumption was broken.
     apart: Vec<bool>,
     /// The same of a pair that was too far away to be among them.
@@ -36,11 +36,10 @@ pub(crate) struct Distances<const D: usize> {
 impl<const D: usize> Distances<D> {
     /// For the robots of `scenario`.
     pub(crate) fn new(scenario: &Scenario, params: Params<D>) -> Self {
-        let radius_m = params.link().radius_m;
         Self {
             malicious: scenario.malicious_mask(),
             free: scenario.attack.motion != MotionAttack::Obedient,
-            blur_m2: ROUNDING * radius_m * radius_m,
+            kept: params.kept(),
             params,
             apart: Vec::new(),
             far_apart: false,
@@ -97,7 +96,7 @@ impl<const D: usize> Distances<D> {
             let nears = rooms_m2.is_some_and(|[floor_m2, now_m2]| now_m2 < floor_m2);
             if distance_m2 < near_m2 || nears {
                 let pair = Pair { place, robots, distance_m2, rooms_m2 };
-                self.watch_pair(&pair, tick, frame, before, verdicts);
+                self.watch_pair(&pair, tick, (frame, truth), before, verdicts);
             }
         });
         self.least_m2 = least_m2;
@@ -114,18 +113,18 @@ impl<const D: usize> Distances<D> {
     /// `D − Δ_d²` of two references, m²: the least that must be left of it since the tick before, and what is left. Of a pair
     /// that was too far away to be bounded nothing need be left.
     fn rooms_m2(&self, place: usize, truth: &Truth, before: &Before<D>) -> [f64; 2] {
-        let least_m = self.params.kept().distance_min_m;
+        let least_m = self.kept.distance_min_m;
         let now = truth.pairs.references_m2()[place] - least_m * least_m;
         let Some(then) = self.places.then(place) else { return [f64::NEG_INFINITY, now] };
         let then = before.truth.pairs.references_m2()[then] - least_m * least_m;
-        [(1.0 - self.gamma_c()) * then, now]
+        [(1.0 - self.kept.gamma_c) * then, now]
     }
 
     fn watch_pair(
         &self,
         pair: &Pair,
         tick: u32,
-        frame: &Frame<D>,
+        (frame, truth): (&Frame<D>, &Truth),
         before: Option<&Before<D>>,
         verdicts: &mut Verdicts,
     ) {
@@ -137,7 +136,7 @@ impl<const D: usize> Distances<D> {
         let at = |seen, demanded| Violation { tick, robots, seen, demanded };
         let carried = before.is_some_and(|before| before.moves && self.was_apart(pair.place));
         let least_m = self.params.settings().limits.distance_min_m;
-        let limit_m2 = self.limit_m2(least_m);
+        let limit_m2 = limit_m2(least_m, truth);
         if pair.distance_m2 < limit_m2 {
             verdicts.broke(Law::Distance, at(sqrt(pair.distance_m2), least_m), carried);
         }
@@ -147,24 +146,17 @@ impl<const D: usize> Distances<D> {
         if path_m2 < limit_m2 {
             verdicts.broke(Law::Path, at(sqrt(path_m2), least_m), carried);
         }
-        if self.binds(pair.place, before) && floor_m2 >= 0.0 && now_m2 < floor_m2 - self.blur_m2 {
+        if self.binds(pair.place, before)
+            && floor_m2 >= 0.0
+            && now_m2 < floor_m2 - truth.rounding_m2(pair.distance_m2)
+        {
             verdicts.broke(Law::Decay, at(now_m2, floor_m2), carried);
         }
     }
 
-    /// The fraction of `D − Δ_d²` that may be lost in a tick.
-    fn gamma_c(&self) -> f64 {
-        self.params.budget().map_or(1.0, |budget| budget.gamma_c)
-    }
-
-    /// A pair at least `least_m` apart is no nearer than this, but for rounding, m².
-    fn limit_m2(&self, least_m: f64) -> f64 {
-        least_m * least_m - self.blur_m2
-    }
-
     /// True if (near) bounded how fast a pair could come closer: under `budget`, if it was linked.
     fn binds(&self, place: usize, before: &Before<D>) -> bool {
-        let radius_m = self.params.kept().link.radius_m;
+        let radius_m = self.kept.link.radius_m;
         let budget = self.params.controller().promises();
         let then = self.places.then(place).map(|then| before.truth.pairs.references_m2()[then]);
         budget && then.is_some_and(|then_m2| then_m2 <= radius_m * radius_m)
@@ -180,7 +172,7 @@ impl<const D: usize> Distances<D> {
 
     /// What is safe now, or was and must still be, must be so at the next tick. `inside` is false while nothing is promised.
     pub(crate) fn carry(&mut self, truth: &Truth, before: &Before<D>, inside: bool, moves: bool) {
-        let limit_m2 = self.limit_m2(self.params.kept().distance_min_m);
+        let limit_m2 = limit_m2(self.kept.distance_min_m, truth);
         let mut scratch = core::mem::take(&mut self.scratch);
         scratch.clear();
         scratch.extend(truth.pairs.references_m2().iter().enumerate().map(|(place, pair_m2)| {
@@ -199,6 +191,12 @@ struct Pair {
     distance_m2: f64,
     /// See [`Distances::rooms_m2`].
     rooms_m2: Option<[f64; 2]>,
+}
+
+/// A pair at least `least_m` apart is no nearer than this, but for rounding, m².
+fn limit_m2(least_m: f64, truth: &Truth) -> f64 {
+    let least_m2 = least_m * least_m;
+    least_m2 - truth.rounding_m2(least_m2)
 }
 
 /// Square of the least distance while an offset goes straight from `start` to `end`, m².

@@ -4,8 +4,10 @@ mod before;
 mod carry;
 mod distance;
 mod heard;
+mod held;
 mod mode;
 mod pairs;
+mod rest;
 pub mod robustness;
 mod time;
 pub(crate) mod truth;
@@ -42,6 +44,8 @@ pub struct Monitors<const D: usize> {
     spread: Option<f64>,
     heard: Heard,
     extremes: Extremes,
+    /// Memory for E^c of the pairs of a tick.
+    collisions: Vec<f64>,
 }
 
 /// Least and greatest over a run.
@@ -87,6 +91,7 @@ impl<const D: usize> Monitors<D> {
             heard: Heard::new(scenario),
             interval: None,
             spread: None,
+            collisions: Vec::new(),
             extremes: Extremes {
                 degree_min: None,
                 malicious_degree_min: None,
@@ -126,6 +131,17 @@ impl<const D: usize> Monitors<D> {
         &self.extremes
     }
 
+    /// The state of the last tick as it is.
+    pub(crate) fn truth(&self) -> &Truth {
+        &self.truth
+    }
+
+    /// How many neighbours a robot must have at the start so that a controller without weights can keep enough.
+    #[must_use]
+    pub fn kept_degree(&self) -> u16 {
+        truth::keep(&self.params)
+    }
+
     /// What the theorem of `budget` came to.
     #[must_use]
     pub(crate) fn carry(&self) -> &Carry<D> {
@@ -136,6 +152,7 @@ impl<const D: usize> Monitors<D> {
     pub fn watch(&mut self, tick: u32, frame: &Frame<D>) {
         let broken = |verdicts: &Verdicts| verdicts.of(Law::Degree).count + verdicts.of(Law::Distance).count;
         let before = broken(&self.verdicts);
+        self.carry.keep(&mut self.truth);
         self.truth.look(&self.params, &self.malicious, frame, self.plain);
         self.carry.watch(tick, frame, &self.truth, self.few_lie, &mut self.verdicts);
         self.watch_degrees();
@@ -173,14 +190,17 @@ impl<const D: usize> Monitors<D> {
         self.extremes.distance_min_m = sqrt(self.carry.least_m2());
     }
 
-    /// φ of the true levels.
+    /// φ of the true levels, of the paper's weight whatever the controller.
     //= paper eq:composition
     fn watch_composition(&mut self, tick: u32) {
         let (composed, radius_m) = (self.composed, self.params.link().radius_m);
         let near = self.truth.pairs.references_m2().iter().filter(|pair| **pair <= radius_m * radius_m);
-        let collisions: f64 =
-            near.map(|pair| composed.collision_term::<f64>(*pair)).fold(0.0, |sum, term| sum + term);
-        let degrees: f64 = self.truth.levels.iter().map(|level| composed.degree_term::<f64>(*level)).sum();
+        self.collisions.clear();
+        self.collisions.extend(near);
+        composed.collision_terms(&mut self.collisions);
+        let collisions = self.collisions.iter().fold(0.0, |sum, term| sum + term);
+        let degrees: f64 =
+            self.truth.paper_levels.iter().map(|level| composed.degree_term::<f64>(*level)).sum();
         let phi = 1.0 - degrees - collisions;
         self.extremes.phi_global_min = self.extremes.phi_global_min.min(phi);
         if phi < 0.0 {

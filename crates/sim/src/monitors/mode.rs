@@ -3,8 +3,9 @@
 use closeranks_core::robot::report::Mode;
 use closeranks_core::settings::params::Params;
 
-use crate::attack::MotionAttack;
+use crate::attack::{Attack, LevelAttack, ListsAttack, MotionAttack};
 use crate::faults::Clocks;
+use crate::faults::network::Network;
 use crate::frame::Frame;
 use crate::law::{Law, Verdicts, Violation};
 use crate::monitors::time::{fraction, longer_ago, since};
@@ -16,13 +17,19 @@ const NOTICE_TICKS: u64 = 2;
 
 /// Watches the modes of normal robots under `budget`.
 #[derive(Clone, Debug)]
+#[expect(clippy::struct_excessive_bools, reason = "four facts, each with its own life")]
 pub(crate) struct ModeWatch<const D: usize> {
     params: Params<D>,
     malicious: Vec<bool>,
     /// Pairs with a malicious robot may collide: it goes where it likes.
     free: bool,
-    /// Robots know their own state exactly.
+    /// Robots know their own state exactly, and in time.
     exact: bool,
+    /// Whether lists of links are lost or lied about, so that nobody need count on anybody.
+    deaf: bool,
+    /// Whether an assumption was broken once, and when each robot last sensed something wrong.
+    broken: bool,
+    wrong: Vec<Option<u32>>,
     /// How much more h may seem to be than it is.
     blur: f64,
     told_ticks: u64,
@@ -34,6 +41,14 @@ pub(crate) struct ModeWatch<const D: usize> {
     recovery_ticks: u32,
 }
 
+/// True if robots of `links` may not hear each other, or are lied to about links.
+fn is_deaf<const D: usize>(scenario: &Scenario, params: &Params<D>) -> bool {
+    let Attack { level, lists, .. } = scenario.attack;
+    let told = !matches!(level, LevelAttack::Silent | LevelAttack::Garbage) && lists == ListsAttack::None;
+    let heard = scenario.faults.network == Network::default() && (told || scenario.malicious.is_empty());
+    params.controller().tells_lists() && !heard
+}
+
 impl<const D: usize> ModeWatch<D> {
     /// For the robots of `scenario`, who may use a level for `told_ticks`.
     pub(crate) fn new(scenario: &Scenario, params: Params<D>, told_ticks: u64) -> Self {
@@ -42,11 +57,15 @@ impl<const D: usize> ModeWatch<D> {
         Self {
             malicious: scenario.malicious_mask(),
             free: scenario.attack.motion != MotionAttack::Obedient,
-            exact: errors.offset_m == 0.0 && steady,
+            exact: errors.offset_m == 0.0 && steady && scenario.faults.sensing.dropouts.is_none(),
+            deaf: is_deaf(scenario, &params),
+            broken: false,
+            wrong: vec![None; usize::from(scenario.team.robots)],
             told_ticks,
             blur: 4.0 * errors.offset_m * fall_max * f64::from(scenario.team.robots),
             params,
-            unwell: None,
+            // Lists must have been exchanged once.
+            unwell: params.controller().tells_lists().then_some(0),
             counted: [0; 3],
             recovery_ticks: 0,
         }
@@ -62,8 +81,13 @@ impl<const D: usize> ModeWatch<D> {
         if !well {
             self.unwell = Some(tick);
         }
-        let healed =
-            self.exact && longer_ago(self.unwell, tick, self.told_ticks.saturating_add(NOTICE_TICKS));
+        let healed = self.exact
+            && !self.deaf
+            && longer_ago(self.unwell, tick, self.told_ticks.saturating_add(NOTICE_TICKS));
+        self.broken |= frame.assumptions.broken;
+        for (last, wrong) in self.wrong.iter_mut().zip(&frame.assumptions.sensed_wrong) {
+            *last = if *wrong { Some(tick) } else { *last };
+        }
         let mut all = true;
         for (robot, index) in (1_u16..).zip(0..truth.h.len()).filter(|(_, k)| !self.malicious[*k]) {
             let guaranteed = frame.modes[index] == Mode::Guaranteed;
@@ -73,8 +97,12 @@ impl<const D: usize> ModeWatch<D> {
                 *counter += u64::from(counts);
             }
             let at = |seen| Violation { tick, robots: [robot, 0], seen, demanded: 0.0 };
-            if guaranteed && !frame.assumptions.sensed_wrong[index] && self.untrue(index, truth, &crowded) {
-                verdicts.broke(Law::Mode, at(truth.h[index]), true);
+            let knows = !frame.assumptions.sensed_wrong[index] && !frame.assumptions.unsensed[index];
+            if guaranteed && knows && self.untrue(index, truth, &crowded) {
+                let misled =
+                    !longer_ago(self.wrong[index], tick, self.told_ticks) || !self.exact && self.broken;
+                let covered = !self.params.controller().tells_lists() || !misled;
+                verdicts.broke(Law::Mode, at(truth.h[index]), covered);
             }
             if !guaranteed && healed {
                 verdicts.broke(Law::Mode, at(f64::from(since(self.unwell, tick))), true);
@@ -96,8 +124,7 @@ impl<const D: usize> ModeWatch<D> {
     /// is too close to anybody.
     fn crowd(&self, truth: &Truth, anybody: bool) -> Vec<bool> {
         let kept = self.params.kept();
-        let radius_m = self.params.link().radius_m;
-        let blur_m2 = ROUNDING * radius_m * radius_m;
+        let blur_m2 = truth.rounding_m2(kept.distance_min_m * kept.distance_min_m);
         // A hair more for who must promise than for who may not: at the limit itself either is right.
         let limit_m2 = if anybody {
             kept.distance_min_m * kept.distance_min_m + blur_m2

@@ -6,7 +6,7 @@ use crate::geometry::near::{Near, small};
 use crate::geometry::{fill_pairs, squared_distance};
 
 /// Squared distances of pairs, second end after second end, and of each the first ends in order.
-#[derive(Debug, Default)]
+#[derive(Clone, Debug, Default)]
 pub(crate) struct Pairs {
     /// Ends of each pair, the lower number first; not filled if there are all pairs.
     ends: Vec<[u16; 2]>,
@@ -30,22 +30,6 @@ pub(crate) struct Places {
 
 /// In place of a place in a list that does not have the pair.
 const NOWHERE: u32 = u32::MAX;
-
-impl Clone for Pairs {
-    fn clone(&self) -> Self {
-        let mut clone = Self::default();
-        clone.clone_from(self);
-        clone
-    }
-
-    /// Copies into the memory that is there; what a look needs for itself is not copied.
-    fn clone_from(&mut self, other: &Self) {
-        self.ends.clone_from(&other.ends);
-        self.references_m2.clone_from(&other.references_m2);
-        self.positions_m2.clone_from(&other.positions_m2);
-        (self.sparse, self.robots) = (other.sparse, other.robots);
-    }
-}
 
 impl Pairs {
     /// Takes all pairs of which positions or references are at most `radius_m` apart; others may be there too.

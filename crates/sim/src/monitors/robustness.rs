@@ -13,6 +13,9 @@ use crate::frame::Frame;
 /// Nodes of the search that one round may cost, of order a microsecond each. Teams of eleven need some tens.
 const NODES: u64 = 20_000;
 
+/// How many rounds are kept of a run at most; of a longer one [`thin`] chooses.
+pub const ROUNDS_MAX: usize = 1 << 14;
+
 /// What a consensus round found.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Round {
@@ -49,9 +52,22 @@ impl Watcher {
             || malicious.iter().zip(&frame.degrees).filter(|(liar, _)| !**liar).map(|(_, degree)| *degree);
         let (degree_min, spread) = (normal().min().unwrap_or(0), spread(&frame.values, malicious));
         self.rounds.push(Round { tick, r_max, f_max, degree_min, spread });
+        if self.rounds.len() > ROUNDS_MAX {
+            thin(&mut self.rounds);
+        }
     }
 
-    /// All rounds, in order.
+    /// Whether so many rounds are kept that whoever wants each of them should take them.
+    pub(crate) fn is_full(&self) -> bool {
+        self.rounds.len() >= ROUNDS_MAX / 2
+    }
+
+    /// Hands over the rounds that are kept, and forgets them.
+    pub(crate) fn take(&mut self) -> Vec<Round> {
+        core::mem::take(&mut self.rounds)
+    }
+
+    /// All rounds in order, or those that [`thin`] kept of a very long run.
     #[must_use]
     pub fn finish(self) -> Vec<Round> {
         self.rounds
@@ -76,6 +92,24 @@ fn spread(values: &[f64], malicious: &[bool]) -> f64 {
 #[must_use]
 pub fn weakest(rounds: &[Round]) -> Option<&Round> {
     rounds.iter().min_by_key(|round| (round.f_max.least, round.r_max.least))
+}
+
+/// The round with the least proved r_max.
+#[must_use]
+pub fn narrowest(rounds: &[Round]) -> Option<&Round> {
+    rounds.iter().min_by_key(|round| round.r_max.least)
+}
+
+/// Keeps about half of many rounds: the [`weakest`] and the [`narrowest`] of every four in a row. So those of the whole run are kept.
+pub fn thin(rounds: &mut Vec<Round>) {
+    let kept = rounds.chunks(4).flat_map(|four| {
+        let mut two = [weakest(four), narrowest(four)];
+        two.sort_by_key(|round| round.map(|round| round.tick));
+        two.into_iter().flatten().copied()
+    });
+    let mut kept: Vec<Round> = kept.collect();
+    kept.dedup_by_key(|round| round.tick);
+    *rounds = kept;
 }
 
 #[cfg(test)]
@@ -107,5 +141,39 @@ mod tests {
         let weak = Round { tick: 9, ..watched(vec![[0.0, 0.0], [0.9, 0.0], [1.8, 0.0]]) };
         assert_eq!(weakest(&[strong, weak, strong]).map(|round| round.tick), Some(9));
         assert_eq!(weakest(&[]), None);
+    }
+
+    #[test]
+    fn thinned_rounds_are_fewer_and_keep_the_extremes() {
+        let exactly = |value| Interval { least: value, most: value };
+        let round = |tick: u32| Round {
+            tick,
+            r_max: exactly(if tick == 611 { 1 } else { 4 }),
+            f_max: exactly(if tick == 902 { 0 } else { 2 }),
+            degree_min: 6,
+            spread: 1.0,
+        };
+        let all: Vec<Round> = (0..1_000).map(round).collect();
+        let mut few = all.clone();
+        for most in [500, 250, 125] {
+            thin(&mut few);
+            assert!(few.len() <= most + 2, "{}", few.len());
+            assert!(few.is_sorted_by(|one, next| one.tick < next.tick));
+        }
+        assert_eq!(weakest(&few), weakest(&all));
+        assert_eq!(narrowest(&few), narrowest(&all));
+    }
+
+    #[test]
+    fn a_watcher_keeps_a_bounded_number_of_rounds() {
+        let mut watcher = Watcher::default();
+        let frame = Frame::new(vec![[0.0, 0.0], [0.5, 0.0]], vec![0.0; 2]);
+        for (tick, _) in (0..).zip(0..3 * ROUNDS_MAX) {
+            watcher.watch(tick, &frame, 1.0, &[false; 2]);
+            assert!(watcher.rounds.len() <= ROUNDS_MAX);
+        }
+        assert!(watcher.is_full());
+        assert!(watcher.take().len() >= ROUNDS_MAX / 4);
+        assert!(watcher.finish().is_empty());
     }
 }

@@ -1,11 +1,9 @@
 //! Long runs, recorded part by part: what is held in memory does not grow with the length of the run.
 
-use crate::output::record::Record;
+use crate::monitors::robustness::Round;
+use crate::output::record::{PART_ROWS, Record};
 use crate::scenario::Scenario;
 use crate::world::{Options, Run, RunError, World};
-
-/// Rows (ticks × robots) of a part at most, unless a single tick has more.
-pub const PART_ROWS: usize = 1 << 18;
 
 /// Ticks of a full part of a team of so many robots.
 #[must_use]
@@ -13,13 +11,16 @@ pub fn part_ticks(robots: u16) -> usize {
     (PART_ROWS / usize::from(robots).max(1)).max(1)
 }
 
+/// Takes a part of a run: every tick since the part before, and every consensus round if they were asked for.
+pub type TakePart<'a, E> = dyn FnMut(&Record, &[Round]) -> Result<(), E> + 'a;
+
 /// Runs `scenario` from the first tick to the last and hands every full part of the record to `part`, which may end the run
-/// with an error. What remains, at least the last tick, is the record of the run that comes back.
+/// with an error. What remains, at least the last tick, is in the run that comes back.
 pub fn run<E: From<RunError>>(
     scenario: &Scenario,
     options: Options,
     progress: &mut dyn FnMut(u32),
-    part: &mut dyn FnMut(&Record) -> Result<(), E>,
+    part: &mut TakePart<'_, E>,
 ) -> Result<Run, E> {
     match scenario.dimension {
         2 => run_in::<2, E>(scenario, options, progress, part),
@@ -32,15 +33,19 @@ fn run_in<const D: usize, E: From<RunError>>(
     scenario: &Scenario,
     options: Options,
     progress: &mut dyn FnMut(u32),
-    part: &mut dyn FnMut(&Record) -> Result<(), E>,
+    part: &mut TakePart<'_, E>,
 ) -> Result<Run, E> {
     let full = part_ticks(scenario.team.robots);
     let mut world = World::<D>::new(scenario, options)?;
     while !world.is_over() {
         progress(world.ticks_done());
-        if let Some(record) = world.record_mut().filter(|record| record.ticks.len() >= full) {
-            part(record)?;
-            record.clear();
+        let many = world.has_many_rounds();
+        if world.record_mut().is_some_and(|record| record.ticks.len() >= full || many) {
+            let rounds = world.take_rounds();
+            if let Some(record) = world.record_mut() {
+                part(record, &rounds)?;
+                record.clear();
+            }
         }
         world.step();
     }
@@ -69,7 +74,8 @@ mod tests {
         (0..rest.ticks.len()).for_each(|place| pieces.copy(&rest, place));
         assert_eq!(pieces.ticks, (0..=6).collect::<Vec<u32>>());
         assert_eq!(pieces, Record { ..whole.record.clone().unwrap() });
-        let parts = run::<RunError>(&scenario, options, &mut |_| (), &mut |_| panic!("the run is one part"));
+        let parts =
+            run::<RunError>(&scenario, options, &mut |_| (), &mut |_, _| panic!("the run is one part"));
         assert_eq!(parts, Ok(whole));
     }
 
@@ -79,7 +85,26 @@ mod tests {
         let options = Options { record: true, ..Options::default() };
         let mut ticks = 0;
         let full = RunError::Dimension(0);
-        let run = run(&scenario, options, &mut |tick| ticks = tick, &mut |_| Err(full.clone()));
+        let run = run(&scenario, options, &mut |tick| ticks = tick, &mut |_, _| Err(full.clone()));
         assert_eq!((run, ticks as usize), (Err(full), part_ticks(11)));
+    }
+
+    #[test]
+    fn every_round_is_in_one_part() {
+        let tick_s = Scenario::default().tick_s();
+        let scenario = Scenario { duration_s: 25_000.0 * tick_s, ..Scenario::default() };
+        let scenario = scenario.under(crate::scenario::Controller::None);
+        let options = Options { record: true, robustness: true, ..Options::default() };
+        let (mut parts, mut ticks) = (0, Vec::new());
+        let mut part = |_: &Record, rounds: &[Round]| {
+            parts += 1;
+            ticks.extend(rounds.iter().map(|round| round.tick));
+            Ok(())
+        };
+        let rest = run::<RunError>(&scenario, options, &mut |_| (), &mut part).unwrap();
+        ticks.extend(rest.rounds.iter().map(|round| round.tick));
+        assert_eq!(parts, 1);
+        let every = scenario.ticks_per_round() as usize;
+        assert_eq!(ticks, (0..=25_000).step_by(every).collect::<Vec<u32>>());
     }
 }

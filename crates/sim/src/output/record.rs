@@ -4,8 +4,11 @@ use closeranks_core::equations::barrier::degree_barrier;
 use closeranks_core::program::Outcome;
 
 use crate::frame::Frame;
-use crate::output::parts::PART_ROWS;
+use crate::monitors::truth::Truth;
 use crate::scenario::Scenario;
+
+/// Rows (ticks × robots) of a part of a long run at most, unless a single tick has more.
+pub const PART_ROWS: usize = 1 << 18;
 
 /// Columns of a run, or of a part of one. Row `place·n + index` belongs to robot `index + 1` at the tick `ticks[place]`. In the
 /// record of a whole run ticks go from 0 to the last, both included, and each is its own place.
@@ -27,18 +30,24 @@ pub struct Record {
     pub positions_m: Vec<Vec<f64>>,
     /// One column a dimension, m/s: the input held from this tick on. Rows of the last tick hold what would come next.
     pub inputs_m_s: Vec<Vec<f64>>,
-    /// δ_i.
+    /// δ_i as it is.
     pub degree: Vec<u16>,
-    /// True c_i.
+    /// c_i as it is.
     pub level: Vec<f64>,
-    /// c_i as told.
+    /// c_i as told; NaN of a robot that is down, and of one that does not tell all the same.
     pub told: Vec<f64>,
-    /// h_i.
+    /// h_i as it is: the level less F′.
     pub h: Vec<f64>,
     /// φ_i; NaN of a robot that is down.
     pub phi: Vec<f64>,
-    /// y_i.
+    /// y_i as the robot holds it.
     pub value: Vec<f64>,
+    /// y_i as told; NaN as for `told`.
+    pub value_told: Vec<f64>,
+    /// δ_i and c_i as the robot senses them; NaN of a robot that is down.
+    pub degree_sensed: Vec<f64>,
+    /// See `degree_sensed`.
+    pub level_sensed: Vec<f64>,
     /// What the program found.
     pub outcome: Vec<Outcome>,
 }
@@ -65,23 +74,32 @@ impl Record {
             h: column(),
             phi: column(),
             value: column(),
+            value_told: column(),
+            degree_sensed: column(),
+            level_sensed: column(),
             outcome: Vec::with_capacity(rows),
         }
     }
 
-    /// Adds a tick.
-    pub fn push<const D: usize>(&mut self, tick: u32, frame: &Frame<D>) {
+    /// Adds a tick of which `truth` is the state as it is.
+    pub(crate) fn push<const D: usize>(&mut self, tick: u32, frame: &Frame<D>, truth: &Truth) {
         self.ticks.push(tick);
         for d in 0..D {
             self.positions_m[d].extend(frame.positions_m.iter().map(|position| position[d]));
             self.inputs_m_s[d].extend(frame.velocities_m_s.iter().map(|velocity| velocity[d]));
         }
-        self.degree.extend(&frame.degrees);
-        self.level.extend(&frame.levels);
-        self.told.extend(&frame.told);
-        self.h.extend(frame.levels.iter().map(|level| degree_barrier(*level, self.required_degree)));
+        self.degree.extend(&truth.neighbors);
+        self.level.extend(&truth.levels);
+        self.h.extend(truth.levels.iter().map(|level| degree_barrier(*level, self.required_degree)));
         self.phi.extend(&frame.phis);
-        self.value.extend(&frame.values);
+        self.value.extend(&frame.held);
+        for (index, down) in frame.down.iter().enumerate() {
+            let known = |number: f64, known: bool| if known && !down { number } else { f64::NAN };
+            self.told.push(known(frame.told[index], frame.one_level[index]));
+            self.value_told.push(known(frame.values[index], frame.one_value[index]));
+            self.degree_sensed.push(known(f64::from(frame.degrees[index]), true));
+            self.level_sensed.push(known(frame.levels[index], true));
+        }
         self.outcome.extend(&frame.outcomes);
     }
 
@@ -107,14 +125,18 @@ impl Record {
     /// Every column of numbers: positions, inputs, and then those that each robot has one of.
     #[must_use]
     pub fn numbers(&self) -> Vec<&Vec<f64>> {
-        let single = [&self.level, &self.told, &self.h, &self.phi, &self.value];
-        self.positions_m.iter().chain(&self.inputs_m_s).chain(single).collect()
+        let told = [&self.told, &self.value_told];
+        let single = [&self.level, &self.h, &self.phi, &self.value, &self.degree_sensed, &self.level_sensed];
+        self.positions_m.iter().chain(&self.inputs_m_s).chain(single).chain(told).collect()
     }
 
     /// Every column of numbers, in the order of [`Record::numbers`].
     pub fn numbers_mut(&mut self) -> Vec<&mut Vec<f64>> {
-        let single = [&mut self.level, &mut self.told, &mut self.h, &mut self.phi, &mut self.value];
-        self.positions_m.iter_mut().chain(&mut self.inputs_m_s).chain(single).collect()
+        let told = [&mut self.told, &mut self.value_told];
+        let single = [&mut self.level, &mut self.h, &mut self.phi, &mut self.value];
+        let sensed = [&mut self.degree_sensed, &mut self.level_sensed];
+        let vectors = self.positions_m.iter_mut().chain(&mut self.inputs_m_s);
+        vectors.chain(single).chain(sensed).chain(told).collect()
     }
 
     /// Number of rows.
@@ -148,10 +170,12 @@ impl Record {
         core::array::from_fn(|d| self.positions_m[d][row])
     }
 
-    /// A digest of every bit of every column (FNV-1a, 64 bits): equal digests mean equal runs.
+    /// A digest of every bit of the state and of what was told (FNV-1a, 64 bits): equal digests mean equal runs.
     #[must_use]
     pub fn digest(&self) -> u64 {
-        let bits = self.numbers().into_iter().flatten().map(|number| number.to_bits());
+        let vectors = self.positions_m.iter().chain(&self.inputs_m_s);
+        let single = [&self.level, &self.told, &self.h, &self.phi, &self.value_told];
+        let bits = vectors.chain(single).flatten().map(|number| number.to_bits());
         let small = self.degree.iter().map(|degree| u64::from(*degree));
         let outcomes = self.outcome.iter().map(|outcome| *outcome as u64);
         bits.chain(small).chain(outcomes).fold(0xcbf2_9ce4_8422_2325, |hash, word| {

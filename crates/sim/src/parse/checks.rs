@@ -1,8 +1,8 @@
 //! What no single field can tell: ranges that depend on others, and whether the start exists.
 
 use closeranks_core::settings::field::Field;
-use closeranks_core::settings::params::Params;
-use closeranks_core::settings::range::{Allowed, ParamsError};
+use closeranks_core::settings::params::{Params, ParamsError};
+use closeranks_core::settings::range::Allowed;
 
 use super::reader::Reader;
 use crate::geometry::squared_distance;

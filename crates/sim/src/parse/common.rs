@@ -1,8 +1,7 @@
 //! Ranges and groups of fields that several tables of a scenario text share.
 
 use closeranks_core::message::VALUE_MAX;
-use closeranks_core::settings::params::MAGNITUDE_MAX;
-use closeranks_core::settings::range::Allowed;
+use closeranks_core::settings::range::{Allowed, MAGNITUDE_MAX};
 
 use super::column::Column;
 use super::reader::{Reader, Section};

@@ -1,10 +1,9 @@
 //! Every field of a scenario text, with its default and range.
 
-use closeranks_core::controller::budget::knowledge::{Assume, Trust};
+use closeranks_core::controller::budget::settings::{Assume, Trust};
 use closeranks_core::equations::composition::PhiSplit;
 use closeranks_core::settings::field::TABLE;
-use closeranks_core::settings::params::{MAGNITUDE_MAX, ROBOTS_MAX};
-use closeranks_core::settings::range::Allowed;
+use closeranks_core::settings::range::{Allowed, MAGNITUDE_MAX, ROBOTS_MAX};
 use toml::de::{DeTable, DeValue};
 
 use super::common::{ANY, POSITION, POSITIVE, interval, set, small};
@@ -14,7 +13,7 @@ use crate::faults::{Faults, Outages};
 use crate::law::Law;
 use crate::plant::Plant;
 use crate::scenario::desired::Desired;
-use crate::scenario::route::{KINDS, Route};
+use crate::scenario::route::{KINDS, Route, Whose};
 use crate::scenario::start::Start;
 use crate::scenario::{Controller, Scenario, Values};
 
@@ -26,10 +25,11 @@ pub(super) fn read(reader: &mut Reader, table: &DeTable<'_>) -> Scenario {
     let mut root = Section::root(table);
     let mut scenario = Scenario::default();
     let expect = head(reader, &mut root, &mut scenario);
-    let tables: [(&'static str, Fill); 7] = [
+    let tables: [(&'static str, Fill); 8] = [
         ("team", team),
         ("link", link),
         ("controller", controller),
+        ("links", links),
         ("clock", clock),
         ("start", start),
         ("values", values),
@@ -38,8 +38,9 @@ pub(super) fn read(reader: &mut Reader, table: &DeTable<'_>) -> Scenario {
     for (key, fill) in tables {
         reader.table(&mut root, key, |reader, section| fill(reader, section, &mut scenario));
     }
+    let malicious = whose(&scenario, Some(&scenario.malicious));
     scenario.attack =
-        reader.table(&mut root, "attack", |reader, section| Attack::read(reader, section, &scenario));
+        reader.table(&mut root, "attack", |reader, section| Attack::read(reader, section, &malicious));
     scenario.faults = Faults::read(reader, &mut root, scenario.team.robots);
     reader.table(&mut root, "plant", |reader, section| {
         scenario.plant = Plant::read(reader, section);
@@ -100,11 +101,19 @@ fn controller(reader: &mut Reader, section: &mut Section<'_>, scenario: &mut Sce
     let trusts = [("told", Trust::Told), ("told-or-seen", Trust::ToldOrSeen), ("seen", Trust::Seen)];
     set(&mut scenario.budget.trust, reader.word(section, "trust", &trusts));
     let assumptions = [("obedient", Assume::Obedient), ("free", Assume::Free)];
-    set(&mut scenario.budget.assume, reader.word(section, "assume", &assumptions));
+    let assumed = reader.word(section, "assume", &assumptions);
+    set(&mut scenario.budget.assume, assumed);
+    set(&mut scenario.links.assume, assumed);
     let limits = &mut scenario.limits;
     let speed = format!("a finite number (m/s), {ANY}");
     set(&mut limits.input_min_m_s, reader.list(section, "input_min_m_s", &speed, inside));
     set(&mut limits.input_max_m_s, reader.list(section, "input_max_m_s", &speed, inside));
+}
+
+fn links(reader: &mut Reader, section: &mut Section<'_>, scenario: &mut Scenario) {
+    numbers(reader, section, "links", scenario);
+    let sides = [("none", false), ("right", true)];
+    set(&mut scenario.links.pass_right, reader.word(section, "pass", &sides));
 }
 
 fn clock(reader: &mut Reader, section: &mut Section<'_>, scenario: &mut Scenario) {
@@ -172,5 +181,10 @@ fn motion(reader: &mut Reader, section: &mut Section<'_>, scenario: &mut Scenari
         return;
     }
     let listed = KINDS[kind - (kinds.len() - KINDS.len())].1;
-    scenario.desired = Desired::Listed(Route::read(reader, section, listed, scenario, None));
+    scenario.desired = Desired::Listed(Route::read(reader, section, listed, &whose(scenario, None)));
+}
+
+/// Whose rows a list may have in this scenario.
+fn whose<'a>(scenario: &Scenario, malicious: Option<&'a [u16]>) -> Whose<'a> {
+    Whose { robots: scenario.team.robots, dimension: scenario.dimension, malicious }
 }

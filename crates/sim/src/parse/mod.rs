@@ -4,12 +4,15 @@ mod checks;
 pub(crate) mod column;
 pub(crate) mod common;
 mod fields;
-pub(crate) mod files;
+mod files;
+mod inline;
 mod problem;
 pub(crate) mod reader;
+pub(crate) mod rows;
 
 pub use checks::ROWS_MAX;
-pub use files::{FILE_MAX, Files, inlined, named};
+pub use files::{FILE_MAX, Files, named};
+pub use inline::inlined;
 pub use problem::Problem;
 
 use toml::Spanned;

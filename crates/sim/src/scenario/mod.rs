@@ -7,15 +7,18 @@ pub mod start;
 
 use closeranks_core::equations::barrier::required_degree;
 use closeranks_core::equations::composition::Composed;
-use closeranks_core::num::Vector;
+use closeranks_core::equations::link::LinkShape;
+use closeranks_core::num::{Vector, sqrt};
 use closeranks_core::program::InputBox;
 use closeranks_core::settings::field::Parts;
-use closeranks_core::settings::params::{Params, Settings};
-use closeranks_core::settings::range::ParamsError;
-use closeranks_core::settings::{self, BudgetSettings, Clock, ComposedSettings, Errors, LinkSettings, Team};
+use closeranks_core::settings::params::{Params, ParamsError, Settings};
+use closeranks_core::settings::{
+    self, BudgetSettings, Clock, ComposedSettings, Errors, LinkSettings, LinksSettings, Team,
+};
 
 use crate::attack::Attack;
 pub use crate::controllers::Controller;
+use crate::controllers::Parameters;
 use crate::faults::Faults;
 use crate::law::Law;
 use crate::plant::Plant;
@@ -48,6 +51,8 @@ pub struct Scenario {
     pub composed: ComposedSettings,
     /// Parameters of `budget`.
     pub budget: BudgetSettings,
+    /// Parameters of `links`.
+    pub links: LinksSettings,
     /// When things happen, and how old they may be: the tick τ₁, its multiple τ₂, and ages.
     pub clock: Clock,
     /// Stated bounds of errors.
@@ -115,6 +120,7 @@ impl Default for Scenario {
             controller: Controller::Composed,
             composed: ComposedSettings::default(),
             budget: BudgetSettings::default(),
+            links: LinksSettings::default(),
             clock: Clock::default(),
             errors: Errors::default(),
             start: Start::Inside,
@@ -194,24 +200,47 @@ impl Scenario {
             team: self.team,
             link: self.link,
             limits: settings::Limits { distance_min_m: *distance_min_m, input },
-            controller: self.controller.settings(self),
+            controller: self.controller.settings(&self.parameters()),
             clock: self.clock,
             errors: self.errors,
         })
     }
 
+    /// The shape that the controller gives to links. Levels and h of a run are about it; φ is about that of `link`.
+    pub fn link_shape(&self) -> Result<LinkShape, ParamsError> {
+        match self.dimension {
+            3 => self.params::<3>().map(|params| *params.link()),
+            _ => self.params::<2>().map(|params| *params.link()),
+        }
+    }
+
+    /// Parameters of all controllers.
+    pub(crate) fn parameters(&self) -> Parameters {
+        Parameters { composed: self.composed, budget: self.budget, links: self.links }
+    }
+
     /// Every number of the settings, for the table of [`settings::field`], whatever the controller.
     pub(crate) fn parts(&mut self) -> Parts<'_> {
+        let move_max_m = self.move_max_m();
         Parts {
             team: &mut self.team,
             link: &mut self.link,
             distance_min_m: &mut self.limits.distance_min_m,
             composed: Some(&mut self.composed),
             budget: Some(&mut self.budget),
+            links: Some(&mut self.links),
             clock: &mut self.clock,
             errors: &mut self.errors,
             distance_limit_m: f64::INFINITY,
+            move_max_m,
         }
+    }
+
+    /// ρ, the longest move of a robot in a tick, m.
+    fn move_max_m(&self) -> f64 {
+        let Limits { input_min_m_s, input_max_m_s, .. } = &self.limits;
+        let corner = input_min_m_s.iter().zip(input_max_m_s).map(|(low, high)| low.abs().max(high.abs()));
+        self.clock.hold_max().as_secs_f64() * sqrt(corner.fold(0.0, |sum, speed| sum + speed * speed))
     }
 
     /// The paper's composition, for whoever wants to know φ and φ_i, whatever the controller.

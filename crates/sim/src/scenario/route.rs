@@ -3,14 +3,12 @@
 use std::sync::Arc;
 
 use closeranks_core::num::{Vector, length, subtract};
-use closeranks_core::settings::params::MAGNITUDE_MAX;
-use closeranks_core::settings::range::Allowed;
+use closeranks_core::settings::range::{Allowed, MAGNITUDE_MAX};
 
 use crate::parse::column::Column;
 use crate::parse::common::{NOT_NEGATIVE, POSITION, POSITIVE};
-use crate::parse::files;
 use crate::parse::reader::{Reader, Section};
-use crate::scenario::Scenario;
+use crate::parse::rows::rows;
 
 /// Rows of a list or file at most.
 pub const ROWS_MAX: usize = 10_000;
@@ -29,6 +27,17 @@ pub enum Listed {
 /// Every kind of list by its name in scenario files, which is also the name of the field with its rows.
 pub(crate) const KINDS: [(&str, Listed); 3] =
     [("goals", Listed::Goals), ("waypoints", Listed::Waypoints), ("velocities", Listed::Velocities)];
+
+/// Whose rows a list may have.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Whose<'a> {
+    /// n.
+    pub(crate) robots: u16,
+    /// Of the space that they move in.
+    pub(crate) dimension: usize,
+    /// The numbers of the malicious robots, if these alone may be listed.
+    pub(crate) malicious: Option<&'a [u16]>,
+}
 
 /// One row of a robot.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -65,24 +74,22 @@ impl Listed {
 }
 
 impl Route {
-    /// Reads the list of this kind, from its own field or from `file`, for all robots or for the `malicious` alone.
+    /// Reads the list of this kind, from its own field or from `file`.
     pub(crate) fn read(
         reader: &mut Reader,
         section: &mut Section<'_>,
         listed: Listed,
-        scenario: &Scenario,
-        malicious: Option<&[u16]>,
+        whose: &Whose<'_>,
     ) -> Self {
-        let robots = scenario.team.robots;
-        let columns = listed.columns(robots, scenario.dimension);
+        let columns = listed.columns(whose.robots, whose.dimension);
         let speed_m_s = match listed {
             Listed::Velocities => 0.0,
             _ => reader.number_or(section, "speed_m_s", POSITIVE, 1.0),
         };
-        let rows = files::rows(reader, section, listed.name(), &columns, ROWS_MAX);
-        let mut stops = vec![Vec::new(); usize::from(robots)];
+        let rows = rows(reader, section, listed.name(), &columns, ROWS_MAX);
+        let mut stops = vec![Vec::new(); usize::from(whose.robots)];
         for (numbers, place) in rows {
-            if let Err((found, allowed)) = add(&mut stops, &numbers, listed, malicious) {
+            if let Err((found, allowed)) = add(&mut stops, &numbers, listed, whose.malicious) {
                 place.refuse(reader, &found, &allowed);
                 break;
             }

@@ -3,7 +3,7 @@
 
 use closeranks_core::message::MESSAGE_BYTES;
 
-use super::{Parcel, Transport};
+use super::{Bytes, Parcel, Transport};
 
 /// Robots 0 to 4 take part.
 const ROBOTS: usize = 5;
@@ -26,7 +26,7 @@ pub fn check_transport(transport: &mut impl Transport, wait: &mut dyn FnMut()) {
         transport.begin_tick(tick);
         let sent = parcels(tick);
         for parcel in &sent {
-            assert_eq!(transport.send(*parcel), Ok(()), "{} parcels are not too many", sent.len());
+            assert_eq!(transport.send(parcel.clone()), Ok(()), "{} parcels are not too many", sent.len());
         }
         let arrived = collect(transport, sent.len(), wait);
         for sender in 0..ROBOTS {
@@ -52,7 +52,7 @@ fn parcels(tick: u32) -> Vec<Parcel> {
                 bytes[..4].copy_from_slice(&tick.to_le_bytes());
                 bytes[4..6]
                     .copy_from_slice(&[sender, receiver].map(|robot| u8::try_from(robot).unwrap_or(0)));
-                parcels.push(Parcel { sender, receiver, bytes });
+                parcels.push(Parcel { sender, receiver, bytes: bytes.into() });
             }
         }
     }
@@ -72,7 +72,7 @@ fn collect(transport: &mut impl Transport, count: usize, wait: &mut dyn FnMut())
     arrived
 }
 
-fn between(parcels: &[Parcel], sender: usize, receiver: usize) -> Vec<[u8; MESSAGE_BYTES]> {
+fn between(parcels: &[Parcel], sender: usize, receiver: usize) -> Vec<Bytes> {
     let pair = parcels.iter().filter(|parcel| (parcel.sender, parcel.receiver) == (sender, receiver));
-    pair.map(|parcel| parcel.bytes).collect()
+    pair.map(|parcel| parcel.bytes.clone()).collect()
 }

@@ -48,10 +48,10 @@ mod tests {
     #[test]
     fn it_holds_no_more_than_it_was_made_for() {
         let mut network = InMemory::new(2);
-        let parcel = Parcel { sender: 0, receiver: 1, bytes: [7; 32] };
-        let sent = [(); 3].map(|()| network.send(parcel));
+        let parcel = Parcel { sender: 0, receiver: 1, bytes: [7; 32].into() };
+        let sent = [(); 3].map(|()| network.send(parcel.clone()));
         assert_eq!(sent, [Ok(()), Ok(()), Err(Full)]);
-        assert_eq!([(); 3].map(|()| network.poll()), [Some(parcel), Some(parcel), None]);
+        assert_eq!([(); 3].map(|()| network.poll()), [Some(parcel.clone()), Some(parcel.clone()), None]);
         assert_eq!(network.send(parcel), Ok(()));
     }
 }

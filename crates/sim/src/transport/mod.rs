@@ -13,26 +13,27 @@
 //! let mut transport = FaultyNetwork::new(InMemory::new(100), network, 1, 2, 0.005);
 //! transport.begin_tick(0);
 //! for byte in 0..100 {
-//!     transport.send(Parcel { sender: 0, receiver: 1, bytes: [byte; 32] }).unwrap();
+//!     transport.send(Parcel { sender: 0, receiver: 1, bytes: [byte; 32].into() }).unwrap();
 //! }
 //! let arrived = core::iter::from_fn(|| transport.poll()).count();
 //! assert!((30..70).contains(&arrived));
 //! ```
 
+mod bytes;
 pub mod conformance;
 pub mod memory;
 
-use closeranks_core::message::MESSAGE_BYTES;
+pub use bytes::Bytes;
 
 /// Bytes on their way.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Parcel {
     /// Index of the sender.
     pub sender: usize,
     /// Index of the receiver.
     pub receiver: usize,
     /// The bytes as they were sent.
-    pub bytes: [u8; MESSAGE_BYTES],
+    pub bytes: Bytes,
 }
 
 /// The transport has no room for another parcel; this one is lost.

@@ -5,14 +5,14 @@ pub mod given;
 
 use closeranks_core::program::Outcome;
 use closeranks_core::robot::error::RobotError;
-use closeranks_core::settings::params::Params;
-use closeranks_core::settings::range::ParamsError;
+use closeranks_core::settings::params::{Params, ParamsError};
 
 use crate::attack::liars::Liars;
 use crate::controllers::{Answer, Global, TeamView, Velocities};
 use crate::engine;
 pub use crate::engine::Engine;
 use crate::engine::judge::Judge;
+use crate::engine::phi::PaperPhi;
 use crate::engine::robots::Robots;
 use crate::frame::Frame;
 use crate::monitors::Monitors;
@@ -52,7 +52,9 @@ pub struct Run {
     pub record: Option<Record>,
     /// The digest of every tick, if it was asked for.
     pub digest: Option<u64>,
-    /// Exact robustness of every consensus round, if it was asked for and the team is small enough.
+    /// Exact robustness of every consensus round, if it was asked for and the team is small enough; of a run with more than
+    /// [`ROUNDS_MAX`](crate::monitors::robustness::ROUNDS_MAX) rounds, those that
+    /// [`thin`](crate::monitors::robustness::thin) keeps.
     pub rounds: Vec<Round>,
     /// The table's row.
     pub summary: Summary,
@@ -132,6 +134,7 @@ pub struct World<const D: usize> {
     liars: Liars,
     bodies: Bodies<D>,
     judge: Judge,
+    paper_phi: Option<PaperPhi>,
     monitors: Monitors<D>,
     collector: Collector,
     record: Option<Record>,
@@ -154,11 +157,12 @@ impl<const D: usize> World<D> {
         Ok(Self {
             params,
             robots: engine::robots(scenario, params, &frame, &values, options.engine)?,
-            global: scenario.controller.global(scenario),
+            global: scenario.controller.global(&scenario.parameters()),
             answers: Vec::new(),
             bodies: Bodies::new(scenario.plant, scenario.tick_s(), &frame.positions_m),
             liars: Liars::new(scenario),
             judge: Judge::new(scenario, &params),
+            paper_phi: PaperPhi::new(scenario, &params).filter(|_| wants_phi),
             monitors: Monitors::new(scenario, params),
             collector: Collector::default(),
             record: options.record.then(|| Record::new(scenario, scenario.composition().required)),
@@ -234,11 +238,18 @@ impl<const D: usize> World<D> {
         for (outcome, answer) in self.frame.outcomes.iter_mut().zip(&self.answers) {
             *outcome = answer.outcome;
         }
+        if let Some(phi) = &mut self.paper_phi {
+            let edges = self.robots.edges();
+            phi.fill(&mut self.frame, |robot| edges.is_some_and(|edges| edges.downtime.down(robot)));
+        }
         self.judge.judge(tick, &mut self.frame, self.robots.as_ref(), &self.bodies);
         self.monitors.watch(tick, &self.frame);
         self.collector.watch(&self.scenario, &self.frame, &self.monitors);
+        for index in 0..self.frame.values.len() {
+            [self.frame.one_level[index], self.frame.one_value[index]] = self.liars.tells_alike(index);
+        }
         if let Some(record) = &mut self.record {
-            record.push(tick, &self.frame);
+            record.push(tick, &self.frame, self.monitors.truth());
         }
         if let Some(digest) = &mut self.digest {
             digest.watch(&self.frame);
@@ -273,6 +284,16 @@ impl<const D: usize> World<D> {
     /// What was recorded, if anything was asked for.
     pub(crate) fn record_mut(&mut self) -> Option<&mut Record> {
         self.record.as_mut()
+    }
+
+    /// Whether there are so many rounds that whoever wants each of them should take them.
+    pub(crate) fn has_many_rounds(&self) -> bool {
+        self.watcher.as_ref().is_some_and(Watcher::is_full)
+    }
+
+    /// Hands over the rounds since they were last taken, if they were asked for.
+    pub(crate) fn take_rounds(&mut self) -> Vec<Round> {
+        self.watcher.as_mut().map(Watcher::take).unwrap_or_default()
     }
 
     fn watch_round(&mut self, tick: u32) {

@@ -5,12 +5,13 @@ use core::time::Duration;
 use crate::controller::budget::Move;
 use crate::controller::budget::curvature::Curvature;
 use crate::controller::budget::inequality::{self, Pair};
-use crate::controller::budget::knowledge::{Assume, Claim, KnownMargin, Sighting};
+use crate::controller::budget::knowledge::{Claim, KnownMargin, Sighting};
+use crate::controller::budget::recovery::H_ROUNDING;
 use crate::controller::budget::rows::{Memory, Rows};
-use crate::controller::budget::settings::{Budget, Form};
-use crate::controller::{Batch, Control, Decision, Glimpse, Motion, Neighbor, Own, Standing, View};
+use crate::controller::budget::settings::{Assume, Budget, Form};
+use crate::controller::{Batch, Control, Decision, Glimpse, Kept, Motion, Neighbor, Own, Standing, View};
 use crate::equations::link::{Link, LinkShape};
-use crate::need::{Keep, Need};
+use crate::need::Need;
 use crate::num::{Vector, sqrt};
 use crate::program::InputBox;
 use crate::program::balls::reach::Reach;
@@ -32,22 +33,20 @@ pub struct BudgetController<const D: usize> {
 }
 
 impl<const D: usize> BudgetController<D> {
-    pub(crate) fn new(settings: &Settings<D>, parameters: &BudgetSettings, link: LinkShape) -> Self {
-        let keep = match parameters.assume {
-            Assume::Obedient => Keep::Neighbors,
-            Assume::Free => Keep::NormalNeighbors,
-        };
+    pub(crate) fn new(settings: &Settings<D>, parameters: &BudgetSettings) -> Self {
         let (errors, reach) = (settings.error_bounds(), settings.reach());
-        let link = LinkShape { radius_m: link.radius_m - 2.0 * errors.away_m, ..link };
+        let weight = parameters.weight(&settings.conditions(parameters));
+        let radius_m = settings.link.radius_m - 2.0 * errors.away_m;
+        let link = LinkShape { radius_m, q1: 2.0 + weight.epsilon, q2: weight.q2 };
         let budget = Budget {
             curvature: Curvature::new(link),
-            need: Need::new(settings.team.robots, settings.team.faults, keep),
+            need: parameters.need(settings.team.robots, settings.team.faults),
             faults: settings.team.faults,
             distance_min_m: settings.limits.distance_min_m + 2.0 * errors.away_m,
             move_max_m: reach.longest_m(),
-            gamma: parameters.gamma(settings.clock.level_period),
+            gamma: weight.gamma,
             gain_slope: parameters.gain_slope,
-            gamma_c: parameters.gamma_c,
+            gamma_c: weight.gamma_c,
             trust: parameters.trust,
             assume: parameters.assume,
             form: Form::Level,
@@ -66,9 +65,10 @@ impl<const D: usize> BudgetController<D> {
     fn see(&self, view: &View<'_, D>, sightings: &mut [Sighting<D>]) -> usize {
         let latest = view.now.after(self.clock.error);
         let mut count = 0;
-        for (sighting, slot) in sightings.iter_mut().zip(view.sensed()) {
+        for (sighting, slot) in sightings.iter_mut().zip(view.in_view()) {
+            let Slot { id, offset_m, position_m, unsensed_m, .. } = *slot;
             let claim = self.claim_of(slot, latest);
-            *sighting = Sighting { id: slot.id, offset_m: slot.offset_m, position_m: slot.position_m, claim };
+            *sighting = Sighting { id, offset_m, position_m, claim, unsensed_m };
             count += 1;
         }
         count
@@ -80,11 +80,13 @@ impl<const D: usize> BudgetController<D> {
         self.claim(told.level, latest.checked_since(told.stamp)?)
     }
 
-    /// The claim of a level told `age` ago. Its age is counted in whole ticks, rounded up. `None` if it is too old, or older
-    /// than can be counted: a claim that counted as younger than it is would be worth too much.
+    /// The claim of a level told `age` ago. Its age is counted in whole ticks of the fastest clock, rounded up. `None` if it is
+    /// too old, or older than can be counted: a claim that counted as younger than it is would be worth too much.
+    //= theory sec:clocks
     #[must_use]
     pub fn claim(&self, level: f64, age: Duration) -> Option<Claim> {
-        let age_ticks = if age.is_zero() { 0 } else { ticks(age, self.clock.level_period)? };
+        let age_ticks =
+            if age.is_zero() { 0 } else { ticks(self.clock.stretched(age), self.clock.level_period)? };
         (age <= self.clock.told_max).then_some(Claim { level, age_ticks })
     }
 
@@ -125,9 +127,22 @@ impl<const D: usize> Control<D> for BudgetController<D> {
         true
     }
 
+    fn kept(&self, _link: &LinkShape, _distance_min_m: f64) -> Kept {
+        let Budget { distance_min_m, gamma_c, errors, .. } = self.budget;
+        Kept { link: *self.budget.curvature.link(), distance_min_m, gamma_c, errors }
+    }
+
+    fn is_obeyed(&self) -> bool {
+        self.budget.assume == Assume::Obedient
+    }
+
     fn needs(&self, neighbors: usize) -> Needs {
         let values = Budget::survey_len(self.budget.assume, neighbors);
         Needs { values, sightings: neighbors, rows: rows(D, !self.budget.is_exact(), neighbors) }
+    }
+
+    fn reckons(&self) -> bool {
+        true
     }
 
     fn can_be_computed_at_once(&self) -> bool {
@@ -136,7 +151,7 @@ impl<const D: usize> Control<D> for BudgetController<D> {
 
     /// The plain sum of weights, or with free liars the trimmed one, with stated errors the least that it can be.
     fn level(&self, view: &View<'_, D>, scratch: &mut Scratch<'_, D>) -> f64 {
-        if self.budget.is_plain() {
+        if self.budget.is_plain() && view.is_whole() {
             let counted = view.linked().filter(|slot| self.budget.need.counts(view.id, slot.id));
             return counted.fold(0.0, |level, slot| level + slot.link.weight);
         }
@@ -208,11 +223,11 @@ impl<const D: usize> Control<D> for BudgetController<D> {
     /// The answer is guaranteed as long as nothing that the robot can check speaks against it.
     fn mode(&self, standing: &Standing) -> Mode {
         let degree_low = standing.degree < standing.need;
-        let exact = self.budget.errors.offset_m == 0.0;
+        let exact = self.budget.is_exact() && standing.missing == 0;
         match standing.reason {
             _ if degree_low => Mode::Degraded(Reason::Degree),
             Some(reason) => Mode::Degraded(reason),
-            None if exact && standing.h < 0.0 => Mode::Degraded(Reason::OutsideSafeSet),
+            None if exact && standing.h < -H_ROUNDING => Mode::Degraded(Reason::OutsideSafeSet),
             None => Mode::Guaranteed,
         }
     }
@@ -220,6 +235,9 @@ impl<const D: usize> Control<D> for BudgetController<D> {
 
 /// How many rows there can be: two for each axis, two for each neighbour, and one of the robot's own. With stated errors
 /// each row but those of the axes is there once for every corner of a cube.
+///
+/// Without them that is so only of neighbours that are missing, for which no room is demanded: whoever has none left stands
+/// still in that tick.
 fn rows(dimension: usize, blurred: bool, neighbors: usize) -> usize {
     let corners = if blurred { 1 << dimension.min(8) } else { 1 };
     neighbors.saturating_mul(2).saturating_add(1).saturating_mul(corners).saturating_add(2 * dimension)
@@ -235,13 +253,11 @@ fn ticks(age: Duration, period: Duration) -> Option<u32> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::equations::link::LinkShape;
 
     fn controller(level_period: Duration) -> BudgetController<2> {
         let clock = Clock { level_period, told_max: Duration::MAX, ..Clock::default() };
-        let link = LinkShape { radius_m: 3.0, q1: 2.099, q2: 0.3 };
         let parameters = BudgetSettings { gamma: Some(0.5), ..BudgetSettings::default() };
-        BudgetController::new(&Settings { clock, ..Settings::default() }, &parameters, link)
+        BudgetController::new(&Settings { clock, ..Settings::default() }, &parameters)
     }
 
     #[test]
@@ -254,5 +270,20 @@ mod tests {
         assert_eq!(budget.claim(7.0, Duration::MAX), None);
         let aged = controller(Duration::MAX).claim(7.0, Duration::from_secs(1));
         assert_eq!(aged.map(|claim| claim.age_ticks), Some(1));
+    }
+
+    /// Clocks that lose a tenth of every second count nine ticks where those that gain as much make eleven.
+    //= theory sec:clocks type=test
+    #[test]
+    fn ages_are_those_of_the_fastest_clock() {
+        let mut budget = controller(Duration::from_millis(10));
+        let age = |budget: &BudgetController<2>, ms| {
+            budget.claim(7.0, Duration::from_millis(ms)).map(|claim| claim.age_ticks)
+        };
+        assert_eq!([0, 90, 91].map(|ms| age(&budget, ms)), [Some(0), Some(9), Some(10)]);
+        budget.clock.drift = Duration::from_millis(100);
+        assert_eq!([0, 90, 91].map(|ms| age(&budget, ms)), [Some(0), Some(11), Some(12)]);
+        budget.clock.drift = Duration::from_secs(1);
+        assert_eq!([0, 1].map(|ms| age(&budget, ms)), [Some(0), None]);
     }
 }

@@ -2,8 +2,8 @@
 //! share them, what their right-hand sides let a robot spend, and when one of them needs no row.
 
 use crate::controller::budget::Own;
-use crate::controller::budget::knowledge::{Assume, KnownMargin};
-use crate::controller::budget::settings::{Budget, Form};
+use crate::controller::budget::knowledge::KnownMargin;
+use crate::controller::budget::settings::{Assume, Budget, Form};
 use crate::num::{Vector, dot, larger, length, sqrt};
 use crate::program::balls::reach::Reach;
 use crate::program::balls::row::Row;
@@ -211,7 +211,7 @@ impl Pair {
 }
 
 /// True where a row is needed: unless its left-hand side is never more than its bound, and where either is NaN.
-pub(super) fn may_bind(lhs_max: f64, bound: f64) -> bool {
+pub(crate) fn may_bind(lhs_max: f64, bound: f64) -> bool {
     lhs_max > bound || lhs_max.is_nan() || bound.is_nan()
 }
 

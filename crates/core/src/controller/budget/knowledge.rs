@@ -3,43 +3,10 @@
 //! It has two sources. What it *sees*, positions alone, bounds the level of the neighbour from below and from above. What it
 //! is *told* is a claim, which may be a lie; it counts only up to the upper bound.
 
-use crate::controller::budget::settings::Budget;
+use crate::controller::budget::settings::{Assume, Budget, Trust};
 use crate::controller::{Glimpse, Low};
-use crate::need::Keep;
 use crate::num::{Vector, larger};
 use crate::robot::neighbor::RobotId;
-
-/// What a robot believes about the levels of its neighbours.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Trust {
-    /// What was told, cut to what is possible.
-    Told,
-    /// The larger of what was told and what is seen.
-    ToldOrSeen,
-    /// What is seen alone. No level need be sent, so there is nothing to lie about.
-    Seen,
-}
-
-/// What malicious robots are assumed to do.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Assume {
-    /// They lie but move by the rows (Assumption 1): `h_k = Σ_j a_kj − F′`, `F′ = F + ⌊n/2⌋`.
-    Obedient,
-    /// They move as they like and tell every neighbour another value: `h_k = T_k − θ`, `θ = F + ⌊(n−F)/2⌋`, with T_k the
-    /// sum of the a_kj without its F largest terms.
-    Free,
-}
-
-impl Assume {
-    /// Which neighbours every robot must then keep enough of.
-    #[must_use]
-    pub fn keep(self) -> Keep {
-        match self {
-            Self::Obedient => Keep::Neighbors,
-            Self::Free => Keep::NormalNeighbors,
-        }
-    }
-}
 
 /// A level that a neighbour told: the sum of its weights, or the trimmed sum, by [`Assume`].
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -61,16 +28,20 @@ pub struct Sighting<const D: usize> {
     pub position_m: Vector<D>,
     /// The last level that it told.
     pub claim: Option<Claim>,
+    /// How far it can have gone since it was sensed, m; 0 for a robot that was sensed in this tick.
+    pub unsensed_m: f64,
 }
 
 impl<const D: usize> Sighting<D> {
     /// A place holder in memory that is not filled yet.
-    pub const NOBODY: Self = Self { id: RobotId(0), offset_m: [0.0; D], position_m: [0.0; D], claim: None };
+    pub const NOBODY: Self =
+        Self { id: RobotId(0), offset_m: [0.0; D], position_m: [0.0; D], claim: None, unsensed_m: 0.0 };
 
     /// The sighting of robot `id` by a robot at the origin.
     #[must_use]
     pub fn new(id: RobotId, offset_m: Vector<D>, claim: Option<Claim>) -> Self {
-        Self { id, offset_m, position_m: offset_m.map(|component| -component), claim }
+        let position_m = offset_m.map(|component| -component);
+        Self { id, offset_m, position_m, claim, unsensed_m: 0.0 }
     }
 }
 
@@ -97,8 +68,6 @@ pub struct Seen<'a> {
 pub struct KnownMargin {
     /// b_ij ≥ 0: for an honest robot that the theorem covers, never more than h_j⁺.
     pub budget: f64,
-    /// By how much h_j is certainly below 0; at least 0.
-    pub deficit: f64,
     /// δ⁺_ij: at least the number of neighbours that count for j, and at least 1.
     pub degree_max: f64,
 }
@@ -144,11 +113,7 @@ impl Budget {
             Trust::ToldOrSeen => larger(told, h_min),
             Trust::Seen => h_min,
         };
-        KnownMargin {
-            budget: larger(believed, 0.0),
-            deficit: larger(-h_max, 0.0),
-            degree_max: larger(seen.degree, 1.0),
-        }
+        KnownMargin { budget: larger(believed, 0.0), degree_max: larger(seen.degree, 1.0) }
     }
 
     /// What robot i knows of j in a world in which all sense exactly and hear the same.
@@ -174,7 +139,7 @@ impl Budget {
             Low::Known(low) => low,
             Low::Asked(_) if self.is_as_claimed(glimpse) => {
                 let degree_max = larger(degree, 1.0);
-                return KnownMargin { budget: discounted_claim, deficit: 0.0, degree_max };
+                return KnownMargin { budget: discounted_claim, degree_max };
             }
             Low::Asked(low) => low(),
         };

@@ -33,6 +33,7 @@
 
 pub mod control;
 pub mod curvature;
+pub mod errors;
 pub mod inequality;
 pub mod knowledge;
 pub mod margin;
@@ -40,11 +41,13 @@ mod recovery;
 pub mod rows;
 pub mod settings;
 pub mod survey;
+pub mod weight;
 
 use crate::controller::budget::inequality::{Neighbor, may_bind};
 use crate::controller::budget::knowledge::{Sighting, count};
 use crate::controller::budget::rows::{Memory, Rows};
 use crate::controller::budget::settings::{Budget, Form};
+use crate::controller::budget::survey::Survey;
 use crate::num::{Vector, add_scaled};
 use crate::program::Outcome;
 use crate::program::balls::reach::Reach;
@@ -76,12 +79,15 @@ struct Own<const D: usize> {
     bend: f64,
     /// Bound of the error of the gradient, 1/m.
     gradient_error: f64,
+    /// How much more h_i may be, because neighbours were not sensed.
+    unsensed: f64,
 }
 
 impl Budget {
     /// All rows for robot `own`, which has these `sightings`, wants to move by `desired_m` (m) and can move within `reach`.
     ///
-    /// Whoever is certainly farther away than R gets no row. A sighting without a finite position forbids any move, and so does
+    /// Whoever is certainly farther away than R gets no row. Where there are more sightings than other robots, something is
+    /// certainly wrong. A sighting without a finite position forbids any move, and so does
     /// too little memory.
     //= theory thm:discrete
     #[must_use]
@@ -101,19 +107,39 @@ impl Budget {
         };
         let mut own = self.own(own, survey.level(), self.degree(own, sightings));
         rows.h = own.h;
+        if sightings.len() >= usize::from(self.need.robots()) {
+            rows.count_violation(true);
+        }
         for (index, sighting) in sightings.iter().enumerate() {
-            let Sighting { id, offset_m, .. } = *sighting;
-            if !self.in_range(&offset_m) {
-                continue;
+            if sighting.unsensed_m == 0.0 {
+                self.push_sighting(index, sightings, &mut survey, &mut own, &mut rows);
+            } else {
+                let blurred = self.blurred(sighting.unsensed_m);
+                blurred.push_sighting(index, sightings, &mut survey, &mut own, &mut rows);
             }
-            let slope = self.slope(index, sighting, &survey);
-            let pair = &self.pair(&offset_m, slope, &rows.program.reach);
-            let Some(seen) = self.seen(index, sightings, &mut survey) else { continue };
-            let known = self.known(&seen, pair.distance_m);
-            self.push_neighbor(&mut own, &Neighbor { id, offset_m, pair, known }, &mut rows);
         }
         self.push_own(&own, &mut rows);
         rows
+    }
+
+    /// Adds a neighbour as it is sighted, unless it is certainly out of range.
+    fn push_sighting<const D: usize>(
+        &self,
+        index: usize,
+        sightings: &[Sighting<D>],
+        survey: &mut Survey<'_>,
+        own: &mut Own<D>,
+        rows: &mut Rows<'_, D>,
+    ) {
+        let Sighting { id, offset_m, .. } = sightings[index];
+        if !self.in_range(&offset_m) {
+            return;
+        }
+        let slope = self.slope(index, &sightings[index], survey);
+        let pair = &self.pair(&offset_m, slope, &rows.program.reach);
+        let Some(seen) = self.seen(index, sightings, survey) else { return };
+        let known = self.known(&seen, pair.distance_m);
+        self.push_neighbor(own, &Neighbor { id, offset_m, pair, known }, rows);
     }
 
     /// The same rows for robot `own` with this `level` and `degree` and all its `neighbors` in order of their numbers. This is
@@ -141,13 +167,13 @@ impl Budget {
     /// h_i and δ_i of robot `id`; the other sums begin at 0.
     fn own<const D: usize>(&self, id: RobotId, level: f64, degree: f64) -> Own<D> {
         let h = level - f64::from(self.need.need(id));
-        Own { id, h, degree, gradient: [0.0; D], bend: 0.0, gradient_error: 0.0 }
+        Own { id, h, degree, gradient: [0.0; D], bend: 0.0, gradient_error: 0.0, unsensed: 0.0 }
     }
 
     /// How many of `sightings` may be neighbours of robot `own` that count for it.
     fn degree<const D: usize>(&self, own: RobotId, sightings: &[Sighting<D>]) -> f64 {
         let counts =
-            |sighting: &&Sighting<D>| self.in_range(&sighting.offset_m) && self.need.counts(own, sighting.id);
+            |sighting: &&Sighting<D>| self.is_in_range(sighting) && self.need.counts(own, sighting.id);
         count(sightings.iter().filter(counts).count())
     }
 
@@ -165,9 +191,12 @@ impl Budget {
             own.gradient = add_scaled(&own.gradient, 1.0, &gradient);
             own.bend += pair.bend;
             own.gradient_error += pair.gradient_error;
+            if self.errors.unsensed_m > 0.0 {
+                own.unsensed += self.weight_error();
+            }
         }
         let far_is_slack = self.form() == Form::Level && self.far_level_is_slack(pair.lhs_max, known);
-        if !(far_is_slack && known.deficit <= 0.0) {
+        if !far_is_slack {
             self.push_far(own, neighbor, &gradient, rows);
         }
         if !pair.near_is_slack {
@@ -175,7 +204,8 @@ impl Budget {
         }
     }
 
-    /// (far) or (far′) for a neighbour, and recovery of its h_k. Only a robot that counts for another one can weaken it.
+    /// (far) or (far′) for a neighbour. Only a robot that counts for another one can weaken it. Where h_k is below 0 the row
+    /// lets nothing be taken; mending it is for robot k (sec:recovery).
     #[inline(never)]
     fn push_far<const D: usize>(
         &self,
@@ -185,7 +215,6 @@ impl Budget {
         rows: &mut Rows<'_, D>,
     ) {
         let Neighbor { id, offset_m, pair, known } = neighbor;
-        let i_count = self.need.counts(*id, own.id);
         match self.form() {
             Form::Link => {
                 let (beta_m2, error_m) = (self.beta_of(own, neighbor), self.errors.offset_m);
@@ -193,16 +222,13 @@ impl Budget {
                     rows.push(offset_m, error_m, |offset| Row::far(offset, beta_m2));
                 }
             }
-            Form::Level if !i_count || self.far_level_is_slack(pair.lhs_max, known) => {}
+            Form::Level if !self.need.counts(*id, own.id) => {}
             Form::Level => {
                 let spend = self.spend(known);
                 rows.push(gradient, pair.gradient_error, |gradient| {
                     Row::far_level(gradient, pair.bend, spend)
                 });
             }
-        }
-        if i_count && known.deficit > 0.0 {
-            self.recover_neighbor(known.deficit, gradient, rows);
         }
     }
 

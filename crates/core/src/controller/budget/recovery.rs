@@ -1,8 +1,11 @@
 //! Recovery: how a robot mends what is violated, such as a start outside of the safe set.
 //!
 //! Where h_k or a distance is below its limit, the right-hand side of its row is 0, so that it cannot get worse. In addition
-//! the desired displacement is raised along the gradient of what is violated, by what would mend it to first order, but by no
-//! more than the longest move ρ.
+//! the desired displacement is raised along the gradient of the robot's own h_i and of its own distances, where these are
+//! violated, by what would mend them to first order, but by no more than the longest move ρ.
+//!
+//! A robot does not mend the h_k of another one. Robot k mends it itself; and if k lies and walks off, whoever mended its h_k
+//! would be towed behind it.
 
 use crate::controller::budget::Own;
 use crate::controller::budget::inequality::Pair;
@@ -10,30 +13,27 @@ use crate::controller::budget::rows::Rows;
 use crate::controller::budget::settings::Budget;
 use crate::num::{Vector, add_scaled, dot, length};
 
-impl Budget {
-    /// Recovery of a neighbour's h_k, which is certainly below 0 by `deficit`. The robot's own move changes h_k along
-    /// `gradient`, 1/m.
-    //= theory sec:recovery
-    pub(super) fn recover_neighbor<const D: usize>(
-        &self,
-        deficit: f64,
-        gradient: &Vector<D>,
-        rows: &mut Rows<'_, D>,
-    ) {
-        rows.count_violation(true);
-        rows.raise(gradient, self.mend_m(deficit, gradient));
-    }
+/// h is a sum of weights near 1: it is rounded by less than this. What is missing by no more is mended, but nothing is said.
+pub(super) const H_ROUNDING: f64 = 1e-11;
+/// Squared distances near Δ_d² are rounded by less than this fraction.
+const NEAR_ROUNDING: f64 = 1e-11;
 
-    /// Recovery of the robot's own h_i, if it is below 0.
+impl Budget {
+    /// Recovery of the robot's own h_i, if it is below 0. What may be missing only because a neighbour was not sensed is not
+    /// mended: else a robot would follow those whom it lost from sight.
     //= theory sec:recovery
     pub(super) fn recover_own<const D: usize>(&self, own: &Own<D>, rows: &mut Rows<'_, D>) {
         if own.h < 0.0 {
-            rows.count_violation(own.h + own.degree * self.weight_error() < 0.0);
-            rows.raise(&own.gradient, self.mend_m(-own.h, &own.gradient));
+            let h_max = own.h + own.unsensed;
+            if own.h < -H_ROUNDING {
+                rows.count_violation(h_max + own.degree * self.weight_error() < -H_ROUNDING);
+            }
+            rows.raise(&own.gradient, self.mend_m(-h_max, &own.gradient));
         }
     }
 
-    /// Recovery of a distance that may be less than Δ_d: each of the two robots makes up for half of what is missing.
+    /// Recovery of a distance that may be less than Δ_d: each of the two robots makes up for half of what is missing. From a
+    /// robot that was not sensed nobody shies away unless it is too close wherever it can have gone.
     //= theory sec:recovery
     pub(super) fn recover_distance<const D: usize>(
         &self,
@@ -41,9 +41,12 @@ impl Budget {
         pair: &Pair,
         rows: &mut Rows<'_, D>,
     ) {
-        let error_m = self.errors.offset_m;
-        rows.count_violation(self.spare_m2(pair, error_m) < 0.0);
-        let missing_m = self.distance_min_m + error_m - pair.distance_m;
+        let (error_m, unsensed_m) = (self.errors.offset_m, self.errors.unsensed_m);
+        let hair_m2 = NEAR_ROUNDING * self.distance_min_m * self.distance_min_m;
+        if self.spare_m2(pair, -error_m) < -hair_m2 {
+            rows.count_violation(self.spare_m2(pair, error_m) < -hair_m2);
+        }
+        let missing_m = self.distance_min_m + (error_m - 2.0 * unsensed_m) - pair.distance_m;
         rows.raise(offset, (0.5 * missing_m).min(self.move_max_m));
     }
 
@@ -55,13 +58,13 @@ impl Budget {
 
 impl<const D: usize> Rows<'_, D> {
     /// Counts a violation that is possible, and `certain` or not.
-    fn count_violation(&mut self, certain: bool) {
+    pub(crate) fn count_violation(&mut self, certain: bool) {
         self.doubtful += 1;
         self.broken += usize::from(certain);
     }
 
     /// Raises the desired displacement along `direction` to at least `wanted_m`.
-    fn raise(&mut self, direction: &Vector<D>, wanted_m: f64) {
+    pub(crate) fn raise(&mut self, direction: &Vector<D>, wanted_m: f64) {
         let size = length(direction);
         if size > 0.0 && size.is_finite() && wanted_m > 0.0 {
             let unit = direction.map(|component| component / size);

@@ -23,7 +23,7 @@ pub struct Rows<'memory, const D: usize> {
     pub desired_m: Vector<D>,
     /// The robot's own h_i, of its level or of its trimmed level.
     pub h: f64,
-    /// How many limits are certainly violated: h_i < 0, h_j < 0, or a pair closer than Δ_d.
+    /// How many limits are certainly violated: h_i < 0, or another robot closer than Δ_d.
     pub broken: usize,
     /// How many limits may be violated. Without errors of positions this is the same as `broken`.
     pub doubtful: usize,
@@ -31,7 +31,7 @@ pub struct Rows<'memory, const D: usize> {
 
 impl<'memory, const D: usize> Rows<'memory, D> {
     /// The box alone.
-    pub(super) fn new(desired_m: &Vector<D>, reach: Reach<D>, memory: &'memory mut [Row<D>]) -> Self {
+    pub(crate) fn new(desired_m: &Vector<D>, reach: Reach<D>, memory: &'memory mut [Row<D>]) -> Self {
         let desired_m = desired_m.map(|component| if component.is_finite() { component } else { 0.0 });
         Self { program: Program::new(memory, reach), desired_m, h: 0.0, broken: 0, doubtful: 0 }
     }
@@ -57,7 +57,7 @@ impl<'memory, const D: usize> Rows<'memory, D> {
     /// Adds the `row` of a `vector` that is known up to `error` along each axis. If the error is 0 that is one row; else it
     /// is one row for every corner of the cube around the vector.
     //= theory sec:margins
-    pub(super) fn push(&mut self, vector: &Vector<D>, error: f64, row: impl Fn(&Vector<D>) -> Row<D>) {
+    pub(crate) fn push(&mut self, vector: &Vector<D>, error: f64, row: impl Fn(&Vector<D>) -> Row<D>) {
         if error == 0.0 {
             return self.program.keep(row(vector));
         }

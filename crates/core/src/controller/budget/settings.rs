@@ -1,10 +1,41 @@
 //! What the controller `budget` is told once.
 
 use crate::controller::budget::curvature::Curvature;
-use crate::controller::budget::knowledge::{Assume, Trust};
-use crate::controller::budget::margin::ErrorBounds;
-use crate::need::Need;
+use crate::controller::budget::errors::ErrorBounds;
+use crate::need::{Keep, Need};
 use crate::num::exp;
+
+/// What a robot believes about the levels of its neighbours.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Trust {
+    /// What was told, cut to what is possible.
+    Told,
+    /// The larger of what was told and what is seen.
+    ToldOrSeen,
+    /// What is seen alone. No level need be sent, so there is nothing to lie about.
+    Seen,
+}
+
+/// What malicious robots are assumed to do.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Assume {
+    /// They lie but move by the rows (Assumption 1): `h_k = Σ_j a_kj − F′`, `F′ = F + ⌊n/2⌋`.
+    Obedient,
+    /// They move as they like and tell every neighbour another value: `h_k = T_k − θ`, `θ = F + ⌊(n−F)/2⌋`, with T_k the
+    /// sum of the a_kj without its F largest terms.
+    Free,
+}
+
+impl Assume {
+    /// Which neighbours every robot must then keep enough of.
+    #[must_use]
+    pub fn keep(self) -> Keep {
+        match self {
+            Self::Obedient => Keep::Neighbors,
+            Self::Free => Keep::NormalNeighbors,
+        }
+    }
+}
 
 /// What bounds the loss of connectivity.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -96,17 +127,8 @@ fn power(base: f64, exponent: u32) -> f64 {
 
 /// `γ = 1 − e^(−αT)`: the fraction per tick of `period_s` (s) that loses at the rate α (1/s), whatever the tick.
 ///
-/// The guarantee holds for every γ, but how far a team gets depends on it. A robot that spends all in one tick is held
-/// where it happens to stand. Mean radius of gyration of the paper's eleven robots after 10 s (q₂ = 0.3, start `inside`, twelve assignments of
-/// robots to places, no attack; `examples/budget_spread.rs`), m:
-///
-/// ```text
-/// α, 1/s              0.5    1      2      4      8      40
-/// (far′), T =  5 ms   1.359  1.470  1.541  1.537  1.503  1.459      (γ = 0.2 at 5 ms is α = 45/s)
-/// (far′), T = 50 ms   1.351  1.442  1.525  1.512  1.480  1.440
-/// (far),  T =  5 ms   1.356  1.422  1.485  1.475  1.441  1.427
-/// free,   T =  5 ms   1.305  1.337  1.348  1.358  1.350  1.315
-/// ```
+/// The guarantee holds for every γ, but how far and how fast a team gets depends on it (docs/theory, sec:own-weight). A robot
+/// that spends all in one tick is held where it happens to stand.
 #[must_use]
 pub fn fraction_of_rate(rate_per_s: f64, period_s: f64) -> f64 {
     1.0 - exp(-rate_per_s * period_s)
@@ -116,7 +138,6 @@ pub fn fraction_of_rate(rate_per_s: f64, period_s: f64) -> f64 {
 mod tests {
     use super::*;
     use crate::equations::link::LinkShape;
-    use crate::need::Keep;
 
     fn paper() -> Budget {
         Budget {

@@ -2,8 +2,8 @@
 
 use core::ops::Range;
 
-use crate::controller::budget::knowledge::{Assume, Seen, Sighting, count};
-use crate::controller::budget::settings::Budget;
+use crate::controller::budget::knowledge::{Seen, Sighting, count};
+use crate::controller::budget::settings::{Assume, Budget};
 use crate::num::{is_finite, subtract};
 use crate::robot::neighbor::RobotId;
 
@@ -87,8 +87,8 @@ impl Budget {
     fn add_own<const D: usize>(&self, index: usize, sighting: &Sighting<D>, survey: &mut Survey<'_>) {
         let link = self.link(&sighting.offset_m);
         let weight = match link {
-            Some(link) if self.is_exact() => link.weight,
-            _ => self.weight_lower_bound(&sighting.offset_m),
+            Some(link) if self.is_exact() && sighting.unsensed_m == 0.0 => link.weight,
+            _ => self.weight_of(sighting),
         };
         if self.assume == Assume::Obedient && self.need.counts(survey.own, sighting.id) {
             survey.level += weight.max(0.0);
@@ -190,7 +190,7 @@ impl Budget {
         let one = &sightings[index];
         for (place, (other, weight)) in sightings.iter().zip(line).enumerate() {
             *weight = if place == index {
-                self.counted(one.id, own, self.weight_lower_bound(&one.offset_m))
+                self.counted(one.id, own, self.weight_of(one))
             } else {
                 self.counted(one.id, other.id, self.weight_between(one, other))
             };
@@ -201,9 +201,8 @@ impl Budget {
     /// a sighting; with less the level is 0.
     #[must_use]
     pub fn level<const D: usize>(&self, own: RobotId, sightings: &[Sighting<D>], scratch: &mut [f64]) -> f64 {
-        let weights = sightings
-            .iter()
-            .map(|sighting| self.counted(own, sighting.id, self.weight_lower_bound(&sighting.offset_m)));
+        let weights =
+            sightings.iter().map(|sighting| self.counted(own, sighting.id, self.weight_of(sighting)));
         if self.assume == Assume::Obedient {
             return weights.fold(0.0, |sum, weight| sum + weight.max(0.0));
         }
@@ -214,7 +213,19 @@ impl Budget {
     }
 
     fn weight_between<const D: usize>(&self, one: &Sighting<D>, other: &Sighting<D>) -> f64 {
-        self.weight_lower_bound(&subtract(&other.position_m, &one.position_m))
+        let offset_m = subtract(&other.position_m, &one.position_m);
+        match one.unsensed_m + other.unsensed_m {
+            0.0 => self.weight_lower_bound(&offset_m),
+            unsensed_m => self.blurred(unsensed_m).weight_lower_bound(&offset_m),
+        }
+    }
+
+    /// The least weight that the link of the robot itself with a sighting may have; −1 if there certainly is none.
+    fn weight_of<const D: usize>(&self, sighting: &Sighting<D>) -> f64 {
+        match sighting.unsensed_m {
+            0.0 => self.weight_lower_bound(&sighting.offset_m),
+            unsensed_m => self.blurred(unsensed_m).weight_lower_bound(&sighting.offset_m),
+        }
     }
 
     /// The weight of a link as `robot` counts it: −1, as without a link, if `other` does not count for it.

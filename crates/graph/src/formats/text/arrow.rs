@@ -1,6 +1,6 @@
 //! Arrows between two names: who hears whom.
 
-use super::edge_list::{Rules, ends};
+use super::name::ends;
 use crate::formats::builder::Builder;
 use crate::formats::error::FormatError;
 use crate::formats::words::Word;
@@ -40,15 +40,15 @@ pub(super) fn glued(word: &str) -> Option<(&str, &str, &str)> {
     (bare(from) && bare(to)).then_some((from, arrow, to))
 }
 
-/// Reads one link. An arrow that contradicts the direction asked for is refused.
+/// Reads one link. An arrow that contradicts the direction `asked` for is refused.
 pub(super) fn read_arrow(
     builder: &mut Builder,
     from: &Word<'_>,
     (sign, arrow): (&Word<'_>, Option<Arrow>),
     to: &Word<'_>,
-    rules: &Rules,
+    asked: Option<bool>,
 ) -> Result<(), FormatError> {
-    match (rules.asked, arrow) {
+    match (asked, arrow) {
         (Some(false), Some(Arrow::Forward | Arrow::Back)) => {
             return Err(sign.unexpected("-- between two names, as they were said to be undirected"));
         }

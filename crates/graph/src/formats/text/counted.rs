@@ -3,7 +3,7 @@
 use alloc::vec::Vec;
 
 use super::Said;
-use super::edge_list::{Rules, read_lines};
+use super::rows::{Rules, read_lines};
 use crate::formats::Options;
 use crate::formats::builder::{Builder, Draft};
 use crate::formats::error::{FormatError, Problem};

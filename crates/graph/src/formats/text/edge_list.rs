@@ -3,17 +3,13 @@
 use alloc::string::String;
 use alloc::vec::Vec;
 
-use super::arrow::{arrow_of, glued, read_arrow};
-use super::header::{self, Columns};
-use super::{Said, counted, plain, refuse_strange};
+use super::arrow::{arrow_of, glued};
+use super::rows::{Rules, read_lines};
+use super::{Said, counted, plain};
 use crate::formats::builder::{Builder, Draft};
 use crate::formats::error::{FormatError, Problem, WriteError, shortened};
-use crate::formats::note::Note;
-use crate::formats::words::{Line, Separator, Word, lines};
+use crate::formats::words::{Line, lines};
 use crate::formats::{Named, Options, adjacency, matrix};
-
-/// The words of a line.
-type Row<'a> = Vec<Word<'a>>;
 
 /// Whether it reads as one, and is no square of zeros and ones of three rows or more (such an edge list would be one link
 /// between the robots 0 and 1, told several times), nor dated as only adjacency lists of networkx are.
@@ -48,49 +44,6 @@ fn is_fraction(name: &str) -> bool {
     name.parse::<f64>().is_ok() && fraction.is_some_and(|fraction| !fraction.is_empty())
 }
 
-/// What is allowed beyond two names a line.
-pub(super) struct Rules {
-    pub(super) asked: Option<bool>,
-    pub(super) single_names: bool,
-    pub(super) header: bool,
-}
-
-impl Rules {
-    fn of(options: &Options<'_>) -> Self {
-        Self { asked: options.directed, single_names: false, header: true }
-    }
-}
-
-/// Reads the lines of edges into `builder`.
-pub(super) fn read_lines(
-    mut builder: Builder,
-    said: &[Line<'_>],
-    rules: &Rules,
-) -> Result<Draft, FormatError> {
-    let separator = Separator::of(said);
-    let mut rows: Vec<Row<'_>> = said.iter().map(|&line| separator.words(line)).collect();
-    let columns = if rules.single_names || !rules.header { None } else { header::find(&rows) };
-    if let (Some(columns), Some(line)) = (columns, said.first()) {
-        builder.note(Note::Header { line: line.number, text: shortened(line.text) });
-        let used = 2 + usize::from(columns.kind.is_some()) + usize::from(columns.weight.is_some());
-        builder.notes_columns(rows[0].len().saturating_sub(used));
-        rows.remove(0);
-    }
-    refuse_unequal(&rows, rules)?;
-    refuse_mixed_weights(&rows)?;
-    for row in &rows {
-        match columns {
-            Some(columns) => read_columns(&mut builder, row, columns)?,
-            None => read_row(&mut builder, row, rules)?,
-        }
-    }
-    let last = said.last().map_or(1, |line| line.number);
-    if !rules.single_names {
-        builder.refuse_same_numbers(last)?;
-    }
-    builder.finish_by_number(last)
-}
-
 fn refuse_one_word(said: &[Line<'_>]) -> Result<(), FormatError> {
     match said {
         [line] if !line.text.contains([' ', '\t', ',', ';']) && glued(line.text).is_none() => {
@@ -99,117 +52,6 @@ fn refuse_one_word(said: &[Line<'_>]) -> Result<(), FormatError> {
         }
         _ => Ok(()),
     }
-}
-
-/// Every line has as many columns as the first one; a single name may stand alone where that is allowed.
-fn refuse_unequal(rows: &[Row<'_>], rules: &Rules) -> Result<(), FormatError> {
-    let alone = |row: &Row<'_>| rules.single_names && row.len() == 1;
-    let mut rows = rows.iter().filter(|row| !alone(row));
-    let Some(first) = rows.next() else {
-        return Ok(());
-    };
-    let line = |row: &Row<'_>| row.first().map_or(1, |word| word.line);
-    match rows.find(|row| row.len() != first.len()) {
-        Some(row) => {
-            let problem = Problem::Columns { found: row.len(), first_line: line(first), first: first.len() };
-            Err(FormatError::new(line(row), problem))
-        }
-        None => Ok(()),
-    }
-}
-
-/// Behind two names all lines have a number, or all have `{…}`.
-fn refuse_mixed_weights(rows: &[Row<'_>]) -> Result<(), FormatError> {
-    let is_data = |word: &&Word<'_>| word.text.starts_with('{');
-    let third = || rows.iter().filter_map(|row| row.get(2));
-    match (third().any(|word| is_data(&word)), third().find(|word| !is_data(word))) {
-        (true, Some(word)) => Err(word.unexpected("{…} behind the names, as in other lines")),
-        _ => Ok(()),
-    }
-}
-
-/// `a b`, `a b 0.5`, `a -> b`, `a -> b 0.5`, `a->b`, or `a` alone where that is allowed.
-fn read_row(builder: &mut Builder, row: &[Word<'_>], rules: &Rules) -> Result<(), FormatError> {
-    match row {
-        [word] => match glued(word.text) {
-            Some((from, arrow, to)) if !word.quoted => {
-                let part = |text| Word { text, ..*word };
-                read_arrow(builder, &part(from), (&part(arrow), arrow_of(arrow)), &part(to), rules)
-            }
-            _ if rules.single_names => {
-                refuse_strange(word)?;
-                builder.node(word.text, word.line).map(|_| ())
-            }
-            _ => Err(word.unexpected(
-                "two names; single ones are allowed after a first line `directed` or `undirected`",
-            )),
-        },
-        [from, middle, to, rest @ ..] if arrow_of(middle.text).is_some() && rest.len() < 2 => {
-            rest.iter().try_for_each(refuse_no_weight)?;
-            read_arrow(builder, from, (middle, arrow_of(middle.text)), to, rules)
-        }
-        [from, to] => read_edge(builder, from, to),
-        [from, to, weight] => {
-            refuse_no_weight(weight)?;
-            read_edge(builder, from, to)
-        }
-        [_, _, _, more, ..] => Err(more.unexpected("two names, and at most a weight after them")),
-        [] => Ok(()),
-    }
-}
-
-fn read_edge(builder: &mut Builder, from: &Word<'_>, to: &Word<'_>) -> Result<(), FormatError> {
-    let (from, to) = ends(builder, from, to)?;
-    builder.edge(from.0, to, from.1);
-    Ok(())
-}
-
-/// The two nodes, the first with its line.
-pub(super) fn ends(
-    builder: &mut Builder,
-    from: &Word<'_>,
-    to: &Word<'_>,
-) -> Result<((usize, usize), usize), FormatError> {
-    refuse_strange(from)?;
-    refuse_strange(to)?;
-    let start = builder.node(from.text, from.line).map_err(|error| error.at(from.at))?;
-    let end = builder.node(to.text, to.line).map_err(|error| error.at(to.at))?;
-    Ok(((start, from.line), end))
-}
-
-/// A number other than 0, or `{…}` as networkx writes it.
-pub(in crate::formats) fn refuse_no_weight(weight: &Word<'_>) -> Result<(), FormatError> {
-    if weight.text.starts_with('{') {
-        return Ok(());
-    }
-    match weight.number() {
-        Some(0.0) => Err(weight.unexpected("a weight other than 0: nobody can know whether 0 is a link")),
-        Some(_) => Ok(()),
-        None => Err(weight.unexpected("two names, and at most a weight after them")),
-    }
-}
-
-/// A row under a header that says which columns count.
-fn read_columns(builder: &mut Builder, row: &[Word<'_>], columns: Columns) -> Result<(), FormatError> {
-    let (Some(from), Some(to)) = (row.get(columns.from), row.get(columns.to)) else {
-        let line = row.first().map_or(1, |word| word.line);
-        return Err(FormatError::missing(line, "a value in both columns of ends that the header names"));
-    };
-    let weight = columns.weight.and_then(|weight| row.get(weight)).filter(|weight| !weight.text.is_empty());
-    weight.map_or(Ok(()), refuse_no_weight)?;
-    let kind = columns.kind.and_then(|kind| row.get(kind));
-    let both = match kind.map(|kind| kind.text.to_ascii_lowercase()) {
-        None => !builder.is_directed(),
-        Some(kind) if kind == "undirected" || kind == "false" => true,
-        Some(kind) if kind == "directed" || kind == "true" => false,
-        Some(_) => {
-            let kind = kind.copied().unwrap_or(*from);
-            return Err(kind.unexpected("Directed or Undirected in this column"));
-        }
-    };
-    let ((from, line), to) = ends(builder, from, to)?;
-    builder.link(from, to, both, line);
-    Ok(())
 }
 
 /// A first line with the direction, then every node, then every edge.

@@ -6,8 +6,9 @@ mod direction;
 pub(super) mod edge_list;
 mod header;
 mod name;
+mod rows;
 pub(super) mod tuples;
 
 pub(super) use direction::Said;
-pub(super) use edge_list::refuse_no_weight;
 pub(super) use name::{plain, refuse_strange};
+pub(super) use rows::refuse_no_weight;

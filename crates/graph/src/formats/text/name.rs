@@ -1,5 +1,6 @@
 //! Which words may be names in plain texts. What looks like a piece of another format is none.
 
+use crate::formats::builder::Builder;
 use crate::formats::error::FormatError;
 use crate::formats::words::Word;
 
@@ -28,4 +29,17 @@ pub(in crate::formats) fn plain(name: &str) -> bool {
 /// `1 2`: two columns within one, so the separator was not what it seemed.
 fn is_many_numbers(name: &str) -> bool {
     name.contains(char::is_whitespace) && name.split_whitespace().all(|part| part.parse::<f64>().is_ok())
+}
+
+/// The two nodes, the first with its line.
+pub(super) fn ends(
+    builder: &mut Builder,
+    from: &Word<'_>,
+    to: &Word<'_>,
+) -> Result<((usize, usize), usize), FormatError> {
+    refuse_strange(from)?;
+    refuse_strange(to)?;
+    let start = builder.node(from.text, from.line).map_err(|error| error.at(from.at))?;
+    let end = builder.node(to.text, to.line).map_err(|error| error.at(to.at))?;
+    Ok(((start, from.line), end))
 }

@@ -45,7 +45,7 @@ impl Quantity {
     fn column(self, record: &Record) -> &[f64] {
         match self {
             Self::Barrier => &record.h,
-            Self::Value => &record.value,
+            Self::Value => &record.value_told,
         }
     }
 

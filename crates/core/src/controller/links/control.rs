@@ -1,0 +1,200 @@
+//! The controller `links` as a robot runs it: its lists, its rows, the closest velocity, and its worth.
+
+use core::time::Duration;
+
+use crate::controller::budget::settings::Assume;
+use crate::controller::links::Links;
+use crate::controller::links::peer::{Ledger, Peer};
+use crate::controller::{Control, Decision, Glimpse, Kept, Motion, Neighbor, Own, Standing, View};
+use crate::equations::link::{Link, LinkShape};
+use crate::need::{Keep, Need};
+use crate::num::Vector;
+use crate::program::balls::reach::Reach;
+use crate::program::{InputBox, Outcome};
+use crate::robot::neighbor::{RobotId, Slot};
+use crate::robot::report::{Mode, Reason};
+use crate::robot::scratch::{Needs, Scratch};
+use crate::settings::{LinksSettings, Settings};
+use crate::time::Instant;
+
+/// The controller with its parameters.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct LinksController<const D: usize> {
+    /// The parameters of the rows and of the rule who releases whom.
+    pub links: Links,
+    reach: Reach<D>,
+    input: InputBox<D>,
+    hold_s: f64,
+    told_max: Duration,
+    /// A neighbour that is not sensed for more ticks than this is given up.
+    unseen_max: u32,
+    /// The links of the team; their weights are of no use here.
+    shape: LinkShape,
+}
+
+impl<const D: usize> LinksController<D> {
+    pub(crate) fn new(settings: &Settings<D>, parameters: &LinksSettings, shape: LinkShape) -> Self {
+        let (errors, reach) = (settings.error_bounds(), settings.reach());
+        let (keep, spare) = match parameters.assume {
+            Assume::Obedient => (Keep::Neighbors, 0),
+            Assume::Free => (Keep::NormalNeighbors, settings.team.faults),
+        };
+        let (period, hold_s) = (settings.clock.level_period, settings.clock.hold_max().as_secs_f64());
+        let distance_min_m = settings.limits.distance_min_m + 2.0 * errors.away_m;
+        let links = Links {
+            need: Need::new(settings.team.robots, settings.team.faults, keep),
+            spare,
+            assume: parameters.assume,
+            radius_m: Links::held_radius_m(shape.radius_m, &errors),
+            sight_m: shape.radius_m + errors.offset_m,
+            distance_min_m,
+            distance_held_m: Links::held_distance_m(distance_min_m),
+            move_max_m: reach.longest_m(),
+            speed_max_m_s: reach.longest_m() / hold_s,
+            gamma: parameters.gamma(period),
+            gamma_c: parameters.gamma_c(period),
+            errors,
+            horizon_s: parameters.horizon_s,
+            pass_right: parameters.pass_right,
+        };
+        let (input, told_max) = (settings.limits.input, settings.clock.told_max);
+        let ticks = told_max.as_nanos() / period.as_nanos().max(1);
+        let unseen_max = u32::try_from(ticks).unwrap_or(u32::MAX);
+        Self { links, reach, input, hold_s, told_max, unseen_max, shape }
+    }
+
+    /// The desired velocity as the robot tells and follows it.
+    fn wish(&self, view: &View<'_, D>, desired: &Vector<D>) -> Vector<D> {
+        let heard = view.sensed().filter_map(|slot| {
+            let told = slot.peer.told_within(view.now, self.told_max)?;
+            Some((slot.offset_m, told.head.wish_m_s))
+        });
+        self.links.turned(desired, heard)
+    }
+
+    fn decision(&self, view: &View<'_, D>, desired: &Vector<D>, scratch: &mut Scratch<'_, D>) -> Decision<D> {
+        let desired_m = self.wish(view, desired).map(|component| component * self.hold_s);
+        let mut rows =
+            self.links.rows((view.slots, view.ledger.obliged), &desired_m, self.reach, scratch.rows);
+        let moved = rows.decide(&view.before_m_s.map(|component| component * self.hold_s));
+        let velocity = moved.displacement_m.map(|component| component / self.hold_s);
+        let counted = view.slots.iter().filter(|slot| slot.peer.is_counted()).count();
+        let uncounted = (counted < self.links.keep(view.id)).then_some(Reason::Uncounted);
+        let doubt = match moved.doubt {
+            Some(Reason::Uncertain) | None => uncounted.or(moved.doubt),
+            grave => grave,
+        };
+        Decision { velocity_m_s: self.input.clip(&velocity), outcome: moved.outcome, phi: None, doubt }
+    }
+}
+
+impl<const D: usize> Control<D> for LinksController<D> {
+    type Pair = ();
+    type Told = ();
+    type Sums = ();
+    type Known = ();
+
+    const ADDS: bool = false;
+    const LOOKS: bool = false;
+    const USES_PHI: bool = false;
+
+    fn need(&self) -> &Need {
+        &self.links.need
+    }
+
+    fn sight_m(&self, _radius_m: f64) -> f64 {
+        self.links.sight_m
+    }
+
+    fn promises(&self) -> bool {
+        true
+    }
+
+    fn kept(&self, _link: &LinkShape, _distance_min_m: f64) -> Kept {
+        let Links { distance_min_m, gamma_c, errors, .. } = self.links;
+        let link = LinkShape { radius_m: self.shape.radius_m - 2.0 * errors.away_m, ..self.shape };
+        Kept { link, distance_min_m, gamma_c, errors }
+    }
+
+    fn is_obeyed(&self) -> bool {
+        self.links.assume == Assume::Obedient
+    }
+
+    /// Two rows a neighbour and two for each axis. Whoever is not sensed for a while has an error, and so all corners of a cube.
+    fn needs(&self, neighbors: usize) -> Needs {
+        let corners = 1_usize << D.min(8);
+        let rows = neighbors.saturating_mul(2).saturating_mul(corners).saturating_add(2 * D);
+        Needs { values: neighbors, sightings: 0, rows }
+    }
+
+    fn can_be_computed_at_once(&self) -> bool {
+        false
+    }
+
+    fn tells_lists(&self) -> bool {
+        true
+    }
+
+    fn keeps_unseen(&self, slot: &Slot<D>) -> bool {
+        let Peer { hold, vanished, inside, unseen_ticks, .. } = &slot.peer;
+        *inside || ((hold.is_bound() || *vanished) && *unseen_ticks <= self.unseen_max)
+    }
+
+    /// A neighbour that was well inside when it was sensed last cannot have left in a tick.
+    fn misses(&self, slot: &Slot<D>) -> bool {
+        slot.peer.vanished
+    }
+
+    fn agree(
+        &self,
+        id: RobotId,
+        ledger: &mut Ledger<D>,
+        slots: &mut [Slot<D>],
+        now: Instant,
+        scratch: &mut Scratch<'_, D>,
+    ) {
+        self.links.agree(id, ledger, slots, now, scratch.values);
+    }
+
+    /// How many neighbours the robot counts on.
+    fn level(&self, view: &View<'_, D>, _scratch: &mut Scratch<'_, D>) -> f64 {
+        view.slots.iter().filter(|slot| slot.peer.is_counted()).fold(0.0, |level, _| level + 1.0)
+    }
+
+    fn pair(&self, _offset_m: &Vector<D>, _link: &Link<f64>) -> Option<()> {
+        None
+    }
+
+    fn told(&self, _robot: RobotId, _level: Option<f64>) {}
+
+    fn sums(&self, (): &()) {}
+
+    fn hear(&self, (): &mut (), (): &()) {}
+
+    fn add(&self, (): &mut (), _offset_m: &Vector<D>, (): &(), _told: [&(); 2]) {}
+
+    fn know(&self, _glimpse: &Glimpse<'_, ()>) {}
+
+    /// Never called: a team of `links` is not computed at once by this seam. The robot would stand still.
+    fn decide<'a>(
+        &self,
+        _own: &Own,
+        (): &(),
+        _neighbors: impl Iterator<Item = Neighbor<'a, D, (), ()>> + Clone,
+        _motion: &Motion<D>,
+        _scratch: &mut Scratch<'_, D>,
+    ) -> Decision<D> {
+        let doubt = Some(Reason::Uncounted);
+        Decision { velocity_m_s: [0.0; D], outcome: Outcome::Active, phi: None, doubt }
+    }
+
+    fn alone(&self, view: &View<'_, D>, desired: &Vector<D>, scratch: &mut Scratch<'_, D>) -> Decision<D> {
+        self.decision(view, desired, scratch)
+    }
+
+    /// The answer is guaranteed as long as the robot counts on enough neighbours and nothing else that it can check speaks
+    /// against it.
+    fn mode(&self, standing: &Standing) -> Mode {
+        standing.reason.map_or(Mode::Guaranteed, Mode::Degraded)
+    }
+}

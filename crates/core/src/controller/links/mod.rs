@@ -1,0 +1,115 @@
+//! Held links: a controller without weights. Robots agree on which links they keep, and a link that is kept has a row at
+//! both ends.
+//!
+//! Robot i *lists* the neighbours that it wants to keep and *counts on* those that have acknowledged it ([`protocol`]). It
+//! moves by the v closest to the desired displacement that satisfies, with `r = x_i − x_j` and `D = |r|²`:
+//!
+//! ```text
+//! (held)  r·v + |v|² ≤ (γ/4) (R_h² − D)⁺        for every j that i lists, or that has not let go of i
+//! (near)  −2 r·v     ≤ (γ_c/2) (D − Δ_d²)⁺      for every j in sight
+//! (box)   v/T ∈ U_i
+//! ```
+//!
+//! Each set is convex and contains v = 0. A link that is counted on with D ≤ R_h² is never longer than R_h, whatever is lost, late,
+//! doubled, reordered or lied: both ends have their row (docs/theory/links.md, thm:held). So a robot that counts on enough
+//! neighbours, and releases none of them below that, keeps them for ever.
+//!
+//! R_h is a hair below R. A robot beyond R_h and in sight still has its row, so that rounding cannot drop it.
+//!
+//! | | file |
+//! | --- | --- |
+//! | who lists whom, who is counted on, whose row is active | [`protocol`] |
+//! | what is told, as bytes | [`wire`] |
+//! | what a robot holds of a neighbour | [`peer`] |
+//! | the rows of a tick | `rows` |
+//! | who releases whom: no guarantee rests on it | `policy`, `deal` |
+//! | the seam | [`control`] |
+
+pub mod control;
+mod deal;
+pub mod peer;
+mod policy;
+pub mod protocol;
+mod rows;
+pub mod wire;
+
+use crate::controller::budget::errors::ErrorBounds;
+use crate::controller::budget::settings::Assume;
+use crate::need::Need;
+use crate::num::length;
+use crate::robot::neighbor::{RobotId, Slot};
+
+/// Links are held so much below R, and distances so much above Δ_d, as fractions: far more than rounding, far less than anybody
+/// can see.
+const HAIR: f64 = 1e-9;
+
+/// The parameters of the rows and of the rule who releases whom.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Links {
+    /// Who counts for whom.
+    pub need: Need,
+    /// How many more than those a robot must count on: F where liars move as they like, so that enough normal ones are left.
+    pub spare: u16,
+    /// What malicious robots are assumed to do.
+    pub assume: Assume,
+    /// R_h, m: no link that is counted on is longer.
+    pub radius_m: f64,
+    /// Up to this distance sensed robots may be within R_h, m.
+    pub sight_m: f64,
+    /// Δ_d, m, with what errors add.
+    pub distance_min_m: f64,
+    /// What (near) keeps, m: a hair more, so that rounding takes no robot below Δ_d.
+    pub distance_held_m: f64,
+    /// ρ, m: no move of a tick is longer.
+    pub move_max_m: f64,
+    /// The greatest speed of a robot, m/s.
+    pub speed_max_m_s: f64,
+    /// γ: the fraction of R_h² − D that may be lost in a tick, in (0, 1].
+    pub gamma: f64,
+    /// γ_c: the fraction of D − Δ_d² that may be lost in a tick, in (0, 1].
+    pub gamma_c: f64,
+    /// What errors of sensing and tracking cost.
+    pub errors: ErrorBounds,
+    /// H, s: how far the rule looks ahead.
+    pub horizon_s: f64,
+    /// Whether robots pass each other on the right.
+    pub pass_right: bool,
+}
+
+impl Links {
+    /// R_h, m, for links of `radius_m` with these errors.
+    #[must_use]
+    pub fn held_radius_m(radius_m: f64, errors: &ErrorBounds) -> f64 {
+        (radius_m - 2.0 * errors.away_m) * (1.0 - HAIR)
+    }
+
+    /// What (near) keeps, m, where no two robots may come nearer than `distance_min_m`.
+    #[must_use]
+    pub fn held_distance_m(distance_min_m: f64) -> f64 {
+        distance_min_m * (1.0 + HAIR)
+    }
+
+    /// How many neighbours `robot` must count on.
+    #[must_use]
+    pub fn keep(&self, robot: RobotId) -> usize {
+        usize::from(self.need.need(robot)) + usize::from(self.spare)
+    }
+
+    /// How wrong the offset to a neighbour may be, m: since it was last sensed, it may have moved.
+    pub(crate) fn error_m<const D: usize>(&self, slot: &Slot<D>) -> f64 {
+        self.errors.offset_m + f64::from(slot.peer.unseen_ticks) * self.move_max_m
+    }
+
+    /// Notes whether a neighbour that is counted on has been within R_h. Once it certainly was, it is for as long as it is
+    /// counted on (thm:held), unless it is certainly beyond: then some assumption was broken. One that is not sensed may have
+    /// broken one: it is held only as long as it cannot be beyond. Gives the distance, m.
+    fn settle<const D: usize>(&self, slot: &mut Slot<D>) -> f64 {
+        let error_m = self.error_m(slot);
+        let (distance_m, peer) = (length(&slot.offset_m), &mut slot.peer);
+        let certainly_within = distance_m + error_m <= self.radius_m;
+        let certainly_beyond = distance_m - error_m > self.radius_m * (1.0 + HAIR);
+        let carried = peer.held && peer.unseen_ticks == 0 && !certainly_beyond;
+        peer.held = peer.hold.counts() && (carried || certainly_within);
+        distance_m
+    }
+}

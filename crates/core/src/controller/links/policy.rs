@@ -1,0 +1,201 @@
+//! Who releases whom: the rule "reserve". It decides how far a team gets. No guarantee rests on it, so it uses whatever is told.
+//!
+//! A robot has so many slots as robots in range can be counted beyond what it must keep, and promises them to those with whom it
+//! would end farthest apart if both got their wish for [`Links::horizon_s`]. A pair that promised each other is *engaged*. It
+//! is released once it is stretched, and what is near is listed again:
+//!
+//! ```text
+//! V_ij      = |x_i − x_j + H (w_i − w_j)|
+//! eligible  = in range, heard of late, V_ij ≥ price_j, not barred, stretched or not lapsed
+//! promise_i = the b_i largest V among the eligible, with `GRACE_M` more for who is engaged
+//! price_i   = the least V of the engaged if all b_i are engaged; 0 if slots are left; ∞ if b_i = 0
+//! release   = engaged, listed and stretched j, largest V first, while more are counted on than must be
+//! ```
+//!
+//! A promise that is of no use for a while lapses. Who goes on listing a robot that has stopped listing it is listed again, because
+//! its row is active anyway, and is barred for a time that doubles.
+
+use core::time::Duration;
+
+use crate::controller::links::Links;
+use crate::controller::links::peer::{Ledger, Peer};
+use crate::controller::links::protocol::Number;
+use crate::num::{Vector, add_scaled, dot, length, subtract};
+use crate::robot::neighbor::{RobotId, Slot};
+use crate::time::Instant;
+
+/// A pair is released beyond this fraction of the held radius, and listed again below the other.
+const STRETCHED: f64 = 0.95;
+const NEAR: f64 = 0.85;
+/// What was told longer ago does not count.
+const HEARD: Duration = Duration::from_secs(1);
+/// So many ticks a neighbour has time to follow a release.
+const PATIENCE_TICKS: u32 = 10;
+/// No more time than this passes between two looks, s.
+const STEP_MAX_S: f64 = 1.0;
+
+/// Who passes to the right looks so many Δ_d ahead; the cosine of 45 degrees.
+const PASS_DISTANCES: f64 = 1.2;
+const COS_45: f64 = core::f64::consts::FRAC_1_SQRT_2;
+/// Cosine and sine of the angle by which a tie is broken.
+const TIE: [f64; 2] = [0.999_800_006_666_577_8, 0.019_998_666_693_333_08];
+
+impl Links {
+    /// Decides whom robot `own` lists from now on, and what it promises. `values` is scratch, one number a slot.
+    pub(crate) fn agree<const D: usize>(
+        &self,
+        own: RobotId,
+        ledger: &mut Ledger<D>,
+        slots: &mut [Slot<D>],
+        now: Instant,
+        values: &mut [f64],
+    ) {
+        let elapsed_s = ledger.looked_at.map_or(0.0, |then| now.since(then).as_secs_f64().min(STEP_MAX_S));
+        let (last, first) = (ledger.numbers.last(), ledger.looked_at.is_none());
+        let (mut counted, mut in_range) = (0, 0);
+        for slot in &mut *slots {
+            let distance_m = self.settle(slot);
+            self.look(slot, distance_m, &ledger.wish_m_s, now);
+            slot.peer.deal.pass(elapsed_s);
+            counted += usize::from(slot.peer.is_counted());
+            in_range += usize::from(self.may_be_counted(own, slot, now));
+        }
+        let keep = self.keep(own);
+        let slots_left = in_range.saturating_sub(keep);
+        promise(slots, slots_left, values);
+        ledger.price_m = price_m(slots, slots_left);
+        Self::release(slots, counted, keep);
+        self.list(own, slots, last, first || counted < keep);
+        ledger.looked_at = Some(now);
+    }
+
+    /// Looks at one neighbour at `distance_m`: how far apart both would end, and whether it may be promised anything.
+    fn look<const D: usize>(&self, slot: &mut Slot<D>, distance_m: f64, wish_m_s: &Vector<D>, now: Instant) {
+        let told = slot.peer.told_within(now, HEARD);
+        let their_m_s = told.map_or([0.0; D], |told| self.capped(&told.head.wish_m_s));
+        let ends_m = add_scaled(&slot.offset_m, self.horizon_s, &subtract(wish_m_s, &their_m_s));
+        let (price_m, promised) =
+            told.map_or((f64::INFINITY, false), |told| (told.head.price_m, told.promised));
+        let deal = &mut slot.peer.deal;
+        deal.gain_m = length(&ends_m);
+        deal.engaged = deal.promised && promised;
+        deal.stretched = distance_m > STRETCHED * self.radius_m;
+        let usable = deal.barred_s <= 0.0 && (deal.stretched || deal.lapsed_s <= 0.0);
+        deal.eligible = slot.sensed && usable && deal.key_m() >= price_m;
+    }
+
+    /// True if the neighbour is in range and can be counted on, now or soon.
+    fn may_be_counted<const D: usize>(&self, own: RobotId, slot: &Slot<D>, now: Instant) -> bool {
+        let in_range = slot.sensed && dot(&slot.offset_m, &slot.offset_m) <= self.radius_m * self.radius_m;
+        self.need.counts(own, slot.id) && in_range && slot.peer.told_within(now, HEARD).is_some()
+    }
+
+    /// Releases who is to be released, as long as enough are counted on, and follows those who have let go.
+    fn release<const D: usize>(slots: &mut [Slot<D>], mut counted: usize, keep: usize) {
+        loop {
+            let loose = |peer: &Peer<D>| {
+                let (is_counted, deal) = (peer.is_counted(), &peer.deal);
+                let let_go = peer.hold.is_released() && (deal.engaged || !is_counted);
+                peer.hold.is_listed()
+                    && deal.stretched
+                    && (deal.engaged || let_go)
+                    && (!is_counted || counted > keep)
+            };
+            let mut farthest: Option<&mut Peer<D>> = None;
+            for peer in slots.iter_mut().map(|slot| &mut slot.peer).filter(|peer| loose(peer)) {
+                if farthest.as_ref().is_none_or(|most| peer.deal.gain_m > most.deal.gain_m) {
+                    farthest = Some(peer);
+                }
+            }
+            let Some(peer) = farthest else { return };
+            counted -= usize::from(peer.is_counted());
+            (peer.deal.released, peer.held) = (true, false);
+            peer.hold.release();
+        }
+    }
+
+    /// Lists who is near, who does not let go, and with `all` who is in range.
+    fn list<const D: usize>(&self, own: RobotId, slots: &mut [Slot<D>], last: Number, all: bool) {
+        for slot in slots.iter_mut().filter(|slot| slot.sensed && self.need.counts(own, slot.id)) {
+            let Peer { hold, deal, .. } = &mut slot.peer;
+            let waits = !hold.is_listed() && hold.lists();
+            deal.waiting_ticks = if waits { deal.waiting_ticks.saturating_add(1) } else { 0 };
+            let impatient = deal.waiting_ticks > PATIENCE_TICKS;
+            if impatient && deal.released {
+                deal.bar();
+            }
+            let reach_m = if all { self.radius_m } else { NEAR * self.radius_m };
+            let near = dot(&slot.offset_m, &slot.offset_m) <= reach_m * reach_m && !(all && deal.released);
+            if !hold.is_listed() && (impatient || near) {
+                deal.released = false;
+                hold.list(last);
+            }
+        }
+    }
+
+    /// The wish, turned to the right if somebody comes towards the robot, seen along the first two axes: by a hair, so that two
+    /// robots that meet head-on slide past each other, or as far as they may.
+    pub(crate) fn turned<const D: usize>(
+        &self,
+        wish_m_s: &Vector<D>,
+        mut sensed: impl Iterator<Item = (Vector<D>, Vector<D>)>,
+    ) -> Vector<D> {
+        let near_m = PASS_DISTANCES * self.distance_min_m;
+        let wish_m2_s2 = dot(wish_m_s, wish_m_s);
+        let comes = |(offset_m, their_m_s): (Vector<D>, Vector<D>)| {
+            let (ahead, square_m2) = (-dot(&offset_m, wish_m_s), dot(&offset_m, &offset_m));
+            let within = square_m2 <= near_m * near_m && ahead >= 0.0;
+            within
+                && ahead * ahead >= COS_45 * COS_45 * square_m2 * wish_m2_s2
+                && dot(&their_m_s, wish_m_s) < 0.0
+        };
+        if D < 2 || !sensed.any(comes) {
+            return *wish_m_s;
+        }
+        let [along, right] = if self.pass_right { [COS_45, COS_45] } else { TIE };
+        let mut turned = *wish_m_s;
+        turned[0] = along * wish_m_s[0] + right * wish_m_s[1];
+        turned[1] = along * wish_m_s[1] - right * wish_m_s[0];
+        turned
+    }
+
+    /// A told wish, no faster than a robot can go.
+    pub(crate) fn capped<const D: usize>(&self, wish_m_s: &Vector<D>) -> Vector<D> {
+        let speed_m_s = length(wish_m_s);
+        let fraction = if speed_m_s > self.speed_max_m_s { self.speed_max_m_s / speed_m_s } else { 1.0 };
+        wish_m_s.map(|component| fraction * component)
+    }
+}
+
+/// Promises the `left` slots to the eligible with the largest V; of equals, to those of the lowest numbers.
+fn promise<const D: usize>(slots: &mut [Slot<D>], left: usize, values: &mut [f64]) {
+    let mut count = 0;
+    for slot in slots.iter().filter(|slot| slot.peer.deal.eligible) {
+        if let Some(value) = values.get_mut(count) {
+            *value = slot.peer.deal.key_m();
+            count += 1;
+        }
+    }
+    let keys = values.get_mut(..count).unwrap_or(&mut []);
+    keys.sort_unstable_by(|one, other| other.total_cmp(one));
+    let least = if left == 0 { f64::INFINITY } else { keys.get(left - 1).copied().unwrap_or(0.0) };
+    let above = keys.iter().filter(|key| **key > least).count();
+    let mut equal = left.saturating_sub(above);
+    for deal in slots.iter_mut().map(|slot| &mut slot.peer.deal) {
+        let key_m = deal.key_m();
+        let last = deal.eligible && key_m == least && equal > 0;
+        equal -= usize::from(last);
+        deal.promised = deal.eligible && (key_m > least || last);
+        deal.engaged &= deal.promised;
+    }
+}
+
+/// What a promise of the robot costs, m, whose slots are so many.
+fn price_m<const D: usize>(slots: &[Slot<D>], left: usize) -> f64 {
+    let engaged = || slots.iter().map(|slot| &slot.peer.deal).filter(|deal| deal.engaged);
+    match left {
+        0 => f64::INFINITY,
+        _ if engaged().count() < left => 0.0,
+        _ => engaged().fold(f64::INFINITY, |least, deal| least.min(deal.gain_m)),
+    }
+}

@@ -1,0 +1,136 @@
+//! The rows of a tick: (held) for neighbours that keep each other, (near) for all.
+
+use crate::controller::budget::inequality::may_bind;
+use crate::controller::budget::rows::Rows;
+use crate::controller::links::Links;
+use crate::num::{Vector, dot, length};
+use crate::program::balls::reach::Reach;
+use crate::program::balls::row::Row;
+use crate::robot::neighbor::Slot;
+
+impl Links {
+    /// All rows of a robot that has these `slots`, keeps its row for all of them if it is `obliged`, wants to move by `desired_m` (m) and can move within `reach`.
+    //= theory thm:held
+    pub(super) fn rows<'memory, const D: usize>(
+        &self,
+        (slots, obliged): (&[Slot<D>], bool),
+        desired_m: &Vector<D>,
+        reach: Reach<D>,
+        memory: &'memory mut [Row<D>],
+    ) -> Rows<'memory, D> {
+        let mut rows = Rows::new(desired_m, reach, memory);
+        for slot in slots {
+            if obliged || slot.peer.hold.is_active() {
+                self.push_held(slot, &mut rows);
+            }
+            self.push_near(slot, &mut rows);
+        }
+        rows
+    }
+
+    /// (held) for a neighbour, unless it is certainly farther away than anybody counts on.
+    //= theory eq:held
+    fn push_held<const D: usize>(&self, slot: &Slot<D>, rows: &mut Rows<'_, D>) {
+        let (offset_m, error_m) = (&slot.offset_m, self.error_m(slot));
+        let square_m2 = dot(offset_m, offset_m);
+        let distance_m2 = if error_m == 0.0 { square_m2 } else { squared(length(offset_m) + error_m) };
+        let bound_m2 = 0.25 * self.gamma * (self.radius_m * self.radius_m - distance_m2).max(0.0);
+        let in_sight = square_m2 <= squared(self.sight_m + error_m - self.errors.offset_m);
+        if in_sight && may_bind(rows.program.reach.lhs_max(offset_m, error_m, 1.0), bound_m2) {
+            rows.push(offset_m, error_m, |offset| Row::far(offset, bound_m2));
+        }
+    }
+
+    /// (near) for a neighbour, and recovery of the distance of one that is sensed.
+    //= theory eq:near
+    fn push_near<const D: usize>(&self, slot: &Slot<D>, rows: &mut Rows<'_, D>) {
+        let (offset_m, error_m) = (&slot.offset_m, self.error_m(slot));
+        let square_m2 = dot(offset_m, offset_m);
+        let nearest_m2 =
+            if error_m == 0.0 { square_m2 } else { squared((length(offset_m) - error_m).max(0.0)) };
+        let spare_m2 = nearest_m2 - squared(self.distance_held_m);
+        let give_m2 = 0.5 * self.gamma_c * spare_m2.max(0.0);
+        if may_bind(rows.program.reach.lhs_max(offset_m, error_m, 0.0), 0.5 * give_m2) {
+            rows.push(offset_m, error_m, |offset| Row::near(offset, give_m2));
+        }
+        if nearest_m2 < squared(self.distance_min_m) && slot.sensed {
+            let distance_m = length(offset_m);
+            rows.count_violation(distance_m + error_m < self.distance_min_m);
+            let missing_m = self.distance_min_m + error_m - distance_m;
+            rows.raise(offset_m, (0.5 * missing_m).min(self.move_max_m));
+        }
+    }
+}
+
+fn squared(x: f64) -> f64 {
+    x * x
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::controller::budget::errors::ErrorBounds;
+    use crate::controller::budget::settings::Assume;
+    use crate::need::{Keep, Need};
+    use crate::num::{add_scaled, subtract};
+    use crate::program::InputBox;
+
+    fn links(errors: ErrorBounds) -> Links {
+        Links {
+            need: Need::new(11, 2, Keep::Neighbors),
+            spare: 0,
+            assume: Assume::Obedient,
+            radius_m: Links::held_radius_m(3.0, &errors),
+            sight_m: 3.0 + errors.offset_m,
+            distance_min_m: 0.3,
+            distance_held_m: Links::held_distance_m(0.3),
+            move_max_m: 0.3,
+            speed_max_m_s: 3.0,
+            gamma: 0.9,
+            gamma_c: 0.9,
+            errors,
+            horizon_s: 4.0,
+            pass_right: false,
+        }
+    }
+
+    fn reach() -> Reach<2> {
+        Reach::new(&InputBox { min_m_s: [-2.0; 2], max_m_s: [2.0; 2] }, 0.1)
+    }
+
+    fn row_of(links: &Links, offset_m: [f64; 2], memory: &mut [Row<2>]) -> [f64; 2] {
+        let slot = Slot { sensed: true, offset_m, ..Slot::default() };
+        links.rows((&[slot], false), &offset_m, reach(), memory).closest().displacement_m
+    }
+
+    //= theory eq:held type=test
+    #[test]
+    fn a_pair_that_pulls_apart_as_far_as_rows_allow_ends_within_the_held_radius() {
+        let links = links(ErrorBounds::NONE);
+        for hundredths in 100..=300 {
+            let offset_m = [0.01 * f64::from(hundredths), 0.0];
+            let memory = &mut [Row::default(); 30];
+            let away_m = row_of(&links, offset_m, memory);
+            let other_m = row_of(&links, subtract(&[0.0; 2], &offset_m), memory);
+            let after = length(&subtract(&add_scaled(&offset_m, 1.0, &away_m), &other_m));
+            assert!(after <= links.radius_m.max(offset_m[0]) + 1e-15, "{offset_m:?}: {after}");
+            assert!(after >= offset_m[0] && (after > offset_m[0] || hundredths == 300));
+        }
+    }
+
+    #[test]
+    fn rows_hold_for_every_offset_that_errors_allow() {
+        let errors = ErrorBounds::new(0.02, 0.0);
+        let links = links(errors);
+        let offset_m = [2.9, 0.3];
+        let moved_m = row_of(&links, offset_m, &mut [Row::default(); 30]);
+        for turn in 0..16 {
+            let angle = f64::from(turn) * core::f64::consts::FRAC_PI_8;
+            let error_m = [libm::cos(angle), libm::sin(angle)].map(|part| errors.offset_m * part);
+            let offset_m = add_scaled(&offset_m, 1.0, &error_m);
+            let bound_m2 =
+                0.25 * links.gamma * (squared(links.radius_m) - dot(&offset_m, &offset_m)).max(0.0);
+            assert!(dot(&offset_m, &moved_m) + dot(&moved_m, &moved_m) <= bound_m2 + 1e-15);
+        }
+    }
+}

@@ -1,0 +1,123 @@
+//! Neighbours that were not sensed in a tick although they must still be there.
+//!
+//! A neighbour that leaves passes the rim of the range first: in a tick nobody goes farther than the longest move ρ. So one that
+//! was last sensed well inside R and is not observed now is not gone but *missing*. A sensor failed, an observation was refused,
+//! or something stood between. Where it is is known up to how far it can have gone:
+//!
+//! ```text
+//! x_j ∈ ball(where it was sensed, g),    g = ρ · (time since)/(longest time that a velocity is held)
+//! missing as long as  |x_i − (where it was sensed)| + g + (stated error of an offset) < R
+//! ```
+//!
+//! A missing neighbour keeps its slot, what it told, and a row for every place where it can be (docs/theory, sec:unsensed). Once
+//! it may have left unseen, it is given up, and the robot says [`Reason::Overlooked`](crate::robot::report::Reason::Overlooked).
+//! One that was last sensed so near the rim that it may have left in a tick is taken for gone at once: nobody can tell.
+//!
+//! This is for controllers that reckon with those whom they do not see, such as `budget`; others forget who is not observed, or
+//! keep whom they hold.
+
+use core::time::Duration;
+
+use crate::num::{Vector, dot, length, subtract};
+use crate::robot::error::ObserveError;
+use crate::robot::neighbor::{NO_LINK, Slot};
+use crate::robot::report::Reason;
+use crate::robot::{Robot, Slots};
+
+/// Nobody whose distance is rounded is taken for one inside R: as a fraction of R.
+const HAIR: f64 = 1e-9;
+
+/// How far robots go, and how far they are sensed.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Horizon {
+    /// The greatest speed of any robot, m/s.
+    pub speed_m_s: f64,
+    /// How far a robot is surely sensed, m: R, less what offsets may be wrong.
+    pub radius_m: f64,
+}
+
+impl Horizon {
+    /// How far a robot can have gone after `elapsed`, m.
+    //= theory sec:unsensed
+    #[must_use]
+    pub fn gone_m(&self, elapsed: Duration) -> f64 {
+        self.speed_m_s * elapsed.as_secs_f64()
+    }
+
+    /// True if a robot that was last sensed at `offset_m` (m) and can have gone `gone_m` since must still be within R.
+    //= theory sec:unsensed
+    #[must_use]
+    pub fn surely_holds<const D: usize>(&self, offset_m: &Vector<D>, gone_m: f64) -> bool {
+        length(offset_m) + gone_m < self.radius_m * (1.0 - HAIR)
+    }
+}
+
+impl<const D: usize, S: Slots<D>> Robot<D, S> {
+    /// Forgets whom it did not sense in this tick, but for those that are missing; says so when one is given up that was
+    /// missing.
+    pub(crate) fn settle(&mut self) {
+        if self.neighbors().iter().all(|slot| slot.sensed) {
+            return;
+        }
+        let (horizon, now, clock) = (self.horizon(), self.now, self.params.settings().clock);
+        let Some(own) = self.position.filter(|_| self.params.controller().reckons()) else {
+            return self.forget_unsensed();
+        };
+        let mut overlooked = false;
+        self.keep(|slot| {
+            let missing =
+                slot.sensed || horizon.reckon(slot, &own, clock.stretched(now.since(slot.sensed_at)));
+            overlooked |= !missing && !slot.seen_before;
+            missing
+        });
+        if overlooked {
+            self.overlook();
+        }
+    }
+
+    /// Notes that a robot within R may be overlooked, under a controller that promises something.
+    pub(crate) fn overlook(&mut self) {
+        if self.params.controller().promises() {
+            self.assurance.note(self.now, Reason::Overlooked);
+        }
+    }
+
+    /// The same for an observation that was refused.
+    pub(crate) fn refuse(&mut self, error: ObserveError) -> ObserveError {
+        self.overlook();
+        error
+    }
+
+    /// The slot of the farthest robot that was not sensed in this tick. To give up one that is missing is to overlook it.
+    pub(crate) fn farthest_unsensed(&mut self) -> Option<usize> {
+        let unsensed =
+            self.neighbors().iter().enumerate().filter(|(_, slot)| !slot.sensed && !self.stays(slot));
+        let distance_m2 = |slot: &Slot<D>| dot(&slot.offset_m, &slot.offset_m);
+        let (index, slot) = unsensed.max_by(|(_, a), (_, b)| distance_m2(a).total_cmp(&distance_m2(b)))?;
+        let (horizon, elapsed) = (self.horizon(), self.now.since(slot.sensed_at));
+        if horizon.surely_holds(&slot.offset_m, 2.0 * horizon.gone_m(elapsed)) {
+            self.overlook();
+        }
+        Some(index)
+    }
+
+    /// How far robots go, and how far this one surely senses them.
+    pub(crate) fn horizon(&self) -> Horizon {
+        let (params, longest_m) = (&self.params, self.params.reach().longest_m());
+        let radius_m = params.link().radius_m - params.kept().errors.offset_m;
+        Horizon { speed_m_s: longest_m / params.hold_s(), radius_m }
+    }
+}
+
+impl Horizon {
+    /// Notes where a robot that was not sensed is as seen from `own`, and says whether it is missing.
+    fn reckon<const D: usize>(&self, slot: &mut Slot<D>, own: &Vector<D>, elapsed: Duration) -> bool {
+        // Never 0, which stands for a robot that was sensed.
+        let gone_m = self.gone_m(elapsed).max(f64::MIN_POSITIVE);
+        slot.offset_m = subtract(own, &slot.position_m);
+        (slot.linked, slot.link) = (false, NO_LINK);
+        let missing = self.surely_holds(&slot.offset_m, gone_m);
+        slot.unsensed_m = if missing { gone_m } else { 0.0 };
+        missing
+    }
+}

@@ -1,0 +1,80 @@
+//! The theorem of `links` from tick to tick: who is counted on keeps its row (lem:counted), a link that is counted on stays a link
+//! (thm:held), and who counts on enough keeps enough.
+
+use closeranks_core::num::sqrt;
+use closeranks_core::settings::params::Params;
+
+use crate::frame::Frame;
+use crate::geometry::squared_distance;
+use crate::law::{Law, Verdicts, Violation};
+use crate::monitors::truth::{is_free, keep};
+use crate::scenario::Scenario;
+
+/// Links that were counted on when they were no longer than R, and must have been so ever since.
+#[derive(Clone, Debug)]
+pub(crate) struct Held<const D: usize> {
+    params: Params<D>,
+    malicious: Vec<bool>,
+    /// For each robot the others, by number, in rising order.
+    sound: Vec<Vec<u16>>,
+}
+
+impl<const D: usize> Held<D> {
+    /// For the robots of `scenario`.
+    pub(crate) fn new(scenario: &Scenario, params: Params<D>) -> Self {
+        let robots = usize::from(scenario.team.robots);
+        Self { params, malicious: scenario.malicious_mask(), sound: vec![Vec::new(); robots] }
+    }
+
+    /// Looks at one tick. `moved` is true if all moves since the tick before obeyed the rows, and rows rested on what is
+    /// true; `moves` says so of the moves that follow.
+    pub(crate) fn watch(
+        &mut self,
+        tick: u32,
+        frame: &Frame<D>,
+        [moved, moves]: [bool; 2],
+        verdicts: &mut Verdicts,
+    ) {
+        let radius_m = self.params.kept().link.radius_m;
+        let radius_m2 = radius_m * radius_m;
+        for (index, counted) in frame.counted.iter().enumerate() {
+            if self.malicious[index] {
+                continue;
+            }
+            let (before, mut sound) = (core::mem::take(&mut self.sound[index]), Vec::new());
+            for &number in counted.iter().filter(|number| self.binds(**number)) {
+                let other = usize::from(number) - 1;
+                let own = small(index + 1);
+                let pair_m2 = squared_distance(&frame.references_m[index], &frame.references_m[other]);
+                let violation =
+                    Violation { tick, robots: [own, number], seen: sqrt(pair_m2), demanded: radius_m };
+                let runs = !self.malicious[other] && !frame.down[other];
+                if runs && frame.rows[other].binary_search(&own).is_err() {
+                    verdicts.broke(Law::Held, violation, moved && moves);
+                }
+                if pair_m2 > radius_m2 {
+                    let carried = moved && before.binary_search(&number).is_ok();
+                    verdicts.broke(Law::Held, violation, carried);
+                } else if moves {
+                    sound.push(number);
+                }
+            }
+            self.sound[index] = sound;
+        }
+    }
+
+    /// True if a robot of this number keeps its row: all but liars that move as they like.
+    fn binds(&self, number: u16) -> bool {
+        !(is_free(&self.params) && self.malicious[usize::from(number) - 1])
+    }
+
+    /// True if normal robot `index` counts on enough neighbours, so that it keeps enough of those that count.
+    pub(crate) fn is_kept(&self, index: usize) -> bool {
+        let liars = if is_free(&self.params) { usize::from(self.params.settings().team.faults) } else { 0 };
+        self.sound[index].len() + liars >= usize::from(keep(&self.params))
+    }
+}
+
+fn small(number: usize) -> u16 {
+    u16::try_from(number).unwrap_or(u16::MAX)
+}

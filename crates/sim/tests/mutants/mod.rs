@@ -1,0 +1,288 @@
+//! Broken programs that the campaign must catch, each by the law that is there for it.
+
+/// A broken program: what is wrong, the law that must notice, and the lines that are other than they should be.
+pub(crate) struct Mutant {
+    pub(crate) name: &'static str,
+    pub(crate) law: &'static str,
+    pub(crate) lines: &'static [(&'static str, &'static str, &'static str)],
+}
+
+const TICK: &str = "core/src/controller/budget/mod.rs";
+const CONTROL: &str = "core/src/controller/budget/control.rs";
+const PROTOCOL: &str = "core/src/controller/links/protocol.rs";
+const POLICY: &str = "core/src/controller/links/policy.rs";
+const ROWS: &str = "core/src/controller/links/rows.rs";
+const LINKS: &str = "core/src/controller/links/control.rs";
+const INEQUALITY: &str = "core/src/controller/budget/inequality.rs";
+
+pub(crate) const MUTANTS: [Mutant; 32] = [
+    Mutant {
+        name: "gradient with the wrong sign",
+        law: "decay",
+        lines: &[(
+            TICK,
+            "add_scaled(&own.gradient, 1.0, &gradient)",
+            "add_scaled(&own.gradient, -1.0, &gradient)",
+        )],
+    },
+    Mutant {
+        name: "share doubled",
+        law: "spare",
+        lines: &[
+            (
+                INEQUALITY,
+                "self.loss_max(known.budget) / (known.degree_max + 1.0)",
+                "self.loss_max(known.budget) / 2.0",
+            ),
+            (
+                INEQUALITY,
+                "self.loss_max(own.h.max(0.0)) / (own.degree + 1.0)",
+                "self.loss_max(own.h.max(0.0)) / 2.0",
+            ),
+        ],
+    },
+    Mutant {
+        name: "|v|² left out of (far')",
+        law: "decay",
+        lines: &[(INEQUALITY, "-component), bend, spend)", "-component), 0.0 * bend, spend)")],
+    },
+    Mutant {
+        name: "no row of its own",
+        law: "spare",
+        lines: &[(
+            TICK,
+            "        if self.form() == Form::Level {\n            let spend",
+            "        if false {\n            let spend",
+        )],
+    },
+    Mutant {
+        name: "L at the wrong distance",
+        law: "decay",
+        lines: &[(
+            "core/src/controller/budget/curvature.rs",
+            "distance_m + (2.0 * move_max_m + error_m)",
+            "0.5 * distance_m",
+        )],
+    },
+    Mutant {
+        name: "stale levels not discounted",
+        law: "decay",
+        lines: &[(
+            "core/src/controller/budget/knowledge.rs",
+            "ticks => self.decayed(larger(spare, 0.0), ticks)",
+            "_ => larger(spare, 0.0)",
+        )],
+    },
+    Mutant {
+        name: "age from receipt",
+        law: "decay",
+        lines: &[(CONTROL, "checked_since(told.stamp)", "checked_since(told.at)")],
+    },
+    Mutant {
+        name: "claims not cut, budgets fourfold",
+        law: "spare",
+        lines: &[(
+            "core/src/controller/budget/knowledge.rs",
+            "budget: larger(believed, 0.0),",
+            "budget: 4.0 * larger(believed, 0.0) + 1.0,",
+        )],
+    },
+    Mutant {
+        name: "near rows give too much",
+        law: "path",
+        lines: &[(
+            INEQUALITY,
+            "0.5 * self.gamma_c * larger(spare_m2, 0.0)",
+            "2.0 * self.gamma_c * larger(spare_m2, 0.0) + 0.05",
+        )],
+    },
+    Mutant {
+        name: "no near rows",
+        law: "distance",
+        lines: &[(TICK, "            self.push_near(neighbor, rows);\n", "")],
+    },
+    Mutant {
+        name: "rows left out where robots can break them",
+        law: "decay",
+        lines: &[("core/src/program/balls/reach.rs", "most * SURELY", "0.2 * most")],
+    },
+    Mutant {
+        name: "a warm start that nobody checks",
+        law: "decay",
+        lines: &[(
+            "core/src/program/balls/warm_start.rs",
+            " && self.rows().iter().all(|row| row.holds(&v))",
+            "",
+        )],
+    },
+    Mutant {
+        name: "no margin for distances",
+        law: "distance",
+        lines: &[
+            (TICK, "self.spare_m2(neighbor.pair, -error_m)", "self.spare_m2(neighbor.pair, 0.0)"),
+            (INEQUALITY, "self.spare_m2(&pair, -error_m)", "self.spare_m2(&pair, 0.0)"),
+        ],
+    },
+    Mutant {
+        name: "F - 1 values trimmed",
+        law: "interval",
+        lines: &[(
+            "core/src/wmsr.rs",
+            "(smaller.min(usize::from(faults)), larger.min(usize::from(faults)))",
+            "(smaller.min(usize::from(faults).saturating_sub(1)), larger.min(usize::from(faults).saturating_sub(1)))",
+        )],
+    },
+    Mutant {
+        name: "two more values trimmed",
+        law: "agreement",
+        lines: &[(
+            "core/src/wmsr.rs",
+            "(smaller.min(usize::from(faults)), larger.min(usize::from(faults)))",
+            "(smaller.min(usize::from(faults) + 2), larger.min(usize::from(faults) + 2))",
+        )],
+    },
+    Mutant {
+        name: "the box forgotten",
+        law: "input",
+        lines: &[(
+            CONTROL,
+            "velocity_m_s: self.input.clip(&velocity),",
+            "velocity_m_s: velocity.map(|component| 1.1 * component),",
+        )],
+    },
+    Mutant {
+        name: "always guaranteed",
+        law: "mode",
+        lines: &[
+            (CONTROL, "Some(reason) => Mode::Degraded(reason),", "Some(_) => Mode::Guaranteed,"),
+            (CONTROL, "_ if degree_low => Mode::Degraded(Reason::Degree),", ""),
+            (
+                CONTROL,
+                "None if exact && standing.h < -H_ROUNDING => Mode::Degraded(Reason::OutsideSafeSet),",
+                "",
+            ),
+            (
+                CONTROL,
+                "let exact = self.budget.is_exact() && standing.missing == 0;",
+                "let _ = (degree_low, H_ROUNDING);",
+            ),
+        ],
+    },
+    Mutant {
+        name: "never guaranteed again",
+        law: "mode",
+        lines: &[(
+            "core/src/robot/assurance.rs",
+            "now.since(*then) <= told_max",
+            "now.since(*then) <= 2 * told_max",
+        )],
+    },
+    Mutant {
+        name: "missing neighbours forgotten",
+        law: "decay",
+        lines: &[(
+            "core/src/robot/missing.rs",
+            "let missing = self.surely_holds(&slot.offset_m, gone_m);",
+            "let missing = false;",
+        )],
+    },
+    Mutant {
+        name: "missing neighbours taken for those that stand still",
+        law: "decay",
+        lines: &[(
+            "core/src/robot/missing.rs",
+            "slot.unsensed_m = if missing { gone_m } else { 0.0 };",
+            "slot.unsensed_m = if missing { f64::MIN_POSITIVE } else { 0.0 };",
+        )],
+    },
+    Mutant {
+        name: "neighbours in need are followed",
+        law: "untowed",
+        lines: &[(
+            TICK,
+            "        let gradient = pair.gradient(offset_m);\n",
+            "        let gradient = pair.gradient(offset_m);\n        if known.budget <= 0.0 {\n            rows.desired_m = add_scaled(&rows.desired_m, -0.001, offset_m);\n        }\n",
+        )],
+    },
+    Mutant {
+        name: "budgets below 0 taken as they are",
+        law: "feasible",
+        lines: &[
+            (INEQUALITY, "0.5 * self.gamma_c * larger(spare_m2, 0.0)", "0.5 * self.gamma_c * spare_m2"),
+            ("core/src/program/balls/row.rs", "bound: (scale * bound).max(0.0),", "bound: scale * bound,"),
+        ],
+    },
+    Mutant {
+        name: "one neighbour fewer required",
+        law: "degree",
+        lines: &[(
+            "core/src/need.rs",
+            "Self { robots, each: faults.saturating_add(half) }",
+            "Self { robots, each: faults.saturating_add(half).saturating_sub(1) }",
+        )],
+    },
+    Mutant {
+        name: "links: row dropped when a release is sent",
+        law: "held",
+        lines: &[(PROTOCOL, "self.is_listed() || !self.is_released()", "self.is_listed()")],
+    },
+    Mutant {
+        name: "links: an older acknowledgement counts",
+        law: "held",
+        lines: &[(
+            PROTOCOL,
+            "self.listed_after.is_some_and(|after| after < self.acknowledged)",
+            "self.listed_after.is_some() && self.acknowledged > self.born",
+        )],
+    },
+    Mutant {
+        name: "links: counted on without being listed",
+        law: "held",
+        lines: &[
+            (
+                PROTOCOL,
+                "self.listed_after.is_some_and(|after| after < self.acknowledged)",
+                "self.acknowledged > self.born",
+            ),
+            (POLICY, "(peer.deal.released, peer.held) = (true, false);", "peer.deal.released = true;"),
+        ],
+    },
+    Mutant {
+        name: "links: R without the hair",
+        law: "degree",
+        lines: &[("core/src/controller/links/mod.rs", "const HAIR: f64 = 1e-9;", "const HAIR: f64 = 0.0;")],
+    },
+    Mutant {
+        name: "links: held rows give too much",
+        law: "held",
+        lines: &[(ROWS, "0.25 * self.gamma * (self.radius_m", "0.6 * self.gamma * (self.radius_m")],
+    },
+    Mutant {
+        name: "links: |v|² left out of (held)",
+        law: "held",
+        lines: &[(ROWS, "Row::far(offset, bound_m2)", "Row::new(*offset, 0.0, bound_m2)")],
+    },
+    Mutant {
+        name: "links: one release too many",
+        law: "degree",
+        lines: &[(POLICY, "(!is_counted || counted > keep)", "(!is_counted || counted >= keep)")],
+    },
+    Mutant {
+        name: "links: free liars counted as normal",
+        law: "degree",
+        lines: &[(
+            LINKS,
+            "Assume::Free => (Keep::NormalNeighbors, settings.team.faults),",
+            "Assume::Free => (Keep::NormalNeighbors, 0),",
+        )],
+    },
+    Mutant {
+        name: "links: guaranteed without links that are counted on",
+        law: "mode",
+        lines: &[(
+            LINKS,
+            ".then_some(Reason::Uncounted);",
+            ".then_some(Reason::Uncounted).filter(|_| false);",
+        )],
+    },
+];
