@@ -57,7 +57,9 @@ mod tests {
 
     fn digest(frames: &[Frame<2>]) -> u64 {
         let mut digest = Digest::default();
-        frames.iter().for_each(|frame| digest.watch(frame));
+        for frame in frames {
+            digest.watch(frame);
+        }
         digest.value()
     }
 
@@ -79,7 +81,7 @@ mod tests {
             changed(&|frame| frame.values[1] = f64::NAN),
         ];
         let mut all: Vec<u64> = others.iter().map(|other| digest(core::slice::from_ref(other))).collect();
-        all.push(digest(&[frame.clone()]));
+        all.push(digest(core::slice::from_ref(&frame)));
         all.push(digest(&[frame.clone(), others[0].clone()]));
         all.push(digest(&[others[0].clone(), frame.clone()]));
         let count = all.len();
