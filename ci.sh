@@ -6,6 +6,7 @@
 #     ./ci.sh proofs       the theorems of docs/theory, checked by Coq (Debian's packages; proofs/check.sh)
 #     ./ci.sh node         robots as processes over Zenoh (crates/node, a workspace of its own with 200 more crates)
 #     ./ci.sh bare-metal   the core on a microcontroller, emulated (Debian's packages; scripts/bare-metal.sh)
+#     ./ci.sh web          the page: built anew, compared with the committed one, tried in a browser (bindings/web/README.md)
 set -euo pipefail
 cd "$(dirname "$0")"
 export RUST_BACKTRACE=1
@@ -30,8 +31,17 @@ case "${1:-}" in
     step "the core on a microcontroller"
     exec scripts/bare-metal.sh
     ;;
+  web)
+    step "the page is what its sources give"
+    bindings/web/build.sh --check
+    step "the program that serves it"
+    cargo build --locked -p closeranks
+    step "the page in a browser"
+    cd bindings/web/page
+    exec node --test test/model.test.mjs test/page.test.mjs
+    ;;
   *)
-    echo "no stage is called \`$1\`, allowed are writers, proofs, node, bare-metal, or none"
+    echo "no stage is called \`$1\`, allowed are writers, proofs, node, web, bare-metal, or none"
     exit 2
     ;;
 esac

@@ -16,12 +16,12 @@ struct Invocation {
 static INVOCATION: OnceLock<Invocation> = OnceLock::new();
 
 /// Commands whose results go to a folder that a later run may replace.
-const WRITERS: [&str; 4] = ["paper", "run", "compare", "check"];
+const WRITERS: [&str; 5] = ["paper", "run", "compare", "check", "view"];
 
 /// Arguments that say where results go and how they are told, not what they are.
-const UNTELLING: [&str; 4] = ["output", "overwrite", "quiet", "json"];
+const UNTELLING: [&str; 5] = ["output", "export", "overwrite", "quiet", "json"];
 
-/// Adds `--overwrite` to every command that has `-o` and may replace.
+/// Adds `--overwrite` to every command that writes a folder and may replace.
 pub(crate) fn with_overwrite(command: Command) -> Command {
     WRITERS.into_iter().fold(command, |command, name| {
         let overwrite = Arg::new("overwrite").long("overwrite").action(ArgAction::SetTrue);

@@ -15,6 +15,7 @@ mod results;
 mod run;
 mod source;
 mod sweep;
+mod view;
 mod wrap;
 
 use std::path::PathBuf;
@@ -81,6 +82,9 @@ enum Command {
     /// Say how many liars a network survives, exactly, with a witness.
     #[command(after_long_help = check::HELP)]
     Check(check::Check),
+    /// Show the page in a browser: four acts, and a sandbox that opens with a scenario.
+    #[command(after_long_help = view::HELP, after_help = "Examples: closeranks view --help")]
+    View(view::View),
     /// Write a graph by name to standard output.
     #[command(after_long_help = maker::HELP, after_help = "Examples: closeranks graph --help")]
     Graph(maker::Make),
@@ -180,6 +184,7 @@ fn start(command: &Command) -> Result<bool> {
         Command::Sweep(arguments) => sweep::sweep(arguments),
         Command::Advise(arguments) => advise::advise(arguments),
         Command::Check(arguments) => check::check(arguments),
+        Command::View(arguments) => view::view(arguments),
         Command::Graph(arguments) => maker::make(arguments),
     }
 }

@@ -44,7 +44,7 @@ pub(crate) fn run(arguments: &crate::Run) -> Result<bool> {
         .transpose()?;
     let bar = progress::bar(u64::from(scenario.ticks()), arguments.speech.quiet);
     bar.set_message(scenario.name.clone());
-    let unrecorded = Options { robustness: true, ..Options::default() };
+    let unrecorded = Options { robustness: true, digest: true, ..Options::default() };
     let mut progress = |tick| bar.set_position(u64::from(tick));
     let (run, time) = progress::timed(|| match recorder {
         Some(recorder) => recorder.run(&scenario, &mut progress),
@@ -98,7 +98,8 @@ fn told(arguments: &crate::Run, Done { scenario, run, wall_s, .. }: &Done) -> St
         notes.extend(sentences::advice(scenario, &run.summary, &file));
     }
     let lines: Vec<&str> = [start.as_str()].into_iter().chain(notes.iter().map(String::as_str)).collect();
-    format!("{}\n{}\n{laws}", text(&table(&[line])), lines.join("\n"))
+    let digest = run.digest.map(|digest| format!("digest: {digest:016x}\n")).unwrap_or_default();
+    format!("{}\n{}\n{laws}{digest}", text(&table(&[line])), lines.join("\n"))
 }
 
 /// Writes everything; says which files.

@@ -62,6 +62,9 @@ const NO_CHOICE: [(&str, &str); 4] = [
     ("crates/report/src/sweep/tally.rs", ".controller == controller"),
 ];
 
+/// Folders with files that we did not write.
+const FOREIGN: [&str; 3] = ["target", "corpus", "node_modules"];
+
 fn root() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../..").canonicalize().unwrap()
 }
@@ -71,7 +74,7 @@ fn files(folder: &Path, endings: &[&str], found: &mut Vec<PathBuf>) {
     let Ok(entries) = fs::read_dir(folder) else { return };
     for path in entries.map(|entry| entry.unwrap().path()) {
         let name = path.file_name().and_then(|name| name.to_str()).unwrap_or_default();
-        if path.is_dir() && !name.starts_with('.') && name != "target" && name != "corpus" {
+        if path.is_dir() && !name.starts_with('.') && !FOREIGN.contains(&name) {
             files(&path, endings, found);
         } else if path.extension().is_some_and(|found| endings.iter().any(|ending| found == *ending)) {
             found.push(path);

@@ -21,6 +21,7 @@ pub(crate) fn run(scenario: &Scenario, run: &Run, wall_s: f64) -> Value {
         "seed": scenario.seed,
         "version": env!("CARGO_PKG_VERSION"),
         "commit": env!("CLOSERANKS_COMMIT"),
+        "digest": run.digest.map(|digest| format!("{digest:016x}")),
         "weight": scenario.link_shape().ok().map(|link| json!({ "q2": link.q2, "epsilon": link.q1 - 2.0 })),
         "start": {
             "inside": summary.start.inside,

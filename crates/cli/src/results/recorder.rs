@@ -53,7 +53,7 @@ impl Recorder {
 
     /// Runs `scenario` and writes every tick and round. What comes back is what figures need: all of a short run.
     pub(crate) fn run(mut self, scenario: &Scenario, progress: &mut dyn FnMut(u32)) -> Result<Run> {
-        let options = Options { record: true, robustness: true, ..Options::default() };
+        let options = Options { record: true, robustness: true, digest: true, ..Options::default() };
         let mut part = |record: &Record, rounds: &[Round]| self.part(scenario, record, rounds);
         let run = parts::run::<anyhow::Error>(scenario, options, progress, &mut part)?;
         self.part_of_rounds(&run.rounds)?;

@@ -1,5 +1,7 @@
-//! What a run leaves behind: every tick in columns, whole or part by part, and one row of a table.
+//! What a run leaves behind: every tick in columns, whole or part by part, a digest of it, and one row of a
+//! table.
 
+pub mod digest;
 pub mod parts;
 pub mod record;
 pub mod summary;

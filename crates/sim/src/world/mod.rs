@@ -17,6 +17,7 @@ use crate::engine::robots::Robots;
 use crate::frame::Frame;
 use crate::monitors::Monitors;
 use crate::monitors::robustness::{Round, Watcher};
+use crate::output::digest::Digest;
 use crate::output::record::Record;
 use crate::output::summary::{Collector, Summary};
 use crate::plant::Bodies;
@@ -29,9 +30,12 @@ use crate::world::given::{Given, GivenError};
 
 /// What a run is to produce besides its summary.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[expect(clippy::struct_excessive_bools, reason = "each is asked for on its own")]
 pub struct Options {
     /// Keep every tick.
     pub record: bool,
+    /// Know the digest of the run.
+    pub digest: bool,
     /// Search the network of every consensus round for its exact robustness.
     pub robustness: bool,
     /// Leave φ and φ_i out where the controller does not use them: their extremes are then infinite, and their laws are not
@@ -46,6 +50,8 @@ pub struct Options {
 pub struct Run {
     /// Every tick, if it was asked for.
     pub record: Option<Record>,
+    /// The digest of every tick, if it was asked for.
+    pub digest: Option<u64>,
     /// Exact robustness of every consensus round, if it was asked for and the team is small enough; of a run with more than
     /// [`ROUNDS_MAX`](crate::monitors::robustness::ROUNDS_MAX) rounds, those that
     /// [`thin`](crate::monitors::robustness::thin) keeps.
@@ -132,6 +138,7 @@ pub struct World<const D: usize> {
     monitors: Monitors<D>,
     collector: Collector,
     record: Option<Record>,
+    digest: Option<Digest>,
     watcher: Option<Watcher>,
     /// Ticks computed yet.
     done: u32,
@@ -159,6 +166,7 @@ impl<const D: usize> World<D> {
             monitors: Monitors::new(scenario, params),
             collector: Collector::default(),
             record: options.record.then(|| Record::new(scenario, scenario.composition().required)),
+            digest: options.digest.then(Digest::default),
             watcher: options.robustness.then(Watcher::default),
             scenario: scenario.clone(),
             frame,
@@ -243,6 +251,9 @@ impl<const D: usize> World<D> {
         if let Some(record) = &mut self.record {
             record.push(tick, &self.frame, self.monitors.truth());
         }
+        if let Some(digest) = &mut self.digest {
+            digest.watch(&self.frame);
+        }
         self.watch_round(tick);
         self.done = self.done.saturating_add(1);
         &self.frame
@@ -262,6 +273,12 @@ impl<const D: usize> World<D> {
         for (asked, answer) in asked_m_s.iter_mut().zip(&self.answers) {
             *asked = answer.velocity_m_s;
         }
+    }
+
+    /// The digest of every tick so far, if it was asked for.
+    #[must_use]
+    pub fn digest(&self) -> Option<u64> {
+        self.digest.map(Digest::value)
     }
 
     /// What was recorded, if anything was asked for.
@@ -291,7 +308,8 @@ impl<const D: usize> World<D> {
     #[must_use]
     pub fn finish(self) -> Run {
         let summary = self.collector.finish(&self.scenario, &self.frame, &self.monitors);
-        Run { record: self.record, rounds: self.watcher.map(Watcher::finish).unwrap_or_default(), summary }
+        let rounds = self.watcher.map(Watcher::finish).unwrap_or_default();
+        Run { record: self.record, digest: self.digest.map(Digest::value), rounds, summary }
     }
 }
 

@@ -1,0 +1,140 @@
+// A board: the picture of a team with its banner, charts and the means to play. Every act puts its own controls beside it.
+
+import type { Moment } from "../model/moment";
+import type { Stage } from "../model/stage";
+import type { Said } from "./banner";
+import { Chart, type Drawn } from "./charts";
+import { h, say } from "./dom";
+import { Hands } from "./hands";
+import { draw, framed, type Frame, type Look } from "./picture";
+
+export interface Setting {
+  look: (moment: Moment) => Look;
+  banner: (stage: Stage) => Said;
+  charts: Drawn[];
+  /** Whether robots may be moved. */
+  moves: boolean;
+  /** The picture in a sentence, for who does not see it. */
+  label: string;
+}
+
+/** How often words, charts and searches are renewed, ms. */
+const SLOW_MS = 120;
+/** How often the banner is read aloud at most, ms. */
+const ALOUD_MS = 2500;
+
+export class Board {
+  readonly element: HTMLElement;
+  readonly controls = h("div", { class: "controls" });
+  private readonly canvas = h("canvas", { "aria-hidden": "true" });
+  private readonly hands: Hands;
+  private readonly area: HTMLElement;
+  private readonly banner = h("p", { class: "banner-main" });
+  private readonly why = h("ul", { class: "banner-why" });
+  private readonly aloud = h("p", { class: "unseen", "aria-live": "polite" });
+  private readonly box = h("div", { class: "banner" });
+  private readonly charts: Chart[];
+  private readonly play = h("button", { type: "button", class: "play" }, "Play");
+  private readonly time = h("input", { type: "range", min: 0, step: 1, "aria-label": "Time: scrub back" });
+  private readonly clock = h("output", { class: "clock" });
+  private frame: Frame | null = null;
+  private slow = 0;
+  private spoke = 0;
+  private spoken = "";
+  private stale = true;
+  /** True while the frame still follows the team. */
+  private moved = false;
+
+  constructor(
+    private readonly stage: Stage,
+    private readonly setting: Setting,
+  ) {
+    this.hands = new Hands(stage, setting.moves);
+    this.charts = setting.charts.map((drawn) => new Chart(drawn, (index) => stage.seek(index)));
+    this.play.addEventListener("click", () => stage.play());
+    this.time.addEventListener("input", () => stage.seek(Number(this.time.value)));
+    const buttons = h(
+      "div",
+      { class: "transport" },
+      this.play,
+      h("button", { type: "button", onclick: () => stage.step() }, "Step"),
+      h("button", { type: "button", onclick: () => stage.restart() }, "Start over"),
+      this.time,
+      this.clock,
+    );
+    this.area = h("div", { class: "area", role: "group", "aria-label": setting.label }, this.canvas, this.hands.element);
+    this.box.append(this.banner, this.why);
+    const keys = h(
+      "details",
+      { class: "keys" },
+      h("summary", {}, "Keys"),
+      h("p", {}, `Tab to a robot. Page Up and Page Down choose another one. ${setting.moves ? "Arrows move it. " : ""}L, or Enter, makes it lie or tell the truth again.`),
+    );
+    this.element = h("div", { class: "board" }, h("div", { class: "left" }, this.area, buttons, keys), h("div", { class: "right" }, this.box, this.aloud, this.controls, ...this.charts.map((chart) => chart.element)));
+    stage.store.subscribe(() => {
+      this.stale = true;
+    });
+    new ResizeObserver(() => {
+      this.stale = true;
+    }).observe(this.area);
+  }
+
+  /** Draws what changed. To be called in every frame of the browser while the board is in sight. */
+  render(now_ms: number): void {
+    if (!this.stale && !this.moved) return;
+    this.stale = false;
+    const { state } = this.stage.store;
+    const { moment } = this.stage;
+    const look = this.setting.look(moment);
+    const { clientWidth: width, clientHeight: height } = this.area;
+    if (width === 0) return;
+    const still = this.hands.isHeld || matchMedia("(prefers-reduced-motion: reduce)").matches;
+    const before = still && !this.hands.isHeld ? null : this.frame;
+    this.frame = framed(moment, look, width, height, before, this.hands.isHeld);
+    this.moved = before !== null && !sameFrame(before, this.frame);
+    const scale = Math.min(devicePixelRatio, 2);
+    if (this.canvas.width !== Math.round(width * scale) || this.canvas.height !== Math.round(height * scale)) {
+      this.canvas.width = Math.round(width * scale);
+      this.canvas.height = Math.round(height * scale);
+    }
+    const context = this.canvas.getContext("2d");
+    if (!context) return;
+    context.setTransform(scale, 0, 0, scale, 0, 0);
+    draw(context, this.frame, moment, state, look);
+    this.hands.place(this.frame, now_ms);
+    say(this.play, state.playing ? "Pause" : "Play");
+    if (now_ms - this.slow > SLOW_MS || !state.playing) this.words(now_ms);
+    else this.stale = true;
+  }
+
+  private words(now_ms: number): void {
+    this.slow = now_ms;
+    const { stage } = this;
+    const { moments, cursor, refused } = stage.store.state;
+    stage.look();
+    const said: Said = refused ? { main: `This was refused: ${refused}`, why: [], tone: "bad" } : this.setting.banner(stage);
+    this.box.dataset["tone"] = said.tone;
+    say(this.banner, said.main);
+    const why = said.why.filter((line) => line !== "");
+    if (why.join("\n") !== [...this.why.children].map((line) => line.textContent).join("\n")) {
+      this.why.replaceChildren(...why.map((line) => h("li", {}, line)));
+    }
+    // A number that falls all the time is not worth a sentence each time.
+    const spoken = said.main.replace(/[\d.]+ apart/, "apart");
+    if (spoken !== this.spoken && now_ms - this.spoke > ALOUD_MS && stage.store.state.touches > 0) {
+      this.spoke = now_ms;
+      this.spoken = spoken;
+      say(this.aloud, said.main);
+    }
+    for (const chart of this.charts) chart.show(moments, cursor);
+    this.time.max = String(moments.length - 1);
+    this.time.value = String(cursor);
+    const time = stage.moment.time_s.toFixed(stage.moment.facts.tick_s < 0.01 ? 2 : 1);
+    this.time.setAttribute("aria-valuetext", `${time} seconds`);
+    say(this.clock, `${time} s`);
+  }
+}
+
+function sameFrame(one: Frame, other: Frame): boolean {
+  return one.x_m === other.x_m && one.y_m === other.y_m && Math.abs(one.pixels_per_m - other.pixels_per_m) < 0.05;
+}

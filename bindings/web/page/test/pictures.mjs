@@ -1,0 +1,96 @@
+// Pictures of every act at three widths, and how smoothly fifty robots move: node test/pictures.mjs FOLDER
+
+import { mkdirSync } from "node:fs";
+import { join } from "node:path";
+import { browser, middle, opened, see, text, view } from "./browser.mjs";
+
+const folder = process.argv[2] ?? "pictures";
+mkdirSync(folder, { recursive: true });
+const chrome = await browser();
+const served = process.env["ADDRESS"] ? { address: process.env["ADDRESS"], end: () => undefined } : await view();
+
+const pause = (ms) => new Promise((resolve) => setTimeout(resolve, ms));
+
+/** Something to see in each act. */
+const PLAYS = {
+  "#act-1": async (page) => {
+    const { x, y } = await middle(page, "#act-1", 3);
+    await page.mouse.click(x, y);
+    await page.click("#act-1 .play");
+    await text(page, "#act-1 .clock", /^[3-9]/);
+  },
+  "#act-2": async (page) => {
+    await page.$eval("#act-2 .controls input", (input) => {
+      input.value = "2.94";
+      input.dispatchEvent(new Event("input"));
+    });
+    await text(page, "#act-2 .log", /stuck/);
+  },
+  "#act-3": async (page) => {
+    await page.select("#act-3 .controls select", "composed");
+    await page.select("#act-3 .controls label:nth-child(2) select", "swing");
+    await text(page, "#act-3 .clock", /^([4-9]|10)/);
+  },
+  "#act-4": async (page) => {
+    await page.click("#act-4 .play");
+    const { x, y } = await middle(page, "#act-4", 7);
+    await page.mouse.move(x, y);
+    await page.mouse.down();
+    await page.mouse.move(x + 150, y - 120, { steps: 5 });
+    await pause(1500);
+    await page.mouse.up();
+  },
+};
+
+for (const width of [360, 800, 1280]) {
+  const { page, wrong } = await opened(chrome, served.address, { width, height: 860 });
+  await page.screenshot({ path: join(folder, `top-${width}.png`) });
+  for (const [act, play] of Object.entries(PLAYS)) {
+    await see(page, act);
+    await play(page);
+    await pause(400);
+    const section = await page.$(act);
+    await section?.screenshot({ path: join(folder, `${act.slice(1)}-${width}.png`) });
+    await page.$$eval(`${act} .play`, (buttons) => buttons.forEach((button) => button.textContent === "Pause" && button.click()));
+  }
+  if (wrong.length > 0) console.error(width, wrong);
+  await page.close();
+}
+const still = await opened(chrome, served.address, { width: 1280, script: false });
+await still.page.screenshot({ path: join(folder, "without-scripts.png"), fullPage: true });
+await still.page.close();
+
+// Fifty robots that wander under budget: time from frame to frame, and time that scripts take of it.
+const { page } = await opened(chrome, served.address);
+await see(page, "#act-4");
+await page.$eval("#act-4 .more", (more) => (more.open = true));
+await page.$eval("#act-4 .more .field input", (input) => {
+  input.value = "50";
+  input.dispatchEvent(new Event("input"));
+});
+await page.select("#act-4 .controls label:nth-child(3) select", "wander");
+await page.click("#act-4 .play");
+await pause(1000);
+const before = await page.metrics();
+const frames = await page.evaluate(
+  () =>
+    new Promise((resolve) => {
+      const times = [];
+      const turn = (now) => {
+        times.push(now);
+        if (times.length < 300) requestAnimationFrame(turn);
+        else resolve(times);
+      };
+      requestAnimationFrame(turn);
+    }),
+);
+const after = await page.metrics();
+const steps = frames.slice(1).map((time, index) => time - frames[index]).sort((one, other) => one - other);
+const script = (1000 * (after.TaskDuration - before.TaskDuration)) / steps.length;
+console.log(
+  `fifty robots: ${(1000 / (steps.reduce((sum, step) => sum + step, 0) / steps.length)).toFixed(0)} frames a second, ` +
+    `median ${steps[Math.floor(steps.length / 2)].toFixed(1)} ms, main thread ${script.toFixed(1)} ms a frame`,
+);
+await page.screenshot({ path: join(folder, "fifty.png") });
+await chrome.close();
+served.end();

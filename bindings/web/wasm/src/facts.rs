@@ -1,0 +1,44 @@
+//! What the page asks of the simulator's own tables, so that it lists nothing by itself.
+
+use closeranks_sim::controllers::{Controller, Counted, Knows};
+use closeranks_sim::law::Law;
+use serde_json::{Value, json};
+
+/// The largest whole number that a page holds exactly, 2^53 - 1.
+const WHOLE_MAX: i64 = 9_007_199_254_740_991;
+
+/// Version, controllers and laws.
+pub fn about() -> Value {
+    json!({
+        "version": env!("CARGO_PKG_VERSION"),
+        "controllers": Controller::ALL.iter().map(|one| controller(*one)).collect::<Value>(),
+        "laws": Law::ALL.map(|law| json!({ "name": law.name(), "demand": law.demand() })),
+    })
+}
+
+/// One row of the table of controllers.
+pub fn controller(controller: Controller) -> Value {
+    let row = controller.row();
+    json!({
+        "name": row.name,
+        "about": row.about,
+        "local": row.knows == Knows::Local,
+        "guarantees": row.guarantees,
+        "keeps_degrees": row.promises.contains(&Law::Degree) && row.counted != Counted::All,
+        "promises": row.promises.iter().map(|law| law.name()).collect::<Vec<_>>(),
+    })
+}
+
+/// A TOML text as a value, or what is wrong with it.
+pub fn table(text: &str) -> Result<Value, Value> {
+    let problem = |line: usize, message: &str| json!([{ "line": line, "message": message }]);
+    let table: toml::Table = toml::from_str(text).map_err(|error| {
+        let before = error.span().and_then(|span| text.get(..span.start)).unwrap_or_default();
+        problem(before.matches('\n').count() + 1, error.message())
+    })?;
+    let whole = |value: &toml::Value| value.as_integer().is_some_and(|number| number.abs() > WHOLE_MAX);
+    if let Some((key, _)) = table.iter().find(|(_, value)| whole(value)) {
+        return Err(problem(1, &format!("`{key}` is too large for a page, allowed is at most {WHOLE_MAX}")));
+    }
+    serde_json::to_value(table).map_err(|error| problem(1, &error.to_string()))
+}
