@@ -48,7 +48,8 @@ impl<const D: usize> Held<D> {
                 let pair_m2 = squared_distance(&frame.references_m[index], &frame.references_m[other]);
                 let violation =
                     Violation { tick, robots: [own, number], seen: sqrt(pair_m2), demanded: radius_m };
-                let runs = !self.malicious[other] && !frame.down[other];
+                // Who was pulled beyond R while an assumption was broken may not even be sensed.
+                let runs = !self.malicious[other] && !frame.down[other] && pair_m2 <= radius_m2;
                 if runs && frame.rows[other].binary_search(&own).is_err() {
                     verdicts.broke(Law::Held, violation, moved && moves);
                 }
