@@ -3,6 +3,7 @@
 #
 #     ./ci.sh              all that needs nothing else
 #     ./ci.sh writers      graphs from every writer of networkx and igraph, read back (Python 3 and PyPI)
+#     ./ci.sh python       the Python package: wheel, tests, stubs, audit (Python 3.10 or later and PyPI; scripts/python.sh)
 #     ./ci.sh bare-metal   the core on a microcontroller, emulated (Debian's packages; scripts/bare-metal.sh)
 set -euo pipefail
 cd "$(dirname "$0")"
@@ -16,12 +17,15 @@ case "${1:-}" in
     step "graphs written by other libraries"
     exec crates/graph/tests/writers/run.sh
     ;;
+  python)
+    exec scripts/python.sh
+    ;;
   bare-metal)
     step "the core on a microcontroller"
     exec scripts/bare-metal.sh
     ;;
   *)
-    echo "no stage is called \`$1\`, allowed are writers, bare-metal, or none"
+    echo "no stage is called \`$1\`, allowed are writers, python, bare-metal, or none"
     exit 2
     ;;
 esac
