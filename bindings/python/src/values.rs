@@ -1,7 +1,7 @@
 //! Plain values of TOML and JSON as those of Python, and back.
 
 use pyo3::prelude::*;
-use pyo3::types::{PyBool, PyDict, PyFloat, PyInt, PyList, PyString};
+use pyo3::types::{PyBool, PyDict, PyFloat, PyInt, PyList, PyMapping, PyString};
 use toml::Value;
 
 use crate::errors;
@@ -54,8 +54,10 @@ fn to_toml(value: &Bound<'_, PyAny>, path: &str, depth: usize) -> PyResult<Value
     if let Ok(text) = value.cast::<PyString>() {
         return Ok(Value::String(text.to_string()));
     }
-    if let Ok(table) = value.cast::<PyDict>() {
-        return fields(table, path, depth).map(Value::Table);
+    if let Ok(mapping) = value.cast::<PyMapping>() {
+        let table = PyDict::new(value.py());
+        table.update(mapping)?;
+        return fields(&table, path, depth).map(Value::Table);
     }
     let Ok(items) = value.try_iter() else {
         let kind = value.get_type();

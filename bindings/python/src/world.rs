@@ -155,6 +155,10 @@ impl World {
         Ok(PyArray1::from_slice(py, self.open()?.told()))
     }
 
+    fn phi<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray1<f64>>> {
+        Ok(PyArray1::from_slice(py, self.open()?.phis()))
+    }
+
     fn values<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray1<f64>>> {
         Ok(PyArray1::from_slice(py, self.open()?.values()))
     }

@@ -35,6 +35,18 @@ def test_what_a_world_shows_belongs_to_the_tick_that_comes() -> None:
     assert repr(world) == "<World of 'scenario' before tick 20 of 20>"
 
 
+def test_a_robot_that_crashes_is_down_for_a_while() -> None:
+    world = cr.World(cr.Scenario(duration_s=0.3, plant={"crash": {"robot": 4, "from_s": 0.1, "to_s": 0.2}}))
+    assert world.is_up.all()
+    down = []
+    while not world.is_over:
+        world.step()
+        down.append((~world.is_up).nonzero()[0].tolist())
+        assert np.isnan(world.phi).tolist() == (~world.is_up).tolist()
+    assert [index for index, robots in enumerate(down) if robots] == list(range(20, 40))
+    assert all(robots == [3] for robots in down[20:40])
+
+
 def test_a_world_that_is_finished_early_is_a_short_run() -> None:
     world = cr.World(cr.Scenario(), record=True)
     with pytest.raises(cr.Error, match="no tick was computed"):
@@ -54,9 +66,8 @@ def test_the_papers_motion_in_python_gives_the_bits_of_rusts() -> None:
 
     def four_ways(world: cr.World) -> np.ndarray:
         number = np.arange(1, 12)
-        target = np.zeros((11, 2))
-        target[np.arange(11), (number > 5).astype(int)] = np.where(number % 2 == 0, 100.0, -100.0)
-        way = target - world.positions
+        way, axis = -world.positions, (number > 5).astype(int)
+        way[number - 1, axis] += np.where(number % 2 == 0, 100.0, -100.0)
         return way / np.sqrt(way[:, 0] * way[:, 0] + way[:, 1] * way[:, 1])[:, None]
 
     assert scenario.run(desired=four_ways, progress=False).digest == scenario.run(progress=False).digest

@@ -155,6 +155,16 @@ class World:
         return self._native.told()
 
     @property
+    def phi(self) -> Floats:
+        """phi_i in the last tick, (n,), which the controller `composed` uses; NaN of a robot that is down."""
+        return self._native.phi()
+
+    @property
+    def is_up(self) -> npt.NDArray[np.bool_]:
+        """Which robots ran in the last tick, (n,): not those that crashed or missed it. All before the first."""
+        return ~np.isnan(self._native.phi()) if self.tick else np.ones(self._scenario.robots, dtype=bool)
+
+    @property
     def values(self) -> Floats:
         """y_i, (n,); of malicious robots what they tell."""
         return self._native.values()

@@ -60,7 +60,7 @@ def draw_formation(axes: Axes, run: Run, tick: int = -1, *, ways: bool = False) 
         axes.scatter(shown[:, 0], shown[:, 1], color=color, marker=marker, s=70, zorder=2)
     for index, point in enumerate(points):
         axes.annotate(str(index + 1), point[:2], color="white", fontsize=6, ha="center", va="center", zorder=3)
-    axes.set_aspect("equal", adjustable="datalim")
+    axes.set_aspect("equal", adjustable="box")
     axes.set_xlabel("x, m")
     axes.set_ylabel("y, m")
 

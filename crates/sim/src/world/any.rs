@@ -131,6 +131,12 @@ impl AnyWorld {
         dispatch!(self, world => &world.frame().told)
     }
 
+    /// φ_i; NaN of a robot that is down, and of all if nobody wants to know it.
+    #[must_use]
+    pub fn phis(&self) -> &[f64] {
+        dispatch!(self, world => &world.frame().phis)
+    }
+
     /// What the program of each robot found.
     #[must_use]
     pub fn outcomes(&self) -> &[Outcome] {
