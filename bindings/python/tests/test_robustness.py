@@ -57,6 +57,7 @@ def test_directed_graphs_of_every_library_are_one_graph() -> None:
 
 def test_one_question() -> None:
     yes = cr.is_robust(cr.graphs.complete(7), 3, 3)
+    assert isinstance(yes, cr.Verdict)
     assert yes and yes.robust is True and yes.certificate == "least degree 6" and yes.witness is None
     no = cr.is_robust(cr.graphs.petersen(), 2)
     assert not no and no.witness is not None and no.witness.holds(cr.graphs.petersen()) and (no.r, no.s) == (2, 1)

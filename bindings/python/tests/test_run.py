@@ -63,13 +63,14 @@ def test_the_sentence_the_numbers_and_the_laws(nominal: cr.Run) -> None:
     assert nominal.rounds[0].f_max == 5 and nominal.rounds[0].tick == 0 and nominal.rounds[1].tick == 20
     last = nominal.rounds[-1]
     assert last.spread == np.ptp(nominal.values[-1, 2:]) and last.degree_min == nominal.degree[-1, 2:].min()
-    assert isinstance(last.r_max, int) and last.r_max >= last.f_max
+    assert isinstance(last, cr.Round) and isinstance(last.r_max, int) and last.r_max >= last.f_max
 
 
 def test_a_broken_law_says_where() -> None:
     run = cr.Scenario(controller={"kind": "none"}).run(progress=False, robustness=False)
     assert not run.ok and run.rounds == []
     degree = next(one for one in run.violations if one.law == "degree")
+    assert isinstance(degree, cr.Violation)
     tick, robot = degree.tick, degree.robots[0] - 1
     assert degree.expected and degree.demanded == 7 and degree.seen == run.degree[tick, robot] < 7
     assert (run.degree[:tick, 2:] >= 7).all() and degree.time_s == pytest.approx(tick * 0.005)

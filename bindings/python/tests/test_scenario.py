@@ -79,10 +79,13 @@ def test_the_papers_six() -> None:
 
 def test_every_mistake_is_underlined() -> None:
     with pytest.raises(cr.ScenarioError) as refused:
-        cr.Scenario("[link]\nepsilon = 0.2\nradius = 3\n")
+        cr.Scenario("[link]\nepsilon = 0.2\n")
     said = str(refused.value)
     assert "error: `link.epsilon` is 0.2" in said and "^^^ allowed is more than 0 and less than 0.1" in said
-    assert " --> scenario:2:11" in said and "`link.radius`" in said
+    assert " --> scenario:2:11" in said and isinstance(refused.value, cr.ScenarioError)
+    with pytest.raises(cr.ScenarioError) as refused:
+        cr.Scenario("[link]\nradius = 3\nspeed = 1\n")
+    assert "`link.radius` is not a field here" in str(refused.value) and "`link.speed`" in str(refused.value)
     assert isinstance(refused.value, cr.Error) and isinstance(refused.value, ValueError)
 
 

@@ -99,8 +99,9 @@ class Robustness:
     """Sets that the search looked at."""
 
     def __str__(self) -> str:
-        rows = [f"  ({r}, {s})-robust at most, by {why}" for r, (s, why) in self.table.items()]
-        return "\n".join([f"n = {self.n}, r_max = {self.r_max}, F_max = {self.f_max}", *rows])
+        rows = [f"  r = {r}: largest s = {s}, proved by {why}" for r, (s, why) in self.table.items()]
+        shown = 1 + sum(s != 0 for s, _ in self.table.values())
+        return "\n".join([f"n = {self.n}, r_max = {self.r_max}, F_max = {self.f_max}", *rows[:shown]])
 
 
 def robustness(

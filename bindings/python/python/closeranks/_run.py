@@ -152,7 +152,7 @@ class Run:
 
     @property
     def violations(self) -> list[Violation]:
-        """Laws that were broken, expected to hold or not."""
+        """Laws that were broken, expected to hold or not; `composition` and `shares` are about phi, which `composed` alone uses."""
         return violations(self._native.laws())
 
     @property

@@ -33,6 +33,7 @@ class World:
     one_by_one : bool
         Compute robots one by one, with every message as bytes, where they could be computed at once: the same bits, slower.
 
+    >>> from closeranks import Scenario
     >>> world = World(Scenario())
     >>> world.step(desired=np.zeros((11, 2)))
     >>> world.tick, world.velocities.shape
@@ -181,7 +182,7 @@ class World:
 
     @property
     def violations(self) -> list[Violation]:
-        """Laws that were broken so far."""
+        """Laws that were broken so far, expected to hold or not; `composition` and `shares` are about phi, which `composed` alone uses."""
         return violations(self._native.laws())
 
     def __repr__(self) -> str:

@@ -138,6 +138,8 @@ def overview(run: Run, title: str | None = None) -> Figure:
     """One run: start, end with the ways that robots took, h_i and values."""
     figure = _figure(9.0, 7.0)
     (start, end), (h, values) = figure.subplots(2, 2)
+    start.sharex(end)
+    start.sharey(end)
     draw_formation(start, run, 0)
     draw_formation(end, run, ways=True)
     draw_h(h, run)

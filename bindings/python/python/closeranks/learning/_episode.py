@@ -88,12 +88,17 @@ class Episode:
         speeds = self.scenario.speed_max_m_s * np.clip(given, -1.0, 1.0)
         self.before = self.world.positions
         for _ in range(self.ticks_per_step):
-            if self.world.is_over:
+            if self.is_over:
                 break
             desired = self.world.desired
             desired[self._normal] = speeds
             self.world.step(desired=desired)
-        return self.observe(), self.rewards()[self._normal], self.world.is_over
+        return self.observe(), self.rewards()[self._normal], self.is_over
+
+    @property
+    def is_over(self) -> bool:
+        """True once every tick of the scenario was computed and robots are where it ends."""
+        return self.world.tick >= self.scenario.ticks
 
     def rewards(self) -> Floats:
         """What each robot earned in the last step, (n,); nothing while it is down."""
