@@ -6,6 +6,30 @@ from typing import Any, final
 import numpy as np
 import numpy.typing as npt
 
+__all__ = [
+    "COMMIT",
+    "Error",
+    "GraphError",
+    "MESSAGE_BYTES",
+    "MessageError",
+    "NODE_LIMIT",
+    "Output",
+    "Robot",
+    "RobotError",
+    "Run",
+    "Scenario",
+    "ScenarioError",
+    "VERSION",
+    "World",
+    "analyze",
+    "controllers",
+    "decide",
+    "make",
+    "named",
+    "wmsr_step",
+    "wmsr_update",
+]
+
 VERSION: str
 COMMIT: str
 MESSAGE_BYTES: int
@@ -31,7 +55,7 @@ class Scenario:
     def fields(self) -> dict[str, Any]: ...
     def positions(self) -> _Floats: ...
     def values(self) -> _Floats: ...
-    def __eq__(self, other: object) -> bool: ...
+    def __eq__(self, value: object, /) -> bool: ...
     @property
     def text(self) -> str: ...
     @property

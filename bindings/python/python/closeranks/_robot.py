@@ -10,6 +10,7 @@ import numpy.typing as npt
 
 from closeranks import _native
 from closeranks._native import Output
+from closeranks._native import Robot as NativeRobot
 
 if TYPE_CHECKING:
     from closeranks._scenario import Scenario
@@ -45,7 +46,7 @@ class Robot:
     """
 
     __slots__ = ("_native",)
-    _native: _native.Robot
+    _native: NativeRobot
 
     def __init__(self, scenario: Scenario, id: int, value: float = 0.0, *, neighbors: int | None = None) -> None:
         room = scenario.robots - 1 if neighbors is None else neighbors

@@ -42,7 +42,7 @@ class Witness:
         return apart and not full and len(reach[0]) + len(reach[1]) < self.s and reach[0] | reach[1] == self.exempt
 
     def _exempt(self, graph: nx.Graph[Any], members: frozenset[Hashable]) -> frozenset[Hashable]:
-        heard = graph.predecessors if graph.is_directed() else graph.neighbors  # type: ignore[attr-defined]
+        heard = graph.predecessors if graph.is_directed() else graph.neighbors
         return frozenset(node for node in members if len(set(heard(node)) - members) >= self.r)
 
 

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 import numpy as np
 import numpy.typing as npt
 
-from closeranks import _native
+from closeranks._native import Run as NativeRun
 from closeranks._types import Floats, Law
 
 if TYPE_CHECKING:
@@ -28,7 +28,7 @@ class Violation(NamedTuple):
     """Its name."""
     expected: bool
     """True if the scenario expects it to hold: then the run is not `ok`."""
-    count: int
+    count: int  # type: ignore[assignment]
     """How often, counted per tick and robot, pair or team."""
     count_covered: int
     """How often although everything held that the law rests on."""
@@ -67,11 +67,11 @@ class Run:
     """
 
     __slots__ = ("_native", "_scenario", "_summary")
-    _native: _native.Run
+    _native: NativeRun
     _scenario: Scenario
     _summary: dict[str, Any] | None
 
-    def __init__(self, scenario: Scenario, native: _native.Run) -> None:
+    def __init__(self, scenario: Scenario, native: NativeRun) -> None:
         self._scenario, self._native, self._summary = scenario, native, None
 
     @property
@@ -82,7 +82,7 @@ class Run:
     @property
     def time_s(self) -> Floats:
         """Time of every tick, (T,), s."""
-        return np.arange(len(self.h)) * self._scenario.tick_s
+        return np.arange(len(self.h), dtype=np.float64) * self._scenario.tick_s
 
     @property
     def positions(self) -> Floats:

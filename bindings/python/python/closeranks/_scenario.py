@@ -11,6 +11,7 @@ import numpy as np
 import numpy.typing as npt
 
 from closeranks import _native
+from closeranks._native import Scenario as NativeScenario
 from closeranks._progress import bar
 from closeranks._types import Attack, Floats, Law, Progress, Start
 
@@ -54,7 +55,7 @@ class Scenario:
     """
 
     __slots__ = ("_native",)
-    _native: _native.Scenario
+    _native: NativeScenario
 
     def __init__(self, settings: str | Mapping[str, Any] | None = None, /, **fields: Any) -> None:
         if isinstance(settings, str):
@@ -66,7 +67,7 @@ class Scenario:
         self._native = native.replace(fields) if fields else native
 
     @classmethod
-    def _of(cls, native: _native.Scenario) -> Scenario:
+    def _of(cls, native: NativeScenario) -> Scenario:
         scenario = cls.__new__(cls)
         scenario._native = native
         return scenario

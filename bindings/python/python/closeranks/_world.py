@@ -8,6 +8,7 @@ import numpy as np
 import numpy.typing as npt
 
 from closeranks import _native
+from closeranks._native import World as NativeWorld
 from closeranks._run import Run, Violation, violations
 from closeranks._types import Floats
 
@@ -41,7 +42,7 @@ class World:
     """
 
     __slots__ = ("_native", "_scenario", "_wanted")
-    _native: _native.World
+    _native: NativeWorld
     _scenario: Scenario
     _wanted: Floats | None
 

@@ -110,7 +110,8 @@ class Episode:
     @property
     def is_up(self) -> npt.NDArray[np.bool_]:
         """Which of the normal robots ran in the last tick, (m,)."""
-        return self.world.is_up[self._normal]
+        up: npt.NDArray[np.bool_] = self.world.is_up[self._normal]
+        return up
 
     def observe(self) -> Observations:
         """What each normal robot sees, (m, size)."""
@@ -124,4 +125,5 @@ class Episode:
         margin = world.degree.astype(np.float64) - scenario.required_degree
         goals, speeds = (self.goals - positions) / radius_m, world.velocities / scenario.speed_max_m_s
         own = np.column_stack([goals, speeds, world.h, margin, world.is_up])
-        return np.clip(np.column_stack([own, rows])[self._normal], -BOUND, BOUND).astype(np.float32)
+        shown: Observations = np.clip(np.column_stack([own, rows])[self._normal], -BOUND, BOUND).astype(np.float32)
+        return shown

@@ -13,11 +13,10 @@ from gymnasium.vector.utils import batch_space
 
 from closeranks._native import Error
 from closeranks._scenario import Scenario
-from closeranks._types import Floats
 from closeranks.learning._episode import BOUND, Episode, Observations
 
 
-def _spaces(episode: Episode) -> tuple[gymnasium.spaces.Box, gymnasium.spaces.Box]:
+def _spaces(episode: Episode) -> tuple[Any, Any]:
     normal = len(episode.robots)
     seen = gymnasium.spaces.Box(-BOUND, BOUND, (normal, episode.size), np.float32)
     return seen, gymnasium.spaces.Box(-1.0, 1.0, (normal, episode.scenario.dimension), np.float32)
@@ -58,7 +57,7 @@ class Team(gymnasium.Env[Observations, npt.NDArray[np.float32]]):
         return seen, float(earned.mean()), False, over, {"is_up": self.episode.is_up}
 
 
-class VectorTeam(VectorEnv[Observations, npt.NDArray[np.float32], Floats]):
+class VectorTeam(VectorEnv[Observations, npt.NDArray[np.float32], npt.NDArray[Any]]):
     """`num_envs` teams side by side, with the same numbers as Gymnasium's `SyncVectorEnv` of `Team`: an episode that is over
     begins anew in the next step, whose action is not used."""
 
@@ -86,7 +85,7 @@ class VectorTeam(VectorEnv[Observations, npt.NDArray[np.float32], Floats]):
 
     def step(
         self, actions: npt.NDArray[np.float32]
-    ) -> tuple[Observations, Floats, npt.NDArray[np.bool_], npt.NDArray[np.bool_], dict[str, Any]]:
+    ) -> tuple[Observations, npt.NDArray[Any], npt.NDArray[Any], npt.NDArray[Any], dict[str, Any]]:
         """Holds the actions, (num_envs, m, D), for a step."""
         seen, earned, over = [], np.zeros(self.num_envs), np.zeros(self.num_envs, dtype=bool)
         for index, (team, action) in enumerate(zip(self.teams, actions, strict=True)):
