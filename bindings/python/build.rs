@@ -3,8 +3,13 @@
 use std::process::Command;
 
 /// What is built.
-const SOURCES: [&str; 5] =
-    ["../../crates/core/src", "../../crates/graph/src", "../../crates/sim/src", "../../crates/report/src", "src"];
+const SOURCES: [&str; 5] = [
+    "../../crates/core/src",
+    "../../crates/graph/src",
+    "../../crates/sim/src",
+    "../../crates/report/src",
+    "src",
+];
 
 fn main() {
     println!("cargo:rerun-if-changed=../../.git/HEAD");
