@@ -5,6 +5,7 @@
 #     ./ci.sh writers      graphs from every writer of networkx and igraph, read back (Python 3 and PyPI)
 #     ./ci.sh proofs       the theorems of docs/theory, checked by Coq (Debian's packages; proofs/check.sh)
 #     ./ci.sh node         robots as processes over Zenoh (crates/node, a workspace of its own with 200 more crates)
+#     ./ci.sh python       the Python package: wheel, tests, stubs, audit (Python 3.10 or later and PyPI; scripts/python.sh)
 #     ./ci.sh bare-metal   the core on a microcontroller, emulated (Debian's packages; scripts/bare-metal.sh)
 #     ./ci.sh web          the page: built anew, compared with the committed one, tried in a browser (bindings/web/README.md)
 set -euo pipefail
@@ -27,6 +28,9 @@ case "${1:-}" in
     step "robots as processes"
     exec crates/node/ci.sh
     ;;
+  python)
+    exec scripts/python.sh
+    ;;
   bare-metal)
     step "the core on a microcontroller"
     exec scripts/bare-metal.sh
@@ -41,7 +45,7 @@ case "${1:-}" in
     exec node --test test/model.test.mjs test/page.test.mjs
     ;;
   *)
-    echo "no stage is called \`$1\`, allowed are writers, proofs, node, web, bare-metal, or none"
+    echo "no stage is called \`$1\`, allowed are writers, proofs, node, python, web, bare-metal, or none"
     exit 2
     ;;
 esac

@@ -23,8 +23,9 @@ use std::process::ExitCode;
 
 use anyhow::Result;
 use clap::{Args, CommandFactory as _, FromArgMatches as _, Parser, Subcommand};
+use closeranks_report::sentences;
 use closeranks_sim::scenario::Controller;
-use results::{as_run, json, pages, sentences};
+use results::{as_run, json, pages};
 
 /// Keeps a team of robots agreeing while some of them lie.
 #[derive(Debug, Parser)]

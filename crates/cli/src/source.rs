@@ -1,12 +1,13 @@
 //! Files of users: read with a bound; scenarios refused with the line underlined.
 
-use core::fmt::{self, Write as _};
+use core::fmt;
 use std::fs::File;
 use std::io::{IsTerminal as _, Read as _};
 use std::path::Path;
 
-use annotate_snippets::{AnnotationKind, Group, Level, Renderer, Snippet};
+use annotate_snippets::{Group, Renderer};
 use anyhow::{Context, Result, bail};
+use closeranks_report::problems;
 use closeranks_sim::parse::{self, FILE_MAX, Files, Problem, TEXT_MAX};
 use closeranks_sim::scenario::Scenario;
 use closeranks_sim::sweep::{Plan, Run as Drawn, TRIES, is_drawn};
@@ -153,40 +154,6 @@ fn renderer() -> Renderer {
     if std::io::stderr().is_terminal() { Renderer::styled() } else { Renderer::plain() }
 }
 
-/// Mistakes shown; a file with more has other troubles.
-const SHOWN: usize = 20;
-
 fn picture(name: &str, text: &str, problems: &[Problem]) -> String {
-    let renderer = renderer();
-    let mut out = String::new();
-    for problem in problems.iter().take(SHOWN) {
-        if !out.is_empty() {
-            out.push('\n');
-        }
-        out.push_str(&renderer.render(&[group(name, text, problem)]));
-        out.push('\n');
-    }
-    if problems.len() > SHOWN {
-        let _ = writeln!(out, "and {} more", problems.len() - SHOWN);
-    }
-    out
-}
-
-fn group<'a>(name: &'a str, text: &'a str, problem: &'a Problem) -> Group<'a> {
-    let (title, label) = if problem.field.is_empty() {
-        (problem.found.clone(), String::new())
-    } else {
-        (format!("`{}` is {}", problem.field, problem.found), format!("allowed is {}", problem.allowed))
-    };
-    let annotation = AnnotationKind::Primary.span(visible(text, problem)).label(label);
-    let snippet = Snippet::source(text).path(name).annotation(annotation);
-    Level::ERROR.primary_title(title).element(snippet)
-}
-
-/// The first line of the place: a table that spans many is marked at its head.
-fn visible(text: &str, problem: &Problem) -> core::ops::Range<usize> {
-    let start = problem.span.start.min(text.len());
-    let end = problem.span.end.clamp(start, text.len());
-    let line_end = text.get(start..end).and_then(|part| part.find('\n')).map_or(end, |length| start + length);
-    start..line_end
+    problems::picture(&renderer(), name, text, problems)
 }

@@ -8,6 +8,8 @@
 //! | a graph with its witness; exact robustness over time | [`network`], [`robustness`] |
 //! | one self-contained page, and what is on it | [`html`], [`content`] |
 //! | the table of runs, and the paper's sentences held against them | [`table`], [`claims`] |
+//! | what a run came to, in sentences and as numbers for machines | [`sentences`], [`numbers`] |
+//! | what is wrong with a scenario, with its lines underlined | [`problems`] |
 //! | a record as a file, and read back | [`recording`] |
 //! | sweeps: rows, counts, bounds, figures | [`sweep`] |
 //! | SVG to PNG | [`png`] |
@@ -20,6 +22,6 @@ mod page;
 mod svg;
 
 pub use figure::{network, robustness};
-pub use page::{claims, content, html, table};
+pub use page::{claims, content, html, numbers, problems, sentences, table};
 pub use recording::write as parquet;
 pub use svg::png;

@@ -47,6 +47,27 @@ fn wishes_that_are_given_are_wishes() {
     }
 }
 
+/// Who prepares a tick sees where it finds the robots, and changes nothing; a tick that was only prepared is no part of the run.
+#[test]
+fn a_tick_that_is_prepared_is_the_same_tick() {
+    let scenario = Scenario { controller: Controller::Budget, ..short() };
+    for engine in [Engine::Team, Engine::Robots] {
+        let options = Options { engine, ..recorded() };
+        let mut plain = World::<2>::new(&scenario, options).unwrap();
+        let mut prepared = World::<2>::new(&scenario, options).unwrap();
+        for _ in 0..100 {
+            let positions = prepared.prepare().positions_m.clone();
+            let desired = prepared.prepare().desired_m_s.clone();
+            let frame = plain.step();
+            assert_eq!((&positions, &desired), (&frame.positions_m, &frame.desired_m_s));
+            prepared.step_with(&Given { desired_m_s: Some(&desired), ..Given::default() }).unwrap();
+        }
+        prepared.prepare();
+        assert_ne!(prepared.frame().positions_m, plain.frame().positions_m);
+        assert_eq!(prepared.finish(), plain.finish());
+    }
+}
+
 /// A bias that is told from outside gives the run of that attack; what is given for normal robots is not used.
 #[test]
 fn lies_that_are_given_are_told() {

@@ -1,82 +1,17 @@
 //! The numbers of the table for machines.
 
 use closeranks_report::content::Claim;
-use closeranks_report::table::uses_phi;
-use closeranks_sim::law::Verdict;
-use closeranks_sim::monitors::robustness::{narrowest, weakest};
+use closeranks_report::numbers::{self, Program};
 use closeranks_sim::scenario::Scenario;
 use closeranks_sim::world::Run;
 use serde_json::{Map, Value, json};
 
-/// One run. Numbers that do not exist are null, and so is phi for controllers that do not use it.
-/// Seconds are simulated ones, but for `wall_time_s`.
+/// One run of this program that took so many seconds.
 pub(crate) fn run(scenario: &Scenario, run: &Run, wall_s: f64) -> Value {
-    let summary = &run.summary;
-    let weakest = weakest(&run.rounds);
-    let phi = uses_phi(scenario);
-    let extremes = &summary.extremes;
-    let laws = summary.verdicts.iter().map(|verdict| (verdict.law.name().to_owned(), law(scenario, verdict)));
-    json!({
-        "name": scenario.name,
-        "seed": scenario.seed,
-        "version": env!("CARGO_PKG_VERSION"),
-        "commit": env!("CLOSERANKS_COMMIT"),
-        "digest": run.digest.map(|digest| format!("{digest:016x}")),
-        "weight": scenario.link_shape().ok().map(|link| json!({ "q2": link.q2, "epsilon": link.q1 - 2.0 })),
-        "start": {
-            "inside": summary.start.inside,
-            "phi_min": phi.then_some(summary.start.phi_min),
-            "h_min": summary.start.h_min,
-            "degree_min": summary.start.degree_min,
-            "distance_min_m": summary.start.distance_min_m,
-            "inside_from_s": extremes.inside_from.map(|tick| f64::from(tick) * scenario.tick_s()),
-            "safe_from_s": extremes.safe_from.map(|tick| f64::from(tick) * scenario.tick_s()),
-        },
-        "degree_min_normal": extremes.degree_min,
-        "h_min_normal": extremes.h_min,
-        "degree_min_malicious": extremes.malicious_degree_min,
-        "malicious_below_required": summary.malicious_below,
-        "distance_min_m": extremes.distance_min_m,
-        "gyration_m": summary.gyration_m,
-        "links": summary.links,
-        "distance_to_malicious_m": summary.liar_distance_m,
-        "rounds_to_agree": extremes.rounds_to_agree,
-        "spread": extremes.spread,
-        "infeasible": summary.broken(closeranks_sim::law::Law::Feasible),
-        "phi_negative": phi.then_some(summary.broken(closeranks_sim::law::Law::Shares)),
-        "phi_min": phi.then_some(extremes.phi_min),
-        "phi_global_min": phi.then_some(extremes.phi_global_min),
-        "r_max_least": narrowest(&run.rounds).map(|round| round.r_max.least),
-        "f_max_least": weakest.map(|round| round.f_max.least),
-        "guaranteed_share": summary.guaranteed_share,
-        "negative_share": summary.negative_share,
-        "recovery_s": summary.recovery_s,
-        "violations": summary.violations(scenario).map(|verdict| verdict.count).sum::<u64>(),
-        "duration_s": f64::from(summary.ticks) * scenario.tick_s(),
-        "ticks": summary.ticks,
-        "rounds": summary.rounds,
-        "wall_time_s": wall_s,
-        "laws": laws.collect::<Map<_, _>>(),
-        "ok": summary.failures(scenario).next().is_none(),
-    })
-}
-
-fn law(scenario: &Scenario, verdict: &Verdict) -> Value {
-    let first = verdict.first.map(|first| {
-        json!({
-            "time_s": f64::from(first.tick) * scenario.tick_s(),
-            "tick": first.tick,
-            "robots": first.robots.iter().filter(|robot| **robot > 0).collect::<Vec<_>>(),
-            "seen": first.seen,
-            "demanded": first.demanded,
-        })
-    });
-    json!({
-        "expected": scenario.expect.contains(&verdict.law),
-        "broken": verdict.count,
-        "broken_where_assumptions_hold": verdict.covered,
-        "first": first,
-    })
+    let program = Program { version: env!("CARGO_PKG_VERSION"), commit: env!("CLOSERANKS_COMMIT") };
+    let mut numbers: Map<String, Value> = numbers::numbers(scenario, run, program);
+    numbers.insert("wall_time_s".to_owned(), json!(wall_s));
+    Value::Object(numbers)
 }
 
 /// The claims of one start.

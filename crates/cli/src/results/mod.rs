@@ -4,4 +4,3 @@ pub(crate) mod as_run;
 pub(crate) mod json;
 pub(crate) mod pages;
 pub(crate) mod recorder;
-pub(crate) mod sentences;

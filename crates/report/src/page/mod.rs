@@ -1,8 +1,11 @@
-//! What a page or a terminal shows: tables, claims, and one self-contained HTML page.
+//! What a page or a terminal shows: tables, claims, sentences, numbers, and one self-contained HTML page.
 
 pub mod claims;
 pub mod content;
 pub mod html;
+pub mod numbers;
+pub mod problems;
+pub mod sentences;
 pub mod table;
 
 mod html_table;

@@ -10,8 +10,8 @@ use crate::faults::edges::Edges;
 use crate::frame::Frame;
 use crate::transport::Transport;
 
-/// Computes the robots of a run.
-pub(crate) trait Robots<const D: usize> {
+/// Computes the robots of a run. A world can go from thread to thread, and so can they.
+pub(crate) trait Robots<const D: usize>: Send + Sync {
     /// One tick: fills everything in `frame` but positions, desired velocities, references and assumptions.
     fn step(&mut self, frame: &mut Frame<D>, liars: &mut Liars);
 
@@ -34,7 +34,10 @@ pub(crate) struct Counted<const D: usize> {
     pub(crate) began_anew: bool,
 }
 
-impl<const D: usize, T: Transport> Robots<D> for Fleet<D, T> {
+impl<const D: usize, T: Transport> Robots<D> for Fleet<D, T>
+where
+    Self: Send + Sync,
+{
     fn step(&mut self, frame: &mut Frame<D>, liars: &mut Liars) {
         self.step(frame, liars);
     }
@@ -49,7 +52,10 @@ impl<const D: usize, T: Transport> Robots<D> for Fleet<D, T> {
     }
 }
 
-impl<const D: usize, C: Control<D> + Copy> Robots<D> for Team<D, C> {
+impl<const D: usize, C: Control<D> + Copy> Robots<D> for Team<D, C>
+where
+    Self: Send + Sync,
+{
     fn step(&mut self, frame: &mut Frame<D>, liars: &mut Liars) {
         self.step(frame, liars);
     }

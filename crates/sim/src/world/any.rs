@@ -1,7 +1,10 @@
 //! A world of whichever dimension its scenario has: for bindings, and for whoever learns the dimension at run time.
 
 use closeranks_core::num::Vector;
+use closeranks_core::program::Outcome;
+use closeranks_core::robot::report::Mode;
 
+use crate::law::Verdicts;
 use crate::scenario::Scenario;
 use crate::world::given::{Given, GivenError};
 use crate::world::{Options, Run, RunError, World};
@@ -67,6 +70,13 @@ impl AnyWorld {
         dispatch!(self, world => world.is_over())
     }
 
+    /// Moves robots to where the next tick finds them, as [`World::prepare`] does.
+    pub fn prepare(&mut self) {
+        dispatch!(self, world => {
+            world.prepare();
+        });
+    }
+
     /// Computes the next tick.
     pub fn step(&mut self) {
         dispatch!(self, world => {
@@ -77,6 +87,18 @@ impl AnyWorld {
     /// Computes the next tick with what is `given` from outside; refused as [`World::step_with`] does.
     pub fn step_with(&mut self, given: &AnyGiven<'_>) -> Result<(), GivenError> {
         dispatch!(self, world => step_with(world, given))
+    }
+
+    /// What became of the laws up to the last tick.
+    #[must_use]
+    pub fn verdicts(&self) -> &Verdicts {
+        dispatch!(self, world => world.monitors().verdicts())
+    }
+
+    /// u_{i,des}, m/s, flat.
+    #[must_use]
+    pub fn desired_m_s(&self) -> &[f64] {
+        dispatch!(self, world => world.frame().desired_m_s.as_flattened())
     }
 
     /// x_i, m, flat.
@@ -95,6 +117,36 @@ impl AnyWorld {
     #[must_use]
     pub fn h(&self) -> &[f64] {
         dispatch!(self, world => &world.frame().h)
+    }
+
+    /// True c_i.
+    #[must_use]
+    pub fn levels(&self) -> &[f64] {
+        dispatch!(self, world => &world.frame().levels)
+    }
+
+    /// c_i as told.
+    #[must_use]
+    pub fn told(&self) -> &[f64] {
+        dispatch!(self, world => &world.frame().told)
+    }
+
+    /// φ_i; NaN of a robot that is down, and of all if nobody wants to know it.
+    #[must_use]
+    pub fn phis(&self) -> &[f64] {
+        dispatch!(self, world => &world.frame().phis)
+    }
+
+    /// What the program of each robot found.
+    #[must_use]
+    pub fn outcomes(&self) -> &[Outcome] {
+        dispatch!(self, world => &world.frame().outcomes)
+    }
+
+    /// What each robot says its answer is worth.
+    #[must_use]
+    pub fn modes(&self) -> &[Mode] {
+        dispatch!(self, world => &world.frame().modes)
     }
 
     /// δ_i.

@@ -3,6 +3,7 @@
 pub mod any;
 pub mod given;
 
+use closeranks_core::num::Vector;
 use closeranks_core::program::Outcome;
 use closeranks_core::robot::error::RobotError;
 use closeranks_core::settings::params::{Params, ParamsError};
@@ -142,6 +143,8 @@ pub struct World<const D: usize> {
     watcher: Option<Watcher>,
     /// Ticks computed yet.
     done: u32,
+    /// Where robots were in the last tick, if the next one is prepared.
+    prepared: Option<Vec<Vector<D>>>,
 }
 
 impl<const D: usize> World<D> {
@@ -171,6 +174,7 @@ impl<const D: usize> World<D> {
             scenario: scenario.clone(),
             frame,
             done: 0,
+            prepared: None,
         })
     }
 
@@ -204,6 +208,18 @@ impl<const D: usize> World<D> {
         &self.monitors
     }
 
+    /// Moves robots to where the next tick finds them and asks where they want to go, for whoever gives velocities that depend on
+    /// that. Positions and desired velocities of the frame then belong to the tick that the next step computes; everything else
+    /// is still of the last one. A second call changes nothing, and the step gives the bits that it gives without.
+    pub fn prepare(&mut self) -> &Frame<D> {
+        if self.prepared.is_none() {
+            let last_m = self.frame.positions_m.clone();
+            self.begin();
+            self.prepared = Some(last_m);
+        }
+        &self.frame
+    }
+
     /// Computes the next tick.
     pub fn step(&mut self) -> &Frame<D> {
         self.begin();
@@ -224,6 +240,9 @@ impl<const D: usize> World<D> {
 
     /// Moves everybody to the next tick and asks where they want to go.
     fn begin(&mut self) {
+        if self.prepared.take().is_some() {
+            return;
+        }
         if self.done > 0 {
             self.bodies.integrate(&mut self.frame.positions_m, &self.frame.velocities_m_s);
         }
@@ -304,9 +323,12 @@ impl<const D: usize> World<D> {
         }
     }
 
-    /// Ends the run: the record, if one was asked for, and the row of the table.
+    /// Ends the run: the record, if one was asked for, and the row of the table. A tick that was only prepared is no part of it.
     #[must_use]
-    pub fn finish(self) -> Run {
+    pub fn finish(mut self) -> Run {
+        if let Some(last_m) = self.prepared.take() {
+            self.frame.positions_m = last_m;
+        }
         let summary = self.collector.finish(&self.scenario, &self.frame, &self.monitors);
         let rounds = self.watcher.map(Watcher::finish).unwrap_or_default();
         Run { record: self.record, digest: self.digest.map(Digest::value), rounds, summary }

@@ -2,15 +2,17 @@
 
 use core::fmt::Write as _;
 
-use closeranks_report::content::{LawLine, Mark};
-use closeranks_report::table::{number, telling, uses_phi};
 use closeranks_sim::controllers::{Counted, Inside};
 use closeranks_sim::law::{Law, Verdict};
 use closeranks_sim::output::summary::Summary;
 use closeranks_sim::scenario::Scenario;
 
+use super::content::{LawLine, Mark};
+use super::table::{number, telling, uses_phi};
+
 /// Where the start lies, and when a start outside came inside.
-pub(crate) fn start(scenario: &Scenario, summary: &Summary) -> String {
+#[must_use]
+pub fn start(scenario: &Scenario, summary: &Summary) -> String {
     let start = &summary.start;
     let row = scenario.controller.row();
     let measure = match row.inside {
@@ -59,14 +61,16 @@ fn keeps_degrees(scenario: &Scenario) -> bool {
 }
 
 /// Where to ask what is possible, if the start of `file` lies outside the safe set.
-pub(crate) fn advice(scenario: &Scenario, summary: &Summary, file: &str) -> Option<String> {
+#[must_use]
+pub fn advice(scenario: &Scenario, summary: &Summary, file: &str) -> Option<String> {
     let is_outside = keeps_degrees(scenario) && !summary.start.inside;
     is_outside
         .then(|| format!("note: `closeranks advise {file}` says which starts, speeds and F are possible"))
 }
 
 /// A warning when more robots lie than the team is prepared for.
-pub(crate) fn warning(scenario: &Scenario) -> Option<String> {
+#[must_use]
+pub fn warning(scenario: &Scenario) -> Option<String> {
     let liars = scenario.malicious.len();
     (liars > usize::from(scenario.team.faults)).then(|| {
         format!(
@@ -77,7 +81,8 @@ pub(crate) fn warning(scenario: &Scenario) -> Option<String> {
 }
 
 /// What became of each law that is expected, or that was broken.
-pub(crate) fn law_lines(scenario: &Scenario, summary: &Summary) -> Vec<LawLine> {
+#[must_use]
+pub fn law_lines(scenario: &Scenario, summary: &Summary) -> Vec<LawLine> {
     summary.verdicts.iter().filter_map(|verdict| law_line(scenario, verdict)).collect()
 }
 
@@ -104,7 +109,8 @@ fn law_line(scenario: &Scenario, verdict: &Verdict) -> Option<LawLine> {
 }
 
 /// One line for each law that was broken; those that were expected to hold are marked. Then those that held.
-pub(crate) fn laws(scenario: &Scenario, summary: &Summary) -> String {
+#[must_use]
+pub fn laws(scenario: &Scenario, summary: &Summary) -> String {
     let mut out = String::new();
     let lines = law_lines(scenario, summary);
     for LawLine { law, demand, mark, detail } in &lines {
@@ -141,7 +147,8 @@ fn covered(scenario: &Scenario, verdict: &Verdict) -> String {
 }
 
 /// How often, where first and by how much.
-pub(crate) fn violation(scenario: &Scenario, verdict: &Verdict) -> String {
+#[must_use]
+pub fn violation(scenario: &Scenario, verdict: &Verdict) -> String {
     let Some(first) = verdict.first else { return "never".to_owned() };
     let who = match first.robots {
         [0, _] => String::new(),

@@ -1,0 +1,52 @@
+"""Closeranks: software that keeps a team of robots agreeing while some of them lie.
+
+What to run is a `Scenario`, what it came to a `Run`; a `World` is stepped tick by tick from outside. `Robot` is the filter alone,
+for people with their own simulator or robots. `WMSR` is the consensus rule on arrays. `robustness` says how many liars a network
+survives, exactly, and `graphs` makes networks by name. `plots` draws the paper's figures.
+
+Robots are numbered from 1, as in the paper: index 0 of an array is robot 1. Lengths are in m, speeds in m/s, times in s; units end
+the names of numbers. Whatever is refused is refused with an `Error` (a ValueError) that names the place, the value and what is allowed.
+
+>>> import closeranks as cr
+>>> run = cr.Scenario.paper("understating").run(progress=False)
+>>> run.positions.shape, bool(run.degree[:, 2:].min() >= run.scenario.required_degree)
+((2001, 11, 2), True)
+"""
+
+from closeranks import graphs, plots
+from closeranks._native import COMMIT as __commit__
+from closeranks._native import VERSION as __version__
+from closeranks._native import Error, GraphError, MessageError, Output, RobotError, ScenarioError
+from closeranks._robot import Robot
+from closeranks._robustness import Robustness, Verdict, Witness, is_robust, robustness
+from closeranks._run import Round, Run, Violation
+from closeranks._scenario import Scenario, controllers
+from closeranks._wmsr import WMSR, WMSRRound
+from closeranks._world import World
+
+__all__ = [
+    "WMSR",
+    "Error",
+    "GraphError",
+    "MessageError",
+    "Output",
+    "Robot",
+    "RobotError",
+    "Robustness",
+    "Round",
+    "Run",
+    "Scenario",
+    "ScenarioError",
+    "Verdict",
+    "Violation",
+    "WMSRRound",
+    "Witness",
+    "World",
+    "__commit__",
+    "__version__",
+    "controllers",
+    "graphs",
+    "is_robust",
+    "plots",
+    "robustness",
+]

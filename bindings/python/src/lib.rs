@@ -1,0 +1,42 @@
+//! The Python module `closeranks._native`: what the package `closeranks` is made of, at Rust's speed.
+//!
+//! Python owns the loop, the callbacks and the pictures (`python/closeranks`); here is what must be fast or exact. Calls that
+//! take long let go of the interpreter, and return to it often enough that Ctrl-C works.
+
+mod columns;
+mod errors;
+mod graph;
+mod makers;
+mod output;
+mod paper;
+mod robot;
+mod run;
+mod scenario;
+mod values;
+mod wmsr;
+mod world;
+
+use pyo3::prelude::*;
+
+/// Native part of the package closeranks. Use `import closeranks` instead.
+#[pymodule(name = "_native")]
+fn native(module: &Bound<'_, PyModule>) -> PyResult<()> {
+    module.add("VERSION", env!("CARGO_PKG_VERSION"))?;
+    module.add("COMMIT", env!("CLOSERANKS_COMMIT"))?;
+    module.add("MESSAGE_BYTES", closeranks_core::MESSAGE_BYTES)?;
+    module.add("NODE_LIMIT", closeranks_graph::graph::set::NODE_LIMIT)?;
+    errors::add(module)?;
+    module.add_class::<scenario::Scenario>()?;
+    module.add_class::<world::World>()?;
+    module.add_class::<run::Run>()?;
+    module.add_class::<robot::Robot>()?;
+    module.add_class::<output::Output>()?;
+    module.add_function(wrap_pyfunction!(scenario::named, module)?)?;
+    module.add_function(wrap_pyfunction!(scenario::controllers, module)?)?;
+    module.add_function(wrap_pyfunction!(wmsr::wmsr_update, module)?)?;
+    module.add_function(wrap_pyfunction!(wmsr::wmsr_step, module)?)?;
+    module.add_function(wrap_pyfunction!(graph::analyze, module)?)?;
+    module.add_function(wrap_pyfunction!(graph::decide, module)?)?;
+    module.add_function(wrap_pyfunction!(makers::make, module)?)?;
+    Ok(())
+}

@@ -1,0 +1,180 @@
+//! One robot: the filter alone.
+
+use core::time::Duration;
+
+use closeranks_core::num::Vector;
+use closeranks_core::robot as core_robot;
+use closeranks_core::robot::error::Observed;
+use closeranks_core::{Instant, Message, RobotId, Slot};
+use closeranks_sim::engine::memory::Memory;
+use closeranks_sim::scenario as sim;
+use numpy::{PyReadonlyArray1, PyReadonlyArray2};
+use pyo3::prelude::*;
+use pyo3::types::PyBytes;
+
+use crate::errors;
+use crate::output::Output;
+use crate::scenario::Scenario;
+
+/// A robot with its memory.
+struct Machine<const D: usize> {
+    robot: core_robot::Robot<D, Vec<Slot<D>>>,
+    memory: Memory<D>,
+}
+
+/// A robot in the plane or in space.
+#[expect(clippy::large_enum_variant, reason = "few, and long-lived")]
+enum Any {
+    Plane(Machine<2>),
+    Space(Machine<3>),
+}
+
+/// Calls the same of whichever it is.
+macro_rules! dispatch {
+    ($of:expr, $machine:ident => $call:expr) => {
+        match $of {
+            Any::Plane($machine) => $call,
+            Any::Space($machine) => $call,
+        }
+    };
+}
+
+/// One robot without a world: the native part of `closeranks.Robot`.
+#[pyclass(module = "closeranks._native")]
+pub(crate) struct Robot {
+    any: Any,
+}
+
+impl<const D: usize> Machine<D> {
+    fn new(scenario: &sim::Scenario, id: u16, value: f64, neighbors: usize) -> PyResult<Self> {
+        let params = scenario.params::<D>().map_err(errors::robot)?;
+        let slots = vec![Slot::default(); neighbors];
+        let robot = core_robot::Robot::new(params, RobotId(id), value, slots).map_err(errors::robot)?;
+        Ok(Self { robot, memory: Memory::new(&params, neighbors) })
+    }
+
+    fn observe(&mut self, id: u16, position: &[f64]) -> PyResult<&'static str> {
+        let seen = self.robot.observe(RobotId(id), vector(position)?);
+        let seen = seen.map_err(|error| errors::robot(format!("{error} (robot {id})")))?;
+        Ok(match seen {
+            Observed::Neighbor => "neighbor",
+            Observed::InView => "in view",
+            Observed::OutOfRange => "out of range",
+        })
+    }
+
+    fn tick(&mut self, py: Python<'_>, desired: &[f64]) -> PyResult<Output> {
+        let desired = vector(desired)?;
+        Ok(Output::new(py, &self.robot.tick(desired, &mut self.memory.lend())))
+    }
+}
+
+fn vector<const D: usize>(numbers: &[f64]) -> PyResult<Vector<D>> {
+    let wrong = |_| errors::robot(format!("a vector of {} numbers, must have {D}", numbers.len()));
+    numbers.try_into().map_err(wrong)
+}
+
+/// Seconds as a time of the core.
+fn instant(seconds: f64) -> PyResult<Instant> {
+    let wrong = |_| errors::robot(format!("now_s is {seconds}, allowed is a time from 0 on that is finite"));
+    let since = Duration::try_from_secs_f64(seconds).map_err(wrong)?;
+    Ok(Instant::START.after(since))
+}
+
+#[pymethods]
+impl Robot {
+    #[new]
+    fn new(scenario: &Scenario, id: u16, value: f64, neighbors: usize) -> PyResult<Self> {
+        let scenario = &scenario.scenario;
+        let any = match scenario.dimension {
+            2 => Any::Plane(Machine::new(scenario, id, value, neighbors)?),
+            _ => Any::Space(Machine::new(scenario, id, value, neighbors)?),
+        };
+        Ok(Self { any })
+    }
+
+    fn restart(&mut self, value: f64) -> PyResult<()> {
+        dispatch!(&mut self.any, machine => machine.robot.restart(value)).map_err(errors::robot)
+    }
+
+    fn sense(&mut self, now_s: f64, position: Vec<f64>) -> PyResult<()> {
+        let now = instant(now_s)?;
+        dispatch!(&mut self.any, machine => machine.robot.sense(now, vector(&position)?))
+            .map_err(errors::robot)
+    }
+
+    fn observe(&mut self, id: u16, position: Vec<f64>) -> PyResult<&'static str> {
+        dispatch!(&mut self.any, machine => machine.observe(id, &position))
+    }
+
+    fn observe_all(
+        &mut self,
+        ids: PyReadonlyArray1<'_, i64>,
+        positions: PyReadonlyArray2<'_, f64>,
+    ) -> PyResult<()> {
+        let (ids, positions) = (ids.as_array(), positions.as_array());
+        if ids.len() != positions.nrows() {
+            let (found, robots) = (positions.nrows(), ids.len());
+            return Err(errors::robot(format!("{found} positions for {robots} robots")));
+        }
+        for (id, position) in ids.iter().zip(positions.rows()) {
+            let id = u16::try_from(*id).unwrap_or(0);
+            let position = position.to_vec();
+            dispatch!(&mut self.any, machine => machine.observe(id, &position))?;
+        }
+        Ok(())
+    }
+
+    fn share<'py>(&mut self, py: Python<'py>) -> Option<Bound<'py, PyBytes>> {
+        let message = dispatch!(&mut self.any, machine => machine.robot.share(&mut machine.memory.lend()));
+        message.map(|message| PyBytes::new(py, &message.encode()))
+    }
+
+    fn receive(&mut self, sender: u16, message: &[u8]) -> PyResult<()> {
+        let message = Message::parse(message).map_err(errors::message)?;
+        let taken = dispatch!(&mut self.any, machine => machine.robot.receive(RobotId(sender), &message));
+        taken.map_err(|error| errors::message(format!("{error} (robot {sender})")))
+    }
+
+    fn restate(&mut self, level: f64) {
+        dispatch!(&mut self.any, machine => machine.robot.restate(level));
+    }
+
+    fn tick(&mut self, py: Python<'_>, desired: Vec<f64>) -> PyResult<Output> {
+        dispatch!(&mut self.any, machine => machine.tick(py, &desired))
+    }
+
+    #[getter]
+    fn id(&self) -> u16 {
+        dispatch!(&self.any, machine => machine.robot.id().0)
+    }
+
+    #[getter]
+    fn value(&self) -> f64 {
+        dispatch!(&self.any, machine => machine.robot.value())
+    }
+
+    #[getter]
+    fn told_level(&self) -> f64 {
+        dispatch!(&self.any, machine => machine.robot.told_level())
+    }
+
+    #[getter]
+    fn poll_at_s(&self) -> f64 {
+        let due = dispatch!(&self.any, machine => machine.robot.poll_at());
+        Duration::from_nanos(due.as_nanos()).as_secs_f64()
+    }
+
+    #[getter]
+    fn neighbors(&self) -> Vec<u16> {
+        dispatch!(&self.any, machine => machine.robot.neighbors().iter().map(|slot| slot.id().0).collect())
+    }
+
+    #[getter]
+    fn discarded(&self) -> Vec<u16> {
+        dispatch!(&self.any, machine => {
+            let discarded = machine.robot.neighbors().iter().filter(|slot| slot.discarded());
+            discarded.map(|slot| slot.id().0).collect()
+        })
+    }
+}

@@ -1,0 +1,217 @@
+//! A finished run.
+
+use std::fs::File;
+use std::io::BufWriter;
+use std::sync::OnceLock;
+
+use closeranks_core::num::Vector;
+use closeranks_report::numbers::{Program, law, numbers};
+use closeranks_report::parquet::{Metadata, write};
+use closeranks_report::sentences;
+use closeranks_report::table::{Line, table, text};
+use closeranks_sim::law::Verdicts;
+use closeranks_sim::monitors::robustness::Round;
+use closeranks_sim::output::record::{Record, outcome_name};
+use closeranks_sim::scenario::Scenario;
+use closeranks_sim::world;
+use numpy::PyArray2;
+use pyo3::exceptions::{PyIndexError, PyOSError};
+use pyo3::prelude::*;
+use pyo3::types::PyDict;
+
+use crate::columns::{OUTCOMES, interleaved, outcome_number, rows, view};
+use crate::{errors, values};
+
+/// The program that these bindings are.
+const PROGRAM: Program<'_> =
+    Program { version: env!("CARGO_PKG_VERSION"), commit: env!("CLOSERANKS_COMMIT") };
+
+/// What a run left behind. It never changes, so arrays may look into it.
+#[pyclass(frozen, module = "closeranks._native")]
+pub(crate) struct Run {
+    scenario: Scenario,
+    #[pyo3(get)]
+    text: String,
+    run: world::Run,
+    positions_m: OnceLock<Vec<f64>>,
+    inputs_m_s: OnceLock<Vec<f64>>,
+    outcomes: OnceLock<Vec<u8>>,
+}
+
+impl Run {
+    /// What `run` of `scenario` came to.
+    pub(crate) fn new(scenario: Scenario, text: String, run: world::Run) -> Self {
+        let (positions_m, inputs_m_s, outcomes) = (OnceLock::new(), OnceLock::new(), OnceLock::new());
+        Self { scenario, text, run, positions_m, inputs_m_s, outcomes }
+    }
+
+    fn record(&self) -> PyResult<&Record> {
+        let record = self.run.record.as_ref();
+        record.ok_or_else(|| errors::refused("this run was not recorded, allowed is a run with record=True"))
+    }
+
+    fn metadata(&self) -> Metadata<'_> {
+        let Program { version, commit } = PROGRAM;
+        Metadata { scenario: &self.text, seed: self.scenario.seed, version, commit }
+    }
+
+    fn vectors<'py>(
+        slf: &Bound<'py, Self>,
+        kept: &OnceLock<Vec<f64>>,
+        columns: impl FnOnce(&Record) -> &[Vec<f64>],
+    ) -> PyResult<Bound<'py, PyArray2<f64>>> {
+        let record = slf.get().record()?;
+        let flat = kept.get_or_init(|| interleaved(columns(record)));
+        view(flat, record.dimension, slf.clone().into_any())
+    }
+}
+
+#[pymethods]
+impl Run {
+    /// x_i, (T n, D), m.
+    fn positions<'py>(slf: &Bound<'py, Self>) -> PyResult<Bound<'py, PyArray2<f64>>> {
+        Self::vectors(slf, &slf.get().positions_m, |record| &record.positions_m)
+    }
+
+    /// u_i, (T n, D), m/s.
+    fn velocities<'py>(slf: &Bound<'py, Self>) -> PyResult<Bound<'py, PyArray2<f64>>> {
+        Self::vectors(slf, &slf.get().inputs_m_s, |record| &record.inputs_m_s)
+    }
+
+    /// A column of numbers, (T, n).
+    fn numbers<'py>(slf: &Bound<'py, Self>, name: &str) -> PyResult<Bound<'py, PyArray2<f64>>> {
+        let record = slf.get().record()?;
+        let column = match name {
+            "level" => &record.level,
+            "told" => &record.told,
+            "h" => &record.h,
+            "phi" => &record.phi,
+            "value" => &record.value,
+            _ => return Err(errors::refused(format!("no column is called \"{name}\""))),
+        };
+        view(column, usize::from(record.robots), slf.clone().into_any())
+    }
+
+    /// delta_i, (T, n).
+    fn degree<'py>(slf: &Bound<'py, Self>) -> PyResult<Bound<'py, PyArray2<u16>>> {
+        let record = slf.get().record()?;
+        view(&record.degree, usize::from(record.robots), slf.clone().into_any())
+    }
+
+    /// What programs found, (T, n), by number.
+    fn outcome<'py>(slf: &Bound<'py, Self>) -> PyResult<Bound<'py, PyArray2<u8>>> {
+        let record = slf.get().record()?;
+        let numbers = slf
+            .get()
+            .outcomes
+            .get_or_init(|| record.outcome.iter().map(|outcome| outcome_number(*outcome)).collect());
+        view(numbers, usize::from(record.robots), slf.clone().into_any())
+    }
+
+    /// Names of outcomes, in the order of their numbers.
+    #[staticmethod]
+    fn outcome_names() -> [&'static str; 4] {
+        OUTCOMES.map(outcome_name)
+    }
+
+    /// Pairs of robots that are linked at a tick, by index, and the weights of their links.
+    #[expect(clippy::type_complexity, reason = "two arrays")]
+    fn edges<'py>(&self, py: Python<'py>, tick: usize) -> PyResult<(Bound<'py, PyArray2<i64>>, Vec<f64>)> {
+        let record = self.record()?;
+        if tick > record.last_tick() {
+            let last = record.last_tick();
+            return Err(PyIndexError::new_err(format!("tick {tick} is not one of 0 to {last}")));
+        }
+        let (pairs, weights) = match record.dimension {
+            2 => links(&self.scenario, &points::<2>(record, tick))?,
+            _ => links(&self.scenario, &points::<3>(record, tick))?,
+        };
+        Ok((rows(py, pairs, 2)?, weights))
+    }
+
+    /// What it came to, as the command line gives it with `--json`.
+    fn summary<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
+        let numbers = numbers(&self.scenario, &self.run, PROGRAM);
+        values::from_json(py, &serde_json::Value::Object(numbers))
+    }
+
+    /// Names of the expected laws that were broken.
+    fn failures(&self) -> Vec<&'static str> {
+        self.run.summary.failures(&self.scenario).map(|verdict| verdict.law.name()).collect()
+    }
+
+    /// What became of each law.
+    fn laws<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
+        laws(py, &self.scenario, &self.run.summary.verdicts)
+    }
+
+    /// The table and the laws, as the command line prints them.
+    fn report(&self) -> String {
+        let (summary, rounds) = (&self.run.summary, &self.run.rounds[..]);
+        let line = Line { scenario: &self.scenario, summary, rounds, wall_s: None };
+        let start = sentences::start(&self.scenario, summary);
+        let warning = sentences::warning(&self.scenario).map(|note| note + "\n").unwrap_or_default();
+        format!("{}\n{start}\n{warning}{}", text(&table(&[line])), sentences::laws(&self.scenario, summary))
+    }
+
+    /// Exact robustness of every consensus round: tick, r_max, F_max (least and most), least degree, spread.
+    #[expect(clippy::type_complexity, reason = "a row")]
+    fn rounds(&self) -> Vec<(u32, (i32, i32), (i32, i32), u16, f64)> {
+        let row = |round: &Round| {
+            let (r, f) = (round.r_max, round.f_max);
+            (round.tick, (r.least, r.most), (f.least, f.most), round.degree_min, round.spread)
+        };
+        self.run.rounds.iter().map(row).collect()
+    }
+
+    /// FNV-1a of every bit of every column.
+    fn digest(&self) -> PyResult<String> {
+        Ok(format!("{:016x}", self.record()?.digest()))
+    }
+
+    /// Writes every tick as the command line does.
+    fn write_parquet(&self, py: Python<'_>, path: &str) -> PyResult<()> {
+        let record = self.record()?;
+        let (metadata, path) = (self.metadata(), path.to_owned());
+        py.detach(|| {
+            let file = File::create(&path).map_err(|error| format!("cannot write `{path}`: {error}"))?;
+            write(record, &metadata, BufWriter::new(file)).map_err(|error| format!("{error}: `{path}`"))
+        })
+        .map_err(PyOSError::new_err)
+    }
+}
+
+/// What became of each law.
+pub(crate) fn laws<'py>(
+    py: Python<'py>,
+    scenario: &Scenario,
+    verdicts: &Verdicts,
+) -> PyResult<Bound<'py, PyDict>> {
+    let dict = PyDict::new(py);
+    for verdict in verdicts {
+        dict.set_item(verdict.law.name(), values::from_json(py, &law(scenario, verdict))?)?;
+    }
+    Ok(dict)
+}
+
+fn points<const D: usize>(record: &Record, tick: usize) -> Vec<Vector<D>> {
+    let robots = usize::from(record.robots);
+    let point = |index| core::array::from_fn(|d| record.positions_m[d][record.row(tick, index)]);
+    (0..robots).map(point).collect()
+}
+
+/// Linked pairs, flat, and the weight of each.
+fn links<const D: usize>(scenario: &Scenario, points: &[Vector<D>]) -> PyResult<(Vec<i64>, Vec<f64>)> {
+    let params = scenario.params::<D>().map_err(errors::scenario)?;
+    let (mut pairs, mut weights) = (Vec::new(), Vec::new());
+    for (second, there) in points.iter().enumerate() {
+        for (first, here) in points[..second].iter().enumerate() {
+            let offset = core::array::from_fn(|d| here[d] - there[d]);
+            if let Some(link) = params.link().link::<D, f64>(&offset) {
+                pairs.extend([first, second].map(|index| i64::try_from(index).unwrap_or(i64::MAX)));
+                weights.push(link.weight);
+            }
+        }
+    }
+    Ok((pairs, weights))
+}

@@ -1,0 +1,136 @@
+"""The filter alone."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+import closeranks as cr
+
+
+def team(robots: int = 4, **fields: object) -> tuple[cr.Scenario, list[cr.Robot]]:
+    scenario = cr.Scenario(team={"robots": robots, "faults": 1 if robots > 2 else 0, "malicious": []}, controller={"kind": "budget"}, **fields)
+    return scenario, [cr.Robot(scenario, robot, value=10.0 * robot) for robot in range(1, robots + 1)]
+
+
+def drive(scenario: cr.Scenario, robots: list[cr.Robot], ticks: int) -> tuple[np.ndarray, list[cr.Output]]:
+    positions, ids = scenario.positions.copy(), np.arange(1, len(robots) + 1)
+    outputs: list[cr.Output] = []
+    for tick in range(ticks):
+        sent = []
+        for robot in robots:
+            robot.sense(tick * scenario.tick_s, positions[robot.id - 1])
+            others = ids != robot.id
+            robot.observe_all(ids[others], positions[others])
+            sent.append(robot.share())
+        for robot in robots:
+            inbox = [(sender, sent[sender - 1]) for sender in ids if sender != robot.id and sent[sender - 1]]
+            assert robot.receive_all(inbox) == len(inbox)
+        outputs = [robot.tick(positions[robot.id - 1]) for robot in robots]
+        positions = positions + scenario.tick_s * np.array([output.velocity for output in outputs])
+    return positions, outputs
+
+
+def test_robots_that_drive_apart_stay_neighbours_and_agree() -> None:
+    scenario, robots = team(start={"kind": "listed", "positions_m": [[0.0, 0.5], [0.5, 0.0], [0.0, -0.5], [-0.5, 0.0]]})
+    positions, outputs = drive(scenario, robots, 1000)
+    assert all(output.mode == "guaranteed" and output.reason is None for output in outputs)
+    assert all(output.degree == 3 and output.degree_margin == 0 and output.h >= 0 for output in outputs)
+    assert np.linalg.norm(positions[0] - positions[2]) > 1.5
+    assert len({round(robot.value, 6) for robot in robots}) == 1
+    assert 20 <= robots[0].value <= 30 and robots[0].neighbors == [2, 3, 4]
+    assert outputs[0].phi is None and outputs[0].untold == 0 and outputs[0].told_age_max_s <= 0.005
+    assert robots[1].told_level == outputs[1].level and robots[0].poll_at_s == pytest.approx(5.0)
+    assert "mode=guaranteed" in repr(outputs[0]) and repr(robots[0]).startswith("<Robot 1: value")
+
+
+def test_a_world_and_its_robots_give_the_same_velocities() -> None:
+    scenario = cr.Scenario(controller={"kind": "budget"}, attack={"value": {"kind": "none"}}, duration_s=0.5)
+    run = scenario.run(progress=False)
+    robots = [cr.Robot(scenario, robot, value) for robot, value in enumerate(scenario.values, start=1)]
+    for tick in range(100):
+        sent = []
+        for robot in robots:
+            robot.sense(tick * scenario.tick_s, run.positions[tick, robot.id - 1])
+            for other in range(1, 12):
+                if other != robot.id:
+                    robot.observe(other, run.positions[tick, other - 1])
+            sent.append(robot.share())
+        world = cr.World(scenario) if tick == 0 else world
+        for robot in robots:
+            robot.receive_all((sender, sent[sender - 1]) for sender in range(1, 12) if sender != robot.id)  # type: ignore[misc]
+        answers = [robot.tick(world.desired[robot.id - 1]) for robot in robots]
+        world.step()
+        assert np.array_equal(np.array([answer.velocity for answer in answers]), run.velocities[tick])
+    assert answers[0].round is None or answers[0].round[0] >= 0
+
+
+def test_misuse_is_said() -> None:
+    _, (robot, *_) = team()
+    for call, error, words in [
+        (lambda: robot.sense(0.0, [np.nan, 0.0]), cr.RobotError, "own position is not finite"),
+        (lambda: robot.sense(-1.0, [0.0, 0.0]), cr.RobotError, "now_s is -1, allowed is a time from 0 on"),
+        (lambda: robot.sense(0.0, [0.0]), cr.RobotError, "a vector of 1 numbers, must have 2"),
+        (lambda: robot.observe(2, [0.0, 1.0]), cr.RobotError, "own position is unknown"),
+        (lambda: robot.receive(2, b"CR"), cr.MessageError, "message of 2 bytes, must be 32"),
+        (lambda: robot.receive(2, b"\0" * 32), cr.MessageError, "message does not begin with `CR`"),
+    ]:
+        with pytest.raises(error, match=words):
+            call()
+    assert robot.tick([1.0, 0.0]).mode == "stopped"
+    robot.sense(1.0, [0.0, 0.0])
+    assert (robot.observe(2, [0.0, 1.0]), robot.observe(3, [0.0, 9.0])) == ("neighbor", "out of range")
+    for other, words in [(1, "observed itself"), (9, "observed a robot that is not one of 1 to n")]:
+        with pytest.raises(cr.RobotError, match=words):
+            robot.observe(other, [0.0, 1.0])
+    with pytest.raises(cr.RobotError, match="time fell"):
+        robot.sense(0.5, [0.0, 0.0])
+    with pytest.raises(cr.RobotError, match="2 positions for 1 robots"):
+        robot.observe_all([2], np.zeros((2, 2)))
+    silent = robot.tick([1.0, 0.0])
+    assert (silent.mode, silent.velocity.tolist()) == ("stopped", [0.0, 0.0])
+
+
+def test_old_messages_and_strangers_are_refused() -> None:
+    _, (one, two, *_) = team()
+    for robot, place in ((one, 0.0), (two, 1.0)):
+        robot.sense(0.0, [place, 0.0])
+    two.observe(1, [0.0, 0.0])
+    message = two.share()
+    assert message is not None and len(message) == 32 and two.share() is None
+    with pytest.raises(cr.MessageError, match="sender is not a neighbour"):
+        one.receive(2, message)
+    one.observe(2, [1.0, 0.0])
+    one.share()
+    one.receive(2, message)
+    with pytest.raises(cr.MessageError, match="message is not newer than the last one"):
+        one.receive(2, message)
+    assert one.receive_all([(2, message), (2, b"")]) == 0
+
+
+def test_a_robot_that_cannot_be_made_says_why() -> None:
+    scenario = cr.Scenario()
+    for make, words in [
+        (lambda: cr.Robot(scenario, 12), "robot 12 is not one of 1 to 11"),
+        (lambda: cr.Robot(scenario, -1), "robot -1 is not one of 1 to 11"),
+        (lambda: cr.Robot(scenario, 1, float("nan")), "initial value is not a number of at most 1e300"),
+        (lambda: cr.Robot(scenario, 1, neighbors=11), "neighbors is 11, allowed is 0 to 10"),
+    ]:
+        with pytest.raises(cr.RobotError, match=words):
+            make()
+
+
+def test_restart_and_restate() -> None:
+    _, (robot, *_) = team()
+    robot.sense(0.0, [0.0, 0.0])
+    robot.share()
+    robot.restate(5.0)
+    assert robot.told_level == 5.0
+    robot.restart(-3.0)
+    assert (robot.value, robot.told_level, robot.neighbors, robot.discarded) == (-3.0, 0.0, [], [])
+
+
+def test_space_has_three_numbers() -> None:
+    robot = cr.Robot(cr.Scenario(dimension=3), 1)
+    robot.sense(0.0, [0.0, 0.0, 0.0])
+    assert robot.tick([0.0, 0.0, 1.0]).velocity.shape == (3,)
