@@ -52,7 +52,8 @@ impl Run {
 
     fn metadata(&self) -> Metadata<'_> {
         let Program { version, commit } = PROGRAM;
-        Metadata { scenario: &self.text, seed: self.scenario.seed, version, commit }
+        let weight = self.scenario.link_shape().map_or([f64::NAN; 2], |link| [link.q1, link.q2]);
+        Metadata { scenario: &self.text, seed: self.scenario.seed, version, commit, weight }
     }
 
     fn vectors<'py>(
