@@ -1,14 +1,22 @@
 #!/usr/bin/env bash
 # Makes the pictures of README and docs again. `make.sh --check` changes nothing and fails, with their names, if any is stale.
-# The program is built, or taken from $CLOSERANKS. Not made here: campaign-laws.png (a sweep of 200,000 runs, the command is in
-# docs/reliability.md) and robustness-performance.svg (measured times, docs/robustness-performance.md).
+# `make.sh campaign FOLDER` takes campaign-laws.png over from the folder of a finished sweep (docs/reliability.md has the command): it
+# is about the commit that is named there, so it does not become stale. The program is built, or taken from $CLOSERANKS.
+# robustness-performance.svg shows measured times: crates/graph/benches/compare/compare.py draws it.
 set -euo pipefail
 cd "$(dirname "$0")/../.."
 root=$PWD
 
 case "${1:-}" in
   "" | --check) ;;
-  *) echo "usage: $0 [--check]" >&2; exit 2 ;;
+  campaign)
+    folder=${2:?"the folder of a finished sweep is missing"}
+    grep -qF 'name = \"campaign\"' "$folder/sweep.json" ||
+      { echo "$folder holds no sweep of scenarios/campaign.toml" >&2; exit 2; }
+    cp "$folder/laws.png" docs/pictures/campaign-laws.png
+    exit
+    ;;
+  *) echo "usage: $0 [--check | campaign FOLDER]" >&2; exit 2 ;;
 esac
 if [ -n "${CLOSERANKS:-}" ]; then
   program=$(realpath "$CLOSERANKS")
