@@ -82,9 +82,9 @@ fn what_is_impossible_is_explained_by_name_and_value() {
     );
     says(&["--distance-min", "1.5"], 1, &["the spacing is allowed to be at most 1.133 m, but robots"]);
     says(
-        &["--radius", "0.7", "--distance-min", "0.1"],
+        &["--radius", "0.7", "--distance-min", "0.1", "--q2", "0.3"],
         1,
-        &["even with all robots at one point h is -6.622"],
+        &["even with all robots at one point h is -6.58"],
     );
 }
 
