@@ -10,7 +10,7 @@
 //! ```
 //!
 //! A missing neighbour keeps its slot, what it told, and a row for every place where it can be (docs/theory, sec:unsensed). Once
-//! it may have left unseen, it is given up, and the robot says [`Reason::Overlooked`](crate::robot::report::Reason::Overlooked).
+//! it may have left unseen, it is given up, and the robot says [`Reason::Overlooked`].
 //! One that was last sensed so near the rim that it may have left in a tick is taken for gone at once: nobody can tell.
 //!
 //! This is for controllers that reckon with those whom they do not see, such as `budget`; others forget who is not observed, or
