@@ -110,7 +110,7 @@ pub(crate) fn run(controller: Controller, hold_max: Duration) -> Result<Vec<Line
     Ok(lines)
 }
 
-/// The same for all robots of the team, as it must be.
+/// The settings of the team: every robot has the same, as it must be.
 fn settings(controller: Controller, hold_max: Duration) -> Settings<2> {
     let input = InputBox { min_m_s: [-SPEED_M_S; 2], max_m_s: [SPEED_M_S; 2] };
     // Robots tick at different moments of a period. Another one is where it was at its own tick, or one longest move away.

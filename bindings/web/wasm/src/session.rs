@@ -62,7 +62,7 @@ impl Session {
         self.world.ticks_done()
     }
 
-    /// The same while one robot is drawn towards a point.
+    /// Computes so many ticks while one robot is drawn towards a point.
     pub fn pull(&mut self, ticks: u32, robot: u32, to_m: [f64; 2]) -> u32 {
         let index = (robot as usize).wrapping_sub(1);
         for _ in 0..ticks {

@@ -7,8 +7,8 @@ use crate::equations::link::Link;
 use crate::num::{Vector, dot, length};
 
 impl Budget {
-    /// The same with offsets that may be wrong by `unsensed_m` (m) more: for a robot that can have gone so far since it was
-    /// sensed, or for two such robots.
+    /// These parameters with offsets that may be wrong by `unsensed_m` (m) more: for a robot that can have gone so far since it
+    /// was sensed, or for two such robots.
     //= theory sec:unsensed
     pub(crate) fn blurred(&self, unsensed_m: f64) -> Self {
         let offset_m = self.errors.offset_m + unsensed_m;

@@ -142,8 +142,8 @@ impl Budget {
         self.push_neighbor(own, &Neighbor { id, offset_m, pair, known }, rows);
     }
 
-    /// The same rows for robot `own` with this `level` and `degree` and all its `neighbors` in order of their numbers. This is
-    /// for whoever computes a whole team at once. The pairs must have been made with this `reach`, because which rows can bind
+    /// Makes the same rows for robot `own` with this `level` and `degree` and all its `neighbors` in order of their numbers.
+    /// This is for whoever computes a whole team at once. The pairs must have been made with this `reach`, because which rows can bind
     /// depends on it.
     #[must_use]
     pub fn rows_between<'memory, 'a, const D: usize>(
