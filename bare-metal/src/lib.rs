@@ -70,7 +70,7 @@ impl Scene {
 
     /// What robot `id` tells: that it has three links more than it must, and its number as its value.
     fn heard(&self, id: u16) -> Option<[u8; MESSAGE_BYTES]> {
-        let told = Message::new(self.sequence, self.now, 10.0, Some(f64::from(id))).ok()?;
+        let told = Message::new(self.sequence, self.now, Some(10.0), Some(f64::from(id))).ok()?;
         Some(told.encode())
     }
 

@@ -4,9 +4,9 @@
 
 use closeranks_core::controller::budget::curvature::Curvature;
 use closeranks_core::controller::budget::errors::ErrorBounds;
-use closeranks_core::controller::budget::knowledge::{Claim, Sighting};
+use closeranks_core::controller::budget::knowledge::Sighting;
 use closeranks_core::controller::budget::rows::Memory;
-use closeranks_core::controller::budget::settings::{Assume, Budget, Form, Trust};
+use closeranks_core::controller::budget::settings::{Assume, Budget, Form};
 use closeranks_core::equations::link::LinkShape;
 use closeranks_core::need::Need;
 use closeranks_core::program::InputBox;
@@ -45,18 +45,15 @@ fn scene<const D: usize>(period_s: f64, assume: Assume, form: Form) -> (Budget, 
         distance_min_m: 0.3,
         move_max_m: reach.longest_m(),
         gamma: 0.2,
-        gain_slope: 0.0,
         gamma_c: 0.2,
-        trust: Trust::ToldOrSeen,
         assume,
         form,
         errors: ErrorBounds::NONE,
     };
-    let claim = Some(Claim { level: 7.05, age_ticks: 1 });
     let mut ids = (2..).map(RobotId);
     let sightings = OFFSETS.map(|[x, y]| {
         let id = ids.next().unwrap_or(RobotId(0));
-        Sighting::new(id, core::array::from_fn(|d| [x, y, 0.3 * x * y][d]), claim)
+        Sighting::new(id, core::array::from_fn(|d| [x, y, 0.3 * x * y][d]))
     });
     (budget, reach, sightings)
 }

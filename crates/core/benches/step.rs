@@ -97,7 +97,8 @@ fn tick_of_a_robot_with_ten_neighbours(bencher: Bencher<'_, '_>) {
         }
         let _ = black_box(robot.share());
         for id in (2..12).map(RobotId) {
-            if let Ok(message) = Message::new(sequence, Instant::from_nanos(nanos), black_box(7.2), Some(1.0))
+            if let Ok(message) =
+                Message::new(sequence, Instant::from_nanos(nanos), Some(black_box(7.2)), Some(1.0))
             {
                 let _ = robot.receive(id, &message);
             }

@@ -3,7 +3,7 @@
 //! `cargo run -p closeranks-core --example four_robots`
 //!
 //! It shows all that the owner of a robot does: settings that cover late ticks, the five calls of a tick, and messages as
-//! bytes over a transport that knows who sent them. Robot 4 lies about its level and its value, to everybody in another way,
+//! bytes over a transport that knows who sent them. Robot 4 lies about its value, to everybody in another way,
 //! but it moves as its own filter says (Assumption 1). `cargo test` checks what is promised here (tests/four_robots.rs).
 
 use core::error::Error;
@@ -230,11 +230,11 @@ impl World {
     }
 }
 
-/// What the liar tells robot `other` in place of its message: a huge or a low level, a value far above or below all others,
+/// What the liar tells robot `other` in place of its message: a value far above or below all others,
 /// and to one of them bytes that are no message at all.
 fn lie(message: &Message, other: usize) -> Result<[u8; MESSAGE_BYTES], Box<dyn Error>> {
-    let (level, value) = [(1e6, 1000.0), (-1e6, -1000.0), (0.0, 0.0)][other % 3];
-    let lie = Message::new(message.sequence(), message.stamp(), level, message.value().map(|_| value))?;
+    let value = [1000.0, -1000.0, 0.0][other % 3];
+    let lie = Message::new(message.sequence(), message.stamp(), message.level(), Some(value))?;
     Ok(if other % 3 == 2 { [0xff; MESSAGE_BYTES] } else { lie.encode() })
 }
 

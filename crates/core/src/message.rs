@@ -4,6 +4,8 @@
 //! byte   0    2        3      4         8      16     24     32
 //!        "CR" version  flags  sequence  stamp  level  value        all little-endian
 //! ```
+//!
+//! The flags say which of the last two are there, at least one of them: 1 the value, 2 the level. One that is not there is 0.
 
 use crate::settings::range::MAGNITUDE_MAX;
 use crate::time::Instant;
@@ -12,8 +14,9 @@ use crate::time::Instant;
 pub const MESSAGE_BYTES: usize = 32;
 
 const MAGIC: [u8; 2] = *b"CR";
-pub(crate) const VERSION: u8 = 2;
+pub(crate) const VERSION: u8 = 4;
 const HAS_VALUE: u8 = 1;
+const HAS_LEVEL: u8 = 2;
 
 /// Greatest magnitude of a told value: a mean of the largest team's values cannot overflow.
 pub const VALUE_MAX: f64 = 1e300;
@@ -23,7 +26,7 @@ pub const VALUE_MAX: f64 = 1e300;
 pub struct Message {
     sequence: u32,
     stamp: Instant,
-    level: f64,
+    level: Option<f64>,
     value: Option<f64>,
 }
 
@@ -36,7 +39,7 @@ pub enum MessageError {
     Magic,
     /// The message is of this version, which the program does not know.
     Version(u8),
-    /// These flags are unknown, or there is a value without its flag.
+    /// These flags are unknown, say that there is neither level nor value, or leave out a number that is there.
     Flags(u8),
     /// The level is NaN or infinite.
     Level,
@@ -53,10 +56,18 @@ pub enum MessageError {
 }
 
 impl Message {
-    /// A message with connectivity level `c_i` (finite), sensed at `stamp` on the sender's clock, and, in a consensus round,
-    /// value `y_i` (at most [`VALUE_MAX`]).
-    pub fn new(sequence: u32, stamp: Instant, level: f64, value: Option<f64>) -> Result<Self, MessageError> {
-        if !level.is_finite() {
+    /// A message that is told at `stamp` on the sender's clock, with connectivity level `c_i` (finite) if the controller tells
+    /// levels, and, in a consensus round, value `y_i` (at most [`VALUE_MAX`]). One of them must be there.
+    pub fn new(
+        sequence: u32,
+        stamp: Instant,
+        level: Option<f64>,
+        value: Option<f64>,
+    ) -> Result<Self, MessageError> {
+        if level.is_none() && value.is_none() {
+            return Err(MessageError::Flags(0));
+        }
+        if level.is_some_and(|level| !level.is_finite()) {
             return Err(MessageError::Level);
         }
         if value.is_some_and(|value| !(-VALUE_MAX..=VALUE_MAX).contains(&value)) {
@@ -71,16 +82,16 @@ impl Message {
         self.sequence
     }
 
-    /// When, on its sender's clock, the level was sensed. It is trusted no more than the level: a liar that states a later
-    /// time claims that its level is younger, and so counts for more.
+    /// When, on its sender's clock, its positions were sensed. It orders messages and says which round a value is of; it is
+    /// trusted no more than the rest.
     #[must_use]
     pub fn stamp(&self) -> Instant {
         self.stamp
     }
 
-    /// Told connectivity level `c_i`, dimensionless, finite, of any size.
+    /// Told connectivity level `c_i`, dimensionless, finite, of any size, if the sender tells levels.
     #[must_use]
-    pub fn level(&self) -> f64 {
+    pub fn level(&self) -> Option<f64> {
         self.level
     }
 
@@ -96,10 +107,10 @@ impl Message {
         let mut bytes = [0; MESSAGE_BYTES];
         bytes[..2].copy_from_slice(&MAGIC);
         bytes[2] = VERSION;
-        bytes[3] = if self.value.is_some() { HAS_VALUE } else { 0 };
+        bytes[3] = u8::from(self.value.is_some()) * HAS_VALUE + u8::from(self.level.is_some()) * HAS_LEVEL;
         bytes[4..8].copy_from_slice(&self.sequence.to_le_bytes());
         bytes[8..16].copy_from_slice(&self.stamp.as_nanos().to_le_bytes());
-        bytes[16..24].copy_from_slice(&self.level.to_le_bytes());
+        bytes[16..24].copy_from_slice(&self.level.unwrap_or(0.0).to_le_bytes());
         bytes[24..].copy_from_slice(&self.value.unwrap_or(0.0).to_le_bytes());
         bytes
     }
@@ -115,13 +126,15 @@ impl Message {
         if version != VERSION {
             return Err(MessageError::Version(version));
         }
-        let value_bytes = u64::from_le_bytes(part(&numbers, 16));
-        if flags > HAS_VALUE || (flags == 0 && value_bytes != 0) {
+        let number = |flag: u8, start: usize| {
+            let bits = u64::from_le_bytes(part(&numbers, start));
+            let there = flags & flag != 0;
+            if there || bits == 0 { Ok(there.then_some(f64::from_bits(bits))) } else { Err(()) }
+        };
+        let (Ok(level), Ok(value), 0..=3) = (number(HAS_LEVEL, 8), number(HAS_VALUE, 16), flags) else {
             return Err(MessageError::Flags(flags));
-        }
+        };
         let stamp = Instant::from_nanos(u64::from_le_bytes(part(&numbers, 0)));
-        let level = f64::from_le_bytes(part(&numbers, 8));
-        let value = (flags == HAS_VALUE).then_some(f64::from_bits(value_bytes));
         Self::new(u32::from_le_bytes([s0, s1, s2, s3]), stamp, level, value)
     }
 }
@@ -139,7 +152,7 @@ impl core::fmt::Display for MessageError {
             Self::Magic => write!(f, "message does not begin with `CR`"),
             Self::Version(found) => write!(f, "message of version {found}, must be {VERSION}"),
             Self::Flags(found) => {
-                write!(f, "message with flags {found}, must be 0 (no value) or 1 (with value)")
+                write!(f, "message with flags {found}, must be 1 (a value), 2 (a level) or 3 (both)")
             }
             Self::Level => write!(f, "told level is not finite"),
             Self::Dimension(found) => write!(f, "told wish has {found} components, not those of the team"),
@@ -161,10 +174,11 @@ mod tests {
 
     #[test]
     fn what_is_encoded_is_parsed_again() {
-        for value in [None, Some(-0.0), Some(499.5)] {
-            let message = Message::new(7, Instant::from_nanos(u64::MAX), -2.5, value).unwrap();
+        for (level, value) in [(Some(-2.5), None), (Some(0.0), Some(-0.0)), (None, Some(499.5))] {
+            let message = Message::new(7, Instant::from_nanos(u64::MAX), level, value).unwrap();
             assert_eq!(Message::parse(&message.encode()), Ok(message));
         }
+        assert_eq!(Message::new(7, Instant::START, None, None), Err(MessageError::Flags(0)));
     }
 
     #[test]
@@ -179,22 +193,23 @@ mod tests {
 
     #[test]
     fn not_finite_wrong_version_and_stray_bytes_are_rejected() {
-        let bytes = Message::new(1, Instant::START, 2.0, Some(3.0)).unwrap().encode();
+        let bytes = Message::new(1, Instant::START, Some(2.0), Some(3.0)).unwrap().encode();
         let with = |at: usize, patch: &[u8]| {
             let mut changed = bytes;
             changed[at..at + patch.len()].copy_from_slice(patch);
             Message::parse(&changed)
         };
         assert_eq!(with(2, &[9]), Err(MessageError::Version(9)));
-        assert_eq!(with(3, &[2]), Err(MessageError::Flags(2)));
-        assert_eq!(with(3, &[0]), Err(MessageError::Flags(0)));
+        for flags in [0, 1, 2, 4, 7, 255] {
+            assert_eq!(with(3, &[flags]), Err(MessageError::Flags(flags)), "or a number without its flag");
+        }
         assert_eq!(with(16, &f64::NAN.to_le_bytes()), Err(MessageError::Level));
         assert_eq!(with(24, &f64::INFINITY.to_le_bytes()), Err(MessageError::Value));
     }
 
     #[test]
     fn any_single_byte_change_gives_a_message_or_an_error() {
-        let bytes = Message::new(1, Instant::START, 2.0, Some(3.0)).unwrap().encode();
+        let bytes = Message::new(1, Instant::START, Some(2.0), Some(3.0)).unwrap().encode();
         for at in 0..MESSAGE_BYTES {
             for byte in 0..=255 {
                 let mut changed = bytes;

@@ -28,12 +28,6 @@ impl Instant {
         Self(self.0.saturating_add(u64::try_from(period.as_nanos()).unwrap_or(u64::MAX)))
     }
 
-    /// Time since `earlier`; `None` if that lies in the future.
-    #[must_use]
-    pub fn checked_since(self, earlier: Self) -> Option<Duration> {
-        self.0.checked_sub(earlier.0).map(Duration::from_nanos)
-    }
-
     /// Time since `earlier`, 0 if that lies in the future.
     #[must_use]
     pub fn since(self, earlier: Self) -> Duration {

@@ -118,7 +118,7 @@ fn what_may_be_broken_is_uncertain_unless_it_was_certain_before() {
 
 #[test]
 fn messages_are_in_the_order_of_their_stamps_and_a_restarted_robot_begins_again() {
-    let message = |sequence, ms, level| Message::new(sequence, at(ms), level, None).expect("finite");
+    let message = |sequence, ms, level| Message::new(sequence, at(ms), Some(level), None).expect("finite");
     with_robot(settings(), |robot| {
         still(robot, 10);
         assert_eq!(robot.receive(RobotId(2), &message(7, 5, 3.0)), Ok(()));
@@ -134,7 +134,7 @@ fn messages_are_in_the_order_of_their_stamps_and_a_restarted_robot_begins_again(
 /// A value may come late in its round, not after it.
 #[test]
 fn a_value_counts_in_the_round_in_which_it_was_told() {
-    let value = |sequence, ms, value| Message::new(sequence, at(ms), 3.0, Some(value)).expect("finite");
+    let value = |sequence, ms, value| Message::new(sequence, at(ms), Some(3.0), Some(value)).expect("finite");
     with_robot(settings(), |robot| {
         still(robot, 0);
         still(robot, 5);

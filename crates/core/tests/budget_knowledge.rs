@@ -1,9 +1,9 @@
-//! What a robot knows of its neighbours' levels: true bounds, and claims that cannot do harm.
+//! What a robot knows of its neighbours' levels and degrees: true bounds, from positions alone.
 
 use budget_team::{Team, id};
-use closeranks_core::controller::budget::knowledge::{Claim, KnownMargin, Sighting};
-use closeranks_core::controller::budget::settings::{Assume, Budget, Form, Trust};
-use closeranks_core::num::{dot, is_finite, length, subtract};
+use closeranks_core::controller::budget::knowledge::{KnownMargin, Seen, Sighting};
+use closeranks_core::controller::budget::settings::{Assume, Budget, Form};
+use closeranks_core::num::{dot, is_finite, subtract};
 use closeranks_core::robot::neighbor::RobotId;
 use seeded::Seeded;
 
@@ -19,26 +19,16 @@ fn teams(assume: Assume) -> impl Iterator<Item = Team<2>> {
     (0..300).filter_map(move |seed| Team::random(seed, assume, Form::Link))
 }
 
-/// Bounds of the level of a neighbour, from positions alone.
-#[derive(Clone, Copy, Debug)]
-struct Interval {
-    low: f64,
-    high: f64,
-    degree: f64,
-}
-
-/// The interval from the formulas, with so many numbers as scratch; `None` if these are too few, or a sighting is not finite.
-fn interval(
+/// What is seen, with so many numbers as scratch; `None` if these are too few, or a sighting is not finite.
+fn seen(
     budget: &Budget,
     (own, index): (RobotId, usize),
     sightings: &[Sighting<2>],
     scratch: usize,
-) -> Option<Interval> {
+) -> Option<Seen> {
     let mut scratch = vec![0.0; scratch];
     let mut survey = budget.survey(own, sightings, &mut scratch)?;
-    let seen = budget.seen(index, sightings, &mut survey)?;
-    let high = budget.high(&seen, length(&sightings[index].offset_m));
-    Some(Interval { low: seen.low, high, degree: seen.degree })
+    budget.seen(index, sightings, &mut survey)
 }
 
 fn known(
@@ -47,39 +37,35 @@ fn known(
     sightings: &[Sighting<2>],
     scratch: usize,
 ) -> Option<KnownMargin> {
-    let mut scratch = vec![0.0; scratch];
-    let mut survey = budget.survey(own, sightings, &mut scratch)?;
-    let seen = budget.seen(index, sightings, &mut survey)?;
-    Some(budget.known(&seen, length(&sightings[index].offset_m)))
+    Some(budget.known(&seen(budget, (own, index), sightings, scratch)?))
 }
 
-fn with_claim(sightings: &[Sighting<2>], level: f64, age_ticks: u32) -> Vec<Sighting<2>> {
-    let claim = Some(Claim { level, age_ticks });
-    sightings.iter().map(|sighting| Sighting { claim, ..*sighting }).collect()
-}
-
-/// For every robot i and neighbour k: the interval of k contains its true level.
-//= theory eq:interval type=test
+/// For every robot i and neighbour k: k has at least the level and at most the degree that i reckons with. So i never counts on
+/// more than h_k⁺, whatever is told to it, and who sees everybody counts on all of it.
+//= theory eq:known type=test
+//= theory thm:sensed type=test
 #[test]
-fn the_true_level_and_degree_are_in_the_interval() {
+fn nobody_counts_on_more_than_there_is() {
     for assume in [Assume::Obedient, Assume::Free] {
         let (mut inside, mut exact) = (0, 0);
         for team in teams(assume) {
             let required = f64::from(team.need());
             for i in 0..team.count() {
-                let (seen, sightings) = (team.neighbors(i), team.sightings(i));
-                for (index, &k) in seen.iter().enumerate() {
-                    let interval =
-                        interval(&team.budget, (id(i), index), &sightings, SCRATCH).expect("finite");
-                    let level = team.h(&team.positions, k) + required;
-                    let degree = u32::try_from(team.neighbors(k).len()).map_or(0.0, f64::from);
-                    assert!(
-                        interval.low <= level + ROUNDING && level <= interval.high + ROUNDING,
-                        "{interval:?}"
-                    );
-                    assert!(degree <= interval.degree, "{degree} of {interval:?}");
+                let (near, sightings) = (team.neighbors(i), team.sightings(i));
+                for (index, &k) in near.iter().enumerate() {
+                    let place = (id(i), index);
+                    let Seen { low, degree, .. } =
+                        seen(&team.budget, place, &sightings, SCRATCH).expect("finite");
+                    let h = team.h(&team.positions, k);
+                    let neighbors = u32::try_from(team.neighbors(k).len()).map_or(0.0, f64::from);
+                    assert!(low <= h + required + ROUNDING && neighbors <= degree, "{low} {degree}");
+                    let known = known(&team.budget, place, &sightings, SCRATCH).expect("finite");
+                    assert!(known.budget <= h.max(0.0) + ROUNDING, "{known:?} of {h}");
+                    assert!((known.budget - (low - required).max(0.0)).abs() <= ROUNDING);
+                    let whole = near.len() + 1 == team.count();
+                    assert!(!whole || (known.budget - h.max(0.0)).abs() <= ROUNDING, "{known:?} of {h}");
                     inside += 1;
-                    exact += usize::from(seen.len() + 1 == team.count() && interval.low == interval.high);
+                    exact += usize::from(whole);
                 }
             }
         }
@@ -87,79 +73,23 @@ fn the_true_level_and_degree_are_in_the_interval() {
     }
 }
 
-/// Honest claims of today are taken as they are, those of a liar never beyond the interval, whatever their age.
-//= theory thm:any-claim type=test
-//= theory eq:known type=test
-#[test]
-fn a_claim_moves_the_budget_inside_the_interval_only() {
-    let claims = [f64::NAN, f64::INFINITY, f64::NEG_INFINITY, 1e308, -1e308, 0.0, 9.0, 20.0];
-    for (case, team) in teams(Assume::Obedient).enumerate() {
-        let budget = Budget { trust: Trust::ToldOrSeen, ..team.budget };
-        let required = f64::from(team.need());
-        let sightings = team.sightings(0);
-        for (index, &k) in team.neighbors(0).iter().enumerate() {
-            let interval = interval(&budget, (id(0), index), &sightings, SCRATCH).expect("finite");
-            let (low, high) = ((interval.low - required).max(0.0), (interval.high - required).max(0.0));
-            let told = |level, age| {
-                let sightings = with_claim(&sightings, level, age);
-                known(&budget, (id(0), index), &sightings, SCRATCH).expect("finite").budget
-            };
-            for age in [0, 1, 7, u32::MAX] {
-                let known = told(claims[case % claims.len()], age);
-                assert!((low..=high).contains(&known), "{known} outside {low} to {high}");
-            }
-            let h = team.h(&team.positions, k);
-            assert!((told(h + required, 0) - h.max(0.0)).abs() <= ROUNDING, "the honest claim {h}");
-            assert!(told(h + required, 3) <= h.max(0.0) + ROUNDING, "an old claim");
-        }
-    }
-}
-
-//= theory eq:known type=test
-#[test]
-fn trust_decides_what_counts() {
-    let team = teams(Assume::Obedient)
-        .find(|team| team.sightings(0).len() + 1 < team.count())
-        .expect("a partial view");
-    let sightings = team.sightings(0);
-    let interval = interval(&team.budget, (id(0), 0), &sightings, SCRATCH).expect("finite");
-    let known = |trust, sightings: &[Sighting<2>]| {
-        let budget = Budget { trust, gamma: 0.25, gain_slope: 0.0, ..team.budget };
-        known(&budget, (id(0), 0), sightings, SCRATCH).expect("finite").budget
-    };
-    let required = team.need();
-    let floor = (interval.low - f64::from(required)).max(0.0);
-    assert_eq!(known(Trust::Seen, &with_claim(&sightings, 1e9, 0)), floor);
-    assert_eq!(known(Trust::Told, &with_claim(&sightings, -1e9, 0)), 0.0);
-    assert_eq!(known(Trust::ToldOrSeen, &with_claim(&sightings, -1e9, 0)), floor);
-    let silent: Vec<_> = sightings.iter().map(|sighting| Sighting { claim: None, ..*sighting }).collect();
-    assert_eq!(known(Trust::Told, &silent), 0.0);
-    let spare = 0.25 * (interval.high - f64::from(required));
-    let aged = known(Trust::Told, &with_claim(&sightings, f64::from(required) + spare, 2));
-    assert!((aged - spare * 0.75 * 0.75).abs() < ROUNDING, "two ticks of silence");
-}
-
-/// The trimmed sum leaves out the F largest, of robots out of sight too.
+/// The trimmed sum leaves out the F largest.
 //= theory thm:free type=test
 #[test]
-fn trimmed_bounds_are_the_extremes_over_robots_out_of_sight() {
+fn the_trimmed_level_is_the_least_over_robots_out_of_sight() {
     for team in teams(Assume::Free) {
         let faults = usize::from(team.budget.faults);
         for i in 0..team.count() {
-            let (seen, sightings) = (team.neighbors(i), team.sightings(i));
-            for (index, &k) in seen.iter().enumerate() {
-                let interval = interval(&team.budget, (id(i), index), &sightings, SCRATCH).expect("finite");
-                let most = weight(&team, (team.radius_m() - distance(&team, i, k)).max(0.0));
-                let mut weights: Vec<f64> = seen
+            let (near, sightings) = (team.neighbors(i), team.sightings(i));
+            for (index, &k) in near.iter().enumerate() {
+                let seen = seen(&team.budget, (id(i), index), &sightings, SCRATCH).expect("finite");
+                let mut weights: Vec<f64> = near
                     .iter()
                     .chain([&i])
                     .filter(|&&p| p != k)
                     .map(|&p| weight(&team, distance(&team, k, p)))
                     .collect();
-                let low = trimmed(&mut weights, faults);
-                weights.resize(team.count() - 1, most);
-                let high = trimmed(&mut weights, faults);
-                assert!((interval.low - low).abs() < ROUNDING && (interval.high - high).abs() < ROUNDING);
+                assert!((seen.low - trimmed(&mut weights, faults)).abs() < ROUNDING);
             }
         }
     }
@@ -187,12 +117,8 @@ fn any_sightings_are_safe() {
     for seed in 0..500 {
         let mut random = Seeded(seed);
         let mut number = || odd.get(random.below(30)).copied().unwrap_or(random.between(-3.0, 3.0));
-        let sightings: Vec<Sighting<2>> = (0..6)
-            .map(|j| {
-                let offset_m = [number(), number()];
-                Sighting::new(id(j), offset_m, Some(Claim { level: number(), age_ticks: 3 }))
-            })
-            .collect();
+        let sightings: Vec<Sighting<2>> =
+            (0..6).map(|j| Sighting::new(id(j), [number(), number()])).collect();
         for index in 0..8 {
             let all = sightings.iter().all(|sighting| is_finite(&sighting.offset_m));
             let found = known(&team.budget, (id(6), index), &sightings, SCRATCH);

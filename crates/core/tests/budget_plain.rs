@@ -4,9 +4,9 @@
 use budget_plain_rows::{Plain, plain};
 use closeranks_core::controller::budget::curvature::Curvature;
 use closeranks_core::controller::budget::errors::ErrorBounds;
-use closeranks_core::controller::budget::knowledge::{Claim, Sighting};
+use closeranks_core::controller::budget::knowledge::Sighting;
 use closeranks_core::controller::budget::rows::Memory;
-use closeranks_core::controller::budget::settings::{Assume, Budget, Form, Trust};
+use closeranks_core::controller::budget::settings::{Assume, Budget, Form};
 use closeranks_core::equations::link::LinkShape;
 use closeranks_core::need::Need;
 use closeranks_core::program::InputBox;
@@ -34,9 +34,7 @@ fn settings<const D: usize>(random: &mut Seeded, form: Form) -> (Budget, Reach<D
         distance_min_m: 0.3,
         move_max_m: reach.longest_m(),
         gamma: [0.01, 0.2, 1.0][random.below(3)],
-        gain_slope: [0.0, 3.0][random.below(2)],
         gamma_c: [0.2, 1.0][random.below(2)],
-        trust: [Trust::Told, Trust::ToldOrSeen, Trust::Seen][random.below(3)],
         assume,
         form,
         errors,
@@ -44,9 +42,9 @@ fn settings<const D: usize>(random: &mut Seeded, form: Form) -> (Budget, Reach<D
     (budget, reach)
 }
 
-/// Up to ten neighbours, near, at the rim, beyond it, and now and then no number; claims of any kind and age.
+/// Up to ten neighbours, near, at the rim, beyond it, and now and then no number.
 fn sightings<const D: usize>(random: &mut Seeded, budget: &Budget) -> (RobotId, Vec<Sighting<D>>) {
-    let (radius_m, required) = (budget.curvature.link().radius_m, f64::from(budget.need.need(RobotId(1))));
+    let radius_m = budget.curvature.link().radius_m;
     let wide_m = radius_m * random.between(0.2, 1.1);
     let one = |id: u16, random: &mut Seeded| {
         let mut offset_m = core::array::from_fn(|_| random.between(-wide_m, wide_m));
@@ -56,10 +54,7 @@ fn sightings<const D: usize>(random: &mut Seeded, budget: &Budget) -> (RobotId, 
             2 => offset_m = [0.0; D],
             _ => {}
         }
-        let levels =
-            [required + random.between(-2.0, 4.0), required + random.between(0.0, 0.1), 1e300, f64::NAN];
-        let claim = Claim { level: levels[random.below(5).min(3)], age_ticks: [0, 1, 3][random.below(3)] };
-        Sighting::new(RobotId(id), offset_m, (random.below(8) > 0).then_some(claim))
+        Sighting::new(RobotId(id), offset_m)
     };
     let count = [10, 10, 9, random.below(11)][random.below(4)];
     let own = 1 + u16::try_from(random.below(count + 1)).unwrap_or(0);

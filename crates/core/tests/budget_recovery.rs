@@ -2,9 +2,9 @@
 
 use closeranks_core::controller::budget::curvature::Curvature;
 use closeranks_core::controller::budget::errors::ErrorBounds;
-use closeranks_core::controller::budget::knowledge::{Claim, Sighting};
+use closeranks_core::controller::budget::knowledge::Sighting;
 use closeranks_core::controller::budget::rows::Memory;
-use closeranks_core::controller::budget::settings::{Assume, Budget, Form, Trust};
+use closeranks_core::controller::budget::settings::{Assume, Budget, Form};
 use closeranks_core::equations::link::LinkShape;
 use closeranks_core::need::{Keep, Need};
 use closeranks_core::num::{Vector, add_scaled, dot, length, subtract};
@@ -40,9 +40,7 @@ fn budget(form: Form) -> (Budget, Reach<2>) {
         distance_min_m: 0.3,
         move_max_m: reach.longest_m(),
         gamma: 0.2,
-        gain_slope: 0.0,
         gamma_c: 0.2,
-        trust: Trust::ToldOrSeen,
         assume: Assume::Obedient,
         form,
         errors: ErrorBounds::NONE,
@@ -66,8 +64,7 @@ fn tick(positions: &[Vector<2>], desired: impl Fn(usize) -> Vector<2>, form: For
     let sightings = |i: usize| -> Vec<Sighting<2>> {
         let offsets = positions.iter().enumerate().filter(|(j, _)| *j != i);
         let near = offsets.map(|(j, x)| (j, subtract(&positions[i], x))).filter(|(_, r)| dot(r, r) <= 9.0);
-        near.map(|(j, offset_m)| Sighting::new(id(j), offset_m, Some(Claim { level: -1e9, age_ticks: 0 })))
-            .collect()
+        near.map(|(j, offset_m)| Sighting::new(id(j), offset_m)).collect()
     };
     let mut tick = Tick { positions: Vec::new(), h: Vec::new(), broken: 0 };
     for (i, x) in positions.iter().enumerate() {
@@ -150,12 +147,8 @@ fn any_floats_give_an_admissible_move() {
     for seed in 0..2_000 {
         let mut random = Seeded(seed);
         let mut number = || odd.get(random.below(30)).copied().unwrap_or(random.between(-2.0, 2.0));
-        let sightings: Vec<Sighting<2>> = (0..8)
-            .map(|j| {
-                let offset_m = [number(), number()];
-                Sighting::new(id(j), offset_m, Some(Claim { level: number(), age_ticks: 2 }))
-            })
-            .collect();
+        let sightings: Vec<Sighting<2>> =
+            (0..8).map(|j| Sighting::new(id(j), [number(), number()])).collect();
         let (mut budget, mut reach) = budget([Form::Link, Form::Level][usize::from(number() > 0.0)]);
         if number() > 1.0 {
             budget = Budget { gamma: number(), gamma_c: number(), move_max_m: number(), ..budget };

@@ -105,7 +105,7 @@ fn a_short_dropout_costs_no_promise_and_no_message() {
         let (mode, _) = tick(&mut one, k, [0.0; 2], [0.0; 2], [true, true, seen]);
         assert_eq!(mode, Mode::Guaranteed, "in tick {k}");
         assert_eq!(one.neighbors()[2].is_missing(), !seen);
-        let told = Message::new(u32::try_from(k).unwrap_or(0) + 1, at(k), 2.5, None).expect("finite");
+        let told = Message::new(u32::try_from(k).unwrap_or(0) + 1, at(k), None, Some(2.5)).expect("finite");
         assert_eq!(one.receive(RobotId(4), &told), Ok(()), "in tick {k}");
     }
 }
@@ -196,8 +196,9 @@ fn who_jumps_out_of_range_has_moved_and_is_missing() {
 //= theory sec:unsensed type=test
 #[test]
 fn how_far_a_robot_can_have_gone_and_when_it_may_have_left() {
-    let horizon = Horizon { speed_m_s: 2.0, radius_m: 3.0 };
-    assert_eq!(horizon.gone_m(Duration::from_millis(250)), 0.5);
+    let horizon = Horizon { speed_m_s: 2.0, move_max_m: 0.25, radius_m: 3.0 };
+    assert_eq!(horizon.went_m(Duration::from_millis(250)), 0.5, "a tick that came late");
+    assert_eq!(horizon.went_m(Duration::ZERO), 0.25, "a clock that stands still");
     assert!(horizon.surely_holds(&[2.0, 0.0], 0.99) && !horizon.surely_holds(&[2.0, 0.0], 1.0));
     assert!(!horizon.surely_holds(&[f64::NAN, 0.0], 0.0));
 }

@@ -50,7 +50,7 @@ fn numbers_outside_of_the_team_are_refused_whatever_was_sensed() {
         let mut robot = robot();
         sense_and_observe(&mut robot, 0);
         assert_eq!(robot.observe(RobotId(id), [1.0, 0.0]), Err(ObserveError::UnknownId));
-        let message = Message::new(1, at(0), 3.0, None).unwrap();
+        let message = Message::new(1, at(0), Some(3.0), None).unwrap();
         assert_eq!(robot.receive(RobotId(id), &message), Err(ReceiveError::NotNeighbor));
     }
 }

@@ -36,7 +36,7 @@ fn levels_are_held_between_updates() {
         };
         let (first, shared, told) = tick(0, 2.0, Some(6.5));
         let weight = params.link().link::<2, f64>(&[2.0, 0.0]).unwrap().weight;
-        assert_eq!((first.level, shared.map(|message| message.level())), (weight, Some(weight)));
+        assert_eq!((first.level, shared.and_then(|message| message.level())), (weight, Some(weight)));
         assert_eq!((told, first.told_age_max), (Some(6.5), Duration::ZERO));
 
         let (held, shared, told) = tick(3, 1.0, None);
@@ -45,7 +45,7 @@ fn levels_are_held_between_updates() {
 
         let (renewed, shared, _) = tick(5, 1.0, None);
         let closer = params.link().link::<2, f64>(&[1.0, 0.0]).unwrap().weight;
-        assert_eq!((renewed.level, shared.map(|message| message.level())), (closer, Some(closer)));
+        assert_eq!((renewed.level, shared.and_then(|message| message.level())), (closer, Some(closer)));
         assert!(closer > weight);
     });
 }

@@ -1,6 +1,6 @@
 //! What a robot answers: the equations, whatever the order of calls, and something safe whatever the calls.
 
-use closeranks_core::controller::budget::settings::{Assume, Trust};
+use closeranks_core::controller::budget::settings::Assume;
 use closeranks_core::equations::composition::{PhiSplit, Term};
 use closeranks_core::message::{MESSAGE_BYTES, Message};
 use closeranks_core::num::{Vector, dot, is_finite, subtract};
@@ -86,7 +86,7 @@ fn check_calls<const D: usize>(calls: &[Call<D>]) {
     let budget =
         |budget, settings: Settings<D>| Settings { controller: Controller::Budget(budget), ..settings };
     let usual = BudgetSettings::default();
-    let free = BudgetSettings { assume: Assume::Free, trust: Trust::Told, ..usual };
+    let free = BudgetSettings { assume: Assume::Free, ..usual };
     let none = Settings { controller: Controller::None, ..Settings::default() };
     let choices = [
         ordinary,
@@ -164,11 +164,11 @@ fn bytes() -> impl Strategy<Value = Vec<u8>> {
     let stamp = prop_oneof![0..400_000_000_u64, any::<u64>()];
     let sent = (0..40_u32, stamp, number(), prop::option::of(number()));
     let sent = sent.prop_map(|(sequence, stamp, level, value)| {
-        Message::new(sequence, Instant::from_nanos(stamp), level, value)
+        Message::new(sequence, Instant::from_nanos(stamp), Some(level), value)
             .map_or(vec![], |message| message.encode().to_vec())
     });
     let changed = (0..MESSAGE_BYTES, any::<u8>(), -10.0..10.0).prop_map(|(at, byte, level)| {
-        let mut bytes = Message::new(9, Instant::START, level, Some(level))
+        let mut bytes = Message::new(9, Instant::START, Some(level), Some(level))
             .map_or([0; MESSAGE_BYTES], |message| message.encode());
         bytes[at] = byte;
         bytes.to_vec()
@@ -189,7 +189,7 @@ fn check_equations<const D: usize>(scene: &Scene<D>) {
                 let offset_m = subtract(&scene.own, position);
                 let link = params.link().link(&offset_m)?;
                 let collision = composed.collision_term(dot(&offset_m, &offset_m));
-                Some(Term { offset_m, link, collision, told: composed.degree_term(message.level()) })
+                Some(Term { offset_m, link, collision, told: composed.degree_term(message.level()?) })
             })
             .collect();
         let level = terms.iter().fold(0.0, |level, term| level + term.link.weight);

@@ -1,6 +1,6 @@
 //! How far the paper's eleven robots get under `budget`, by weight, tick and errors: the table of docs/theory, `sec:own-weight`.
 //!
-//! `cargo run --release -p closeranks-sim --example weights -- FIRST COUNT CASE [q2=Q epsilon=E rate=R rise=R gamma_c=C]...`
+//! `cargo run --release -p closeranks-sim --example weights -- FIRST COUNT CASE [q2=Q epsilon=E rate=R gamma_c=C]...`
 //!
 //! From the places of `inside`, robots assigned to them anew for each of COUNT runs from number FIRST on; mean radius of
 //! gyration in m after 1, 2, 4 and 10 s and the least one after 10 s, without an attack. CASE is a tick in ms, with `free`, `noise` (1 cm,
@@ -68,7 +68,6 @@ fn set(scenario: &mut Scenario, word: &str) {
         "q2" => scenario.budget.q2 = Some(number),
         "epsilon" => scenario.budget.epsilon = Some(number),
         "rate" => scenario.budget.gamma = Some(fraction_of_rate(number, tick_s)),
-        "rise" => scenario.budget.gain_slope = number,
         "gamma_c" => scenario.budget.gamma_c = Some(number),
         "rate_c" => scenario.budget.gamma_c = Some(fraction_of_rate(number, tick_s)),
         _ => {}
@@ -106,8 +105,8 @@ fn campaign(words: &[String]) {
         for (scenario, _) in &drawn.scenarios {
             let mut scenario = scenario.clone();
             if settings.iter().any(|word| word == "chosen") {
-                let BudgetSettings { trust, assume, .. } = scenario.budget;
-                scenario.budget = BudgetSettings { trust, assume, ..BudgetSettings::default() };
+                let assume = scenario.budget.assume;
+                scenario.budget = BudgetSettings { assume, ..BudgetSettings::default() };
             }
             for word in settings {
                 set(&mut scenario, word);

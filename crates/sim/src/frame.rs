@@ -63,7 +63,7 @@ pub struct Frame<const D: usize> {
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Assumptions {
     /// True if some assumption does not hold, whether or not a robot can know: liars disobey, a robot goes on without having
-    /// looked, clocks differ or drift by more than is stated, a robot is farther from its reference than is stated, or one of the two
+    /// looked, a robot is farther from its reference than is stated, or one of the two
     /// fields below says so.
     pub broken: bool,
     /// Robots that sensed some position with a larger error than is stated, or cannot know of some robot within R.

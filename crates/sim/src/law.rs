@@ -13,7 +13,7 @@ pub enum Law {
     Agreement,
     /// Every input is finite and in U_i.
     Input,
-    /// h_i of normal robots is not negative (thm:cbf-qp a, thm:any-claim); with free liars h_i counts normal neighbours alone
+    /// h_i of normal robots is not negative (thm:cbf-qp a, thm:sensed); with free liars h_i counts normal neighbours alone
     /// (thm:free).
     Spare,
     /// No two robots come closer than Δ_d between two ticks (thm:discrete).

@@ -2,8 +2,7 @@
 #![expect(clippy::unwrap_used, reason = "helpers of tests")]
 
 use closeranks_core::Mode;
-use closeranks_core::num::exp;
-use closeranks_sim::advice::cost::Stated::{self, All, Clock, Hold, Nothing, Position, Tracking};
+use closeranks_sim::advice::cost::Stated::{self, All, Hold, Nothing, Position, Tracking};
 use closeranks_sim::advice::patch::start;
 use closeranks_sim::advice::question::Question;
 use closeranks_sim::advice::{Advice, advise};
@@ -120,39 +119,18 @@ fn teams_are_the_largest_and_the_smallest() {
 
 #[test]
 fn each_error_costs_something_of_its_own() {
-    let numbers = [
-        ("controller.position_error_m", 0.01),
-        ("lag", 0.02),
-        ("clock.error_s", 0.012),
-        ("clock.hold_max_s", 0.006),
-    ];
+    let numbers = [("controller.position_error_m", 0.01), ("lag", 0.02), ("clock.hold_max_s", 0.006)];
     let costs = advise(&question(2, "obedient", &numbers)).unwrap().costs;
     let errors: Vec<Stated> = costs.iter().map(|cost| cost.error).collect();
-    assert_eq!(errors, [Nothing, Position, Tracking, Clock, Hold, All]);
-    let [nothing, position, tracking, clock, hold, all] = &costs[..] else { unreachable!() };
-    assert_eq!((nothing.link_m, nothing.apart_m, nothing.h_lost, nothing.told), (3.0, 0.3, 0.0, 1.0));
+    assert_eq!(errors, [Nothing, Position, Tracking, Hold, All]);
+    let [nothing, position, tracking, hold, all] = &costs[..] else { unreachable!() };
+    assert_eq!((nothing.link_m, nothing.apart_m, nothing.h_lost), (3.0, 0.3, 0.0));
     assert_eq!((position.link_m, position.apart_m), (3.0, 0.3));
     assert!((tracking.link_m - (3.0 - 2.0 * tracking.stated)).abs() < 1e-12);
     assert!((all.apart_m - (0.3 + 2.0 * (tracking.stated + 0.01))).abs() < 1e-12);
     assert!(0.0 < position.h_lost && position.h_lost < tracking.h_lost && tracking.h_lost < all.h_lost);
-    assert!((clock.told - exp(-16.0 * 0.015)).abs() < 1e-12, "12 ms are three ticks of 5 ms");
     // Rows for longer moves are better off with a wider step of the weight, which costs a little of h.
     assert!(0.0 < hold.h_lost && hold.h_lost < position.h_lost && hold.move_max_m > nothing.move_max_m);
-}
-
-/// What a clock error leaves of a level is what the controller makes of one that is that old.
-#[test]
-fn told_levels_count_as_the_controller_counts_them() {
-    use closeranks_core::controller::AnyController;
-    for error_s in [0.0, 0.004, 0.005, 0.005_1, 0.9, 1.5] {
-        let asked = question(2, "obedient", &[("clock.error_s", error_s)]);
-        let cost = advise(&asked).unwrap().costs.last().unwrap().told;
-        let params = asked.settled().params::<2>().unwrap();
-        let AnyController::Budget(controller) = params.controller() else { unreachable!() };
-        let claim = controller.claim(8.0, params.settings().clock.error);
-        let expected = claim.map_or(0.0, |claim| controller.budget.decayed(1.0, claim.age_ticks));
-        assert_eq!(cost, expected, "{error_s} s");
-    }
 }
 
 #[test]

@@ -6,7 +6,7 @@ use closeranks_core::settings::{BudgetSettings, Clock, LinkSettings, Team};
 use closeranks_sim::scenario::Limits;
 use core::time::Duration;
 
-use closeranks_core::controller::budget::settings::{Assume, Trust};
+use closeranks_core::controller::budget::settings::Assume;
 use closeranks_core::program::Outcome;
 use closeranks_sim::attack::LevelAttack;
 use closeranks_sim::law::Law;
@@ -77,30 +77,28 @@ fn long_ticks_are_survived() {
 }
 
 #[test]
-fn every_trust_and_assumption_in_two_and_three_dimensions() {
-    for trust in [Trust::Told, Trust::ToldOrSeen, Trust::Seen] {
-        for assume in [Assume::Obedient, Assume::Free] {
-            kept(&Scenario {
-                attack: LevelAttack::Bias(6.0).into(),
-                budget: BudgetSettings { trust, assume, ..budget().budget },
-                ..budget()
-            });
-            let start = Start::Random { half_side_m: 0.8, distance_min_m: 0.45 };
-            let corner = vec![1.5; 3];
-            let low = vec![-1.5; 3];
-            let cube = Scenario {
-                dimension: 3,
-                start,
-                limits: Limits { input_max_m_s: corner, input_min_m_s: low, ..budget().limits.clone() },
-                ..budget()
-            };
-            kept(&Scenario {
-                attack: LevelAttack::Bias(-3.0).into(),
-                budget: BudgetSettings { trust, assume, ..cube.budget },
-                team: Team { robots: 12, ..cube.team },
-                ..cube
-            });
-        }
+fn every_assumption_in_two_and_three_dimensions() {
+    for assume in [Assume::Obedient, Assume::Free] {
+        kept(&Scenario {
+            attack: LevelAttack::Bias(6.0).into(),
+            budget: BudgetSettings { assume, ..budget().budget },
+            ..budget()
+        });
+        let start = Start::Random { half_side_m: 0.8, distance_min_m: 0.45 };
+        let corner = vec![1.5; 3];
+        let low = vec![-1.5; 3];
+        let cube = Scenario {
+            dimension: 3,
+            start,
+            limits: Limits { input_max_m_s: corner, input_min_m_s: low, ..budget().limits.clone() },
+            ..budget()
+        };
+        kept(&Scenario {
+            attack: LevelAttack::Bias(-3.0).into(),
+            budget: BudgetSettings { assume, ..cube.budget },
+            team: Team { robots: 12, ..cube.team },
+            ..cube
+        });
     }
 }
 

@@ -8,7 +8,7 @@ use closeranks_core::robot::report::{Mode, Reason};
 use closeranks_core::settings::{BudgetSettings, Clock, Errors, LinkSettings};
 use closeranks_sim::attack::{Attack, LevelAttack, MotionAttack};
 use closeranks_sim::faults::dropouts::Dropouts;
-use closeranks_sim::faults::{Clocks, Faults, Network, Outages, Sensing, Spell};
+use closeranks_sim::faults::{Clocks, Faults, Outages, Sensing, Spell};
 use closeranks_sim::law::Law;
 use closeranks_sim::plant::Plant;
 use closeranks_sim::scenario::desired::Desired;
@@ -116,25 +116,21 @@ fn who_misses_ticks_and_lags_keeps_its_bound() {
     assert_eq!(violations(&scenario), Vec::<&str>::new());
 }
 
-/// D. Clocks that lose two fifths of every second, together: with the bound stated nothing is overrated. (That ages are stretched is
-/// tested where they are counted.)
+/// D. No guarantee rests on clocks: they may differ by half a second and gain or lose three tenths of every second, and not one
+/// assumption is broken. It was when told levels had ages, and slow clocks made them younger than they were.
 //= theory sec:clocks type=test
 #[test]
-fn clocks_that_are_slow_together_are_no_broken_assumption_if_that_is_stated() {
-    for (drift_ms, covered_share) in [(0, 0.0), (400, 1.0)] {
-        let drift = Duration::from_millis(drift_ms);
-        let network = Network { delay_max_s: 0.9, ..Network::default() };
-        let clocks = Clocks { slow: 0.4, ..Clocks::default() };
-        let scenario = Scenario {
-            start: Start::Hexagon { spacing_m: 0.7 },
-            clock: Clock { level_period: Duration::from_millis(20), drift, ..Clock::default() },
-            faults: Faults { clocks, network, ..Faults::default() },
-            ..budget()
-        };
-        let run = run(&scenario, Options::default(), &mut |_| ()).unwrap();
-        assert_eq!(run.summary.violations(&scenario).count(), 0);
-        assert_eq!(run.summary.covered_share, covered_share);
-    }
+fn clocks_that_are_wrong_break_nothing() {
+    let clocks = Clocks { offset_max_s: 0.5, drift_max: 0.3 };
+    let scenario = Scenario {
+        start: Start::Hexagon { spacing_m: 0.7 },
+        clock: Clock { level_period: Duration::from_millis(20), ..Clock::default() },
+        faults: Faults { clocks, ..Faults::default() },
+        ..budget()
+    };
+    let run = run(&scenario, Options::default(), &mut |_| ()).unwrap();
+    assert_eq!(run.summary.violations(&scenario).count(), 0);
+    assert_eq!(run.summary.covered_share, 1.0);
 }
 
 /// E. `budget` keeps its laws at R = 1e5 m and at R = 1 mm, with lengths to match, and where robots meet that is seen. It was not

@@ -37,7 +37,7 @@ fn values(value_attack: ValueAttack) -> [f64; 2] {
 
 /// What robot 1 tells one neighbour that holds `value`.
 fn told(liars: &mut Liars, value: f64) -> Option<Message> {
-    let honest = Message::new(3, Instant::START, 7.0, Some(1.0)).unwrap();
+    let honest = Message::new(3, Instant::START, Some(7.0), Some(1.0)).unwrap();
     match liars.face(0, &honest, value) {
         Face::Silence => None,
         Face::Bytes(bytes) => Message::parse(&bytes).ok(),
@@ -82,8 +82,8 @@ fn liars_with_faces_tell_each_neighbour_something_else() {
     faces.begin_round((0..11).map(f64::from));
     let [low, high] = [2.5, 9.0].map(|value| told(&mut faces, value).unwrap());
     assert_eq!([low.value(), high.value()], [Some(2.0), Some(10.0)], "whoever is low hears the least");
-    assert!(low.level() != high.level() && (0.0..1.0).contains(&low.level()));
-    let honest = Message::new(3, Instant::START, 7.0, Some(1.0)).unwrap();
+    assert!(low.level() != high.level() && low.level().is_some_and(|level| (0.0..1.0).contains(&level)));
+    let honest = Message::new(3, Instant::START, Some(7.0), Some(1.0)).unwrap();
     assert_eq!(faces.face(7, &honest, 0.0), Face::Message(honest));
 }
 
@@ -92,7 +92,10 @@ fn liars_fall_silent_or_send_garbage() {
     let mut silent = liars(LevelAttack::Silent, ValueAttack::None);
     assert_eq!(told(&mut silent, 0.0), None);
     let mut mute = liars(LevelAttack::None, ValueAttack::Silent);
-    assert_eq!(told(&mut mute, 0.0).map(|message| (message.level(), message.value())), Some((7.0, None)));
+    assert_eq!(
+        told(&mut mute, 0.0).map(|message| (message.level(), message.value())),
+        Some((Some(7.0), None))
+    );
     let mut garbage = liars(LevelAttack::Garbage, ValueAttack::None);
     let parsed: Vec<Option<Message>> = (0..200).map(|_| told(&mut garbage, 0.0)).collect();
     let refused = parsed.iter().filter(|message| message.is_none()).count();

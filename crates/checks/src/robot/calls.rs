@@ -176,7 +176,7 @@ impl<'memory, const D: usize> Play<'memory, D> {
 
 /// The one place that makes messages; `None` where its numbers are refused.
 fn message(sequence: u32, now: u64, level: f64, value: Option<f64>) -> Option<Message> {
-    Message::new(sequence, Instant::from_nanos(now), level, value).ok()
+    Message::new(sequence, Instant::from_nanos(now), Some(level), value).ok()
 }
 
 /// Bytes as they may come from the network: of the right length, or one too few.

@@ -1,6 +1,6 @@
 //! Settings of any kind, from ordinary to refused.
 
-use closeranks_core::controller::budget::settings::{Assume, Trust};
+use closeranks_core::controller::budget::settings::Assume;
 use closeranks_core::equations::composition::PhiSplit;
 use closeranks_core::settings::field::TABLE;
 use closeranks_core::settings::params::{Controller, Settings};
@@ -13,16 +13,12 @@ use crate::source::Source;
 pub(super) fn settings<const D: usize>(source: &mut Source<'_>) -> Settings<D> {
     let kind = source.pick(&["composed", "budget", "composed", "links"]);
     let phi_split = source.pick(&[PhiSplit::Neighbors, PhiSplit::Own]);
-    let trust = source.pick(&[Trust::Told, Trust::ToldOrSeen, Trust::Seen]);
+    let pass_right = source.pick(&[false, false, true]);
     let assume = source.pick(&[Assume::Obedient, Assume::Free]);
     let controller = match kind {
         "composed" => Controller::Composed(ComposedSettings { phi_split, ..ComposedSettings::default() }),
-        "budget" => Controller::Budget(BudgetSettings { trust, assume, ..BudgetSettings::default() }),
-        _ => Controller::Links(LinksSettings {
-            assume,
-            pass_right: trust == Trust::Seen,
-            ..LinksSettings::default()
-        }),
+        "budget" => Controller::Budget(BudgetSettings { assume, ..BudgetSettings::default() }),
+        _ => Controller::Links(LinksSettings { assume, pass_right, ..LinksSettings::default() }),
     };
     let mut settings = Settings { controller, ..Settings::default() };
     settings.team.faults = u16::try_from(source.below(6)).unwrap_or(0);

@@ -47,7 +47,6 @@ fn question(asked: &Asked, advice: &Advice) -> Value {
         "move_max_m": question.move_max_m(),
         "position_error_m": scenario.errors.position_m,
         "tracking_error_m": scenario.errors.tracking_m,
-        "clock_error_s": scenario.clock.error.as_secs_f64(),
         "assume": advice.fit().assume,
         "controller_of_file": asked.controller,
     })
@@ -99,7 +98,6 @@ fn cost(cost: &Cost) -> Value {
         "move_max_m": cost.move_max_m,
         "h": cost.h,
         "h_lost": cost.h_lost,
-        "told_share": cost.told,
         "spacings": spacings(&cost.spacings),
     })
 }
@@ -109,7 +107,6 @@ fn name(error: Stated) -> &'static str {
         Stated::Nothing => "nothing",
         Stated::Position => "position",
         Stated::Tracking => "tracking",
-        Stated::Clock => "clock",
         Stated::Hold => "hold",
         Stated::All => "all",
     }

@@ -4,7 +4,7 @@ use clap::Args;
 use closeranks_sim::advice::question::{Question, allowed};
 
 /// Each option with the name of its number in files; `speed` and `lag` are in no file.
-const NAMES: [(&str, &str); 12] = [
+const NAMES: [(&str, &str); 11] = [
     ("--robots", "team.robots"),
     ("--faults", "team.faults"),
     ("--radius", "link.radius_m"),
@@ -12,7 +12,6 @@ const NAMES: [(&str, &str); 12] = [
     ("--distance-min", "controller.distance_min_m"),
     ("--tick", "clock.tau_1_s"),
     ("--hold", "clock.hold_max_s"),
-    ("--clock-error", "clock.error_s"),
     ("--position-error", "controller.position_error_m"),
     ("--tracking-error", "controller.tracking_error_m"),
     ("--speed", "speed"),
@@ -40,15 +39,12 @@ pub(super) struct Numbers {
     /// The greatest speed along each axis, m/s [default: 1.5].
     #[arg(long, value_name = "M_S", value_parser = |text: &str| number("speed", text))]
     speed: Option<f64>,
-    /// How often robots share levels and move, s [default: 0.005].
+    /// How often robots move, s [default: 0.005].
     #[arg(long, value_name = "S", value_parser = |text: &str| number("clock.tau_1_s", text))]
     tick: Option<f64>,
     /// How long a velocity may be held: the tick and its jitter, s [default: the tick].
     #[arg(long, value_name = "S", value_parser = |text: &str| number("clock.hold_max_s", text))]
     hold: Option<f64>,
-    /// Bound of the difference of any two clocks, s [default: 0].
-    #[arg(long, value_name = "S", value_parser = |text: &str| number("clock.error_s", text))]
-    clock_error: Option<f64>,
     /// Bound of the error of every sensed position [default: 0].
     #[arg(long, value_name = "M", value_parser = |text: &str| number("controller.position_error_m", text))]
     position_error: Option<f64>,
@@ -71,7 +67,6 @@ impl Numbers {
             self.distance_min,
             self.tick,
             self.hold,
-            self.clock_error,
             self.position_error,
             self.tracking_error,
             self.speed,

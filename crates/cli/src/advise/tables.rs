@@ -36,7 +36,7 @@ fn fit(fit: &Fit) -> Vec<String> {
 
 /// One line for each stated error.
 pub(super) fn costs(costs: &[Cost]) -> String {
-    let heads = ["stated", "links\nto, m", "apart\nm", "move\nm", "h\nlost", "told\nh, %", "spacings\nm"];
+    let heads = ["stated", "links\nto, m", "apart\nm", "move\nm", "h\nlost", "spacings\nm"];
     table(&heads, costs.iter().map(cost).collect())
 }
 
@@ -51,7 +51,6 @@ fn cost(cost: &Cost) -> Vec<String> {
         plain(cost.apart_m),
         plain(cost.move_max_m),
         plain(cost.h_lost),
-        plain(100.0 * cost.told),
         spacings,
     ]
 }
@@ -63,7 +62,6 @@ fn stated(cost: &Cost) -> String {
         Stated::Nothing => "nothing".to_owned(),
         Stated::Position => format!("position {number} m"),
         Stated::Tracking => format!("tracking {number} m"),
-        Stated::Clock => format!("clock {number} s"),
         Stated::Hold => format!("hold +{number} s"),
         Stated::All => "all".to_owned(),
     }

@@ -60,13 +60,12 @@ fn errors(scenario: &Scenario) -> String {
             scenario.errors.tracking_m,
             "m: robots are at most that far from where their velocities would have taken them",
         ),
-        (scenario.clock.error.as_secs_f64(), "s: clocks differ by at most that"),
         (scenario.clock.hold_max().as_secs_f64() - scenario.tick_s(), "s: ticks are late by at most that"),
     ];
     let stated = stated.iter().filter(|(bound, _)| *bound > 0.0);
     let stated: Vec<String> = stated.map(|(bound, about)| format!("{} {about}", plain(*bound))).collect();
     if stated.is_empty() {
-        return "Positions, moves, clocks and ticks are exact.".to_owned();
+        return "Positions, moves and ticks are exact.".to_owned();
     }
     format!("Stated errors: {}.", stated.join("; "))
 }
@@ -234,8 +233,8 @@ fn motion(asked: &Asked, advice: &Advice) -> String {
 /// What stated errors cost: a table, or that there are none.
 fn costs(advice: &Advice) -> Vec<String> {
     if advice.costs.len() < 2 {
-        let text = "No errors are stated, so nothing is lost to them. --position-error, --lag, --clock-error and --hold say what \
-                    they would cost.";
+        let text = "No errors are stated, so nothing is lost to them. --position-error, --lag and --hold say what they would \
+                    cost.";
         return vec![wrapped(text)];
     }
     let fit = advice.fit();
@@ -243,7 +242,7 @@ fn costs(advice: &Advice) -> Vec<String> {
     let text = format!(
         "What stated errors cost under {}, each by itself, at a spacing of {} m, where the least h is {} with nothing stated. Links \
          and distances are those of references, which is where velocities have taken robots; rows are made for moves of that \
-         length; of a told h so much counts in the tick in which it is told.",
+         length.",
         fit.assume,
         plain(spacing_m),
         advice.costs.first().map_or("-".to_owned(), |cost| plain(cost.h)),

@@ -103,6 +103,12 @@ impl<const D: usize> AnyController<D> {
         dispatch!(self, controller => controller.can_be_computed_at_once())
     }
 
+    /// True if a robot tells its level ([`Control::tells_levels`]).
+    #[must_use]
+    pub fn tells_levels(&self) -> bool {
+        dispatch!(self, controller => controller.tells_levels())
+    }
+
     /// True if a robot tells lists of links ([`Control::tells_lists`]).
     #[must_use]
     pub fn tells_lists(&self) -> bool {
@@ -139,7 +145,7 @@ impl<const D: usize> AnyController<D> {
         dispatch!(self, controller => controller.agree(id, ledger, slots, now, scratch));
     }
 
-    /// What a robot tells ([`Control::level`]).
+    /// Its connectivity ([`Control::level`]).
     #[must_use]
     pub fn level(&self, view: &View<'_, D>, scratch: &mut Scratch<'_, D>) -> f64 {
         dispatch!(self, controller => controller.level(view, scratch))

@@ -90,6 +90,10 @@ impl<const D: usize> Control<D> for ComposedController<D> {
         &self.need
     }
 
+    fn tells_levels(&self) -> bool {
+        true
+    }
+
     /// There is no pair where slope and collision term are both too small for `f64`. Such a pair matters only beside a huge
     /// Ê, and then all neighbours are looked at one by one.
     #[inline]
@@ -108,7 +112,7 @@ impl<const D: usize> Control<D> for ComposedController<D> {
 
     /// Ê of a told level; 0 if none was told.
     #[inline]
-    fn told(&self, _robot: RobotId, level: Option<f64>) -> f64 {
+    fn told(&self, level: Option<f64>) -> f64 {
         level.map_or(0.0, |level| self.composed.degree_term(level))
     }
 
@@ -141,7 +145,7 @@ impl<const D: usize> Control<D> for ComposedController<D> {
         second.row.add_link(offset_m, -pull, pair.collision);
     }
 
-    fn know(&self, glimpse: &Glimpse<'_, f64>) -> Option<f64> {
+    fn know(&self, glimpse: &Glimpse) -> Option<f64> {
         Some(glimpse.told_level)
     }
 
@@ -173,10 +177,10 @@ impl<const D: usize> Control<D> for ComposedController<D> {
 
     fn alone(&self, view: &View<'_, D>, desired: &Vector<D>, scratch: &mut Scratch<'_, D>) -> Decision<D> {
         let own = Own { id: view.id, level: view.told_level, told_level: view.told_level, degree: 0 };
-        let told = self.told(view.id, Some(view.told_level));
+        let told = self.told(Some(view.told_level));
         let mut sums = self.sums(&told);
         for slot in view.linked() {
-            let other = self.told(slot.id, slot.told_level());
+            let other = self.told(slot.told_level());
             self.hear(&mut sums, &other);
             if let Some(pair) = self.pair(&slot.offset_m, &slot.link) {
                 self.add(&mut sums, &slot.offset_m, &pair, [&told, &other]);

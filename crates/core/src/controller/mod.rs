@@ -7,7 +7,7 @@
 //! | controller | file | needs | promises |
 //! | --- | --- | --- | --- |
 //! | the paper's | [`composed`] | told levels | nothing in discrete time |
-//! | ours | [`budget`] | positions, and told levels if trusted | docs/budget.md |
+//! | ours | [`budget`] | positions | docs/budget.md |
 //! | ours, without weights | [`links`] | positions, lists and acknowledgements | docs/links.md |
 //! | none | [`none`] | nothing | nothing |
 
@@ -64,7 +64,7 @@ pub struct View<'a, const D: usize> {
     pub id: RobotId,
     /// The present time on its clock.
     pub now: Instant,
-    /// Its level as it tells it.
+    /// Its level as it tells it, if it does.
     pub told_level: f64,
     /// The velocity of the tick before, m/s.
     pub before_m_s: Vector<D>,
@@ -123,14 +123,12 @@ impl<const D: usize> Batch<'_, D> {
 }
 
 /// What can be said of a neighbour j as robot i sees it, in a world in which all sense exactly and hear the same.
-#[derive(Clone, Copy)]
-pub struct Glimpse<'a, Told> {
+#[derive(Clone, Copy, Debug)]
+pub struct Glimpse {
     /// The number of j.
     pub id: RobotId,
     /// The level that j told.
     pub told_level: f64,
-    /// What others make of it.
-    pub told: &'a Told,
     /// The true level of j.
     pub level: f64,
     /// How many neighbours j has.
@@ -139,19 +137,8 @@ pub struct Glimpse<'a, Told> {
     pub unseen: usize,
     /// How many of these are neighbours of j.
     pub unseen_near: usize,
-    /// Distance of i and j, m.
-    pub distance_m: f64,
-    /// The sum of the weights of j with i and with whomever i sees, in order of numbers.
-    pub low: Low<'a>,
-}
-
-/// A sum that is there, or that costs a walk over neighbours.
-#[derive(Clone, Copy)]
-pub enum Low<'a> {
-    /// It is there.
-    Known(f64),
-    /// It is added up when it is asked for.
-    Asked(&'a dyn Fn() -> f64),
+    /// The sum of the weights of j with i and with whomever i sees, in order of numbers, where i does not see everybody.
+    pub low: f64,
 }
 
 /// What a controller decided.
@@ -239,7 +226,12 @@ pub trait Control<const D: usize> {
         true
     }
 
-    /// True if a robot tells lists of links in place of its level.
+    /// True if a robot tells its level c_i.
+    fn tells_levels(&self) -> bool {
+        false
+    }
+
+    /// True if a robot tells lists of links.
     fn tells_lists(&self) -> bool {
         false
     }
@@ -270,7 +262,7 @@ pub trait Control<const D: usize> {
     ) {
     }
 
-    /// What a robot on its own has to tell of its connectivity: c_i, the sum of the weights of its links.
+    /// The connectivity of a robot on its own: c_i, the sum of the weights of its links.
     //= paper eq:connectivity
     fn level(&self, view: &View<'_, D>, _scratch: &mut Scratch<'_, D>) -> f64 {
         let counted = view.linked().filter(|slot| self.need().counts(view.id, slot.id));
@@ -288,8 +280,8 @@ pub trait Control<const D: usize> {
         }
     }
 
-    /// What others make of a level that `robot` told, or of none.
-    fn told(&self, robot: RobotId, level: Option<f64>) -> Self::Told;
+    /// What others make of a level that a robot told, or of none.
+    fn told(&self, level: Option<f64>) -> Self::Told;
 
     /// Sums of a robot without neighbours.
     fn sums(&self, own: &Self::Told) -> Self::Sums;
@@ -315,7 +307,7 @@ pub trait Control<const D: usize> {
     }
 
     /// What a robot knows of a neighbour, as whoever computes a whole team at once finds it.
-    fn know(&self, glimpse: &Glimpse<'_, Self::Told>) -> Self::Known;
+    fn know(&self, glimpse: &Glimpse) -> Self::Known;
 
     /// The velocity closest to `desired` (m/s) that the controller allows. `neighbors` come in order of their numbers;
     /// `before_m_s` is the velocity of the tick before.

@@ -5,7 +5,6 @@ use crate::equations::link::Link;
 use crate::need::Need;
 use crate::num::Vector;
 use crate::program::{InputBox, Outcome};
-use crate::robot::neighbor::RobotId;
 use crate::robot::report::{Mode, Reason};
 use crate::robot::scratch::Scratch;
 use crate::settings::Settings;
@@ -42,11 +41,16 @@ impl<const D: usize> Control<D> for Unfiltered<D> {
         &self.need
     }
 
+    /// For comparison with those who do.
+    fn tells_levels(&self) -> bool {
+        true
+    }
+
     fn pair(&self, _offset_m: &Vector<D>, _link: &Link<f64>) -> Option<()> {
         None
     }
 
-    fn told(&self, _robot: RobotId, _level: Option<f64>) {}
+    fn told(&self, _level: Option<f64>) {}
 
     fn sums(&self, (): &()) {}
 
@@ -54,7 +58,7 @@ impl<const D: usize> Control<D> for Unfiltered<D> {
 
     fn add(&self, (): &mut (), _offset_m: &Vector<D>, (): &(), _told: [&(); 2]) {}
 
-    fn know(&self, _glimpse: &Glimpse<'_, ()>) {}
+    fn know(&self, _glimpse: &Glimpse) {}
 
     fn decide<'a>(
         &self,

@@ -12,7 +12,8 @@ impl<const D: usize, S: Slots<D>> Robot<D, S> {
     /// What the robot says after a decision; `None` where it could not decide.
     pub(crate) fn report(&self, decision: Option<&Decision<D>>, round: Option<RoundReport>) -> Report {
         let degree = small(self.linked().count());
-        let untold = small(self.linked().filter(|slot| slot.told.is_none()).count());
+        let waits = self.params.controller().tells_levels();
+        let untold = small(self.linked().filter(|slot| waits && slot.told_level().is_none()).count());
         let oldest = self.sensed().filter_map(|slot| slot.told.map(|told| told.at)).min();
         let need = self.params.need().need(self.id);
         let h = degree_barrier(self.level, need);

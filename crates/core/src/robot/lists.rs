@@ -47,7 +47,7 @@ impl<const D: usize, S: Slots<D>> Robot<D, S> {
         // A value counts only if its sender is a neighbour in this tick.
         let earlier = slot.told.and_then(|told| told.value);
         let value = earlier.or(notice.head.value.filter(|_| in_round && slot.sensed));
-        slot.told = Some(Told { sequence: 0, stamp, level: 0.0, at: now, value });
+        slot.told = Some(Told { sequence: 0, stamp, level: None, at: now, value });
         self.round_news |= value != earlier;
         Ok(())
     }
@@ -100,7 +100,6 @@ impl<const D: usize, S: Slots<D>> Robot<D, S> {
     pub(crate) fn reckon(&mut self) {
         let Some(own) = self.position.filter(|_| self.params.controller().tells_lists()) else { return };
         let (kept, horizon) = (self.params.kept(), self.horizon());
-        let (now, clock) = (self.now, self.params.settings().clock);
         let room_m = 2.0 * self.params.reach().longest_m() + kept.errors.offset_m;
         for slot in &mut self.slots.as_mut()[..self.count] {
             if slot.sensed {
@@ -112,8 +111,7 @@ impl<const D: usize, S: Slots<D>> Robot<D, S> {
             if slot.peer.unseen_ticks == 1 {
                 slot.peer.vanished = length(&slot.offset_m) + room_m <= kept.link.radius_m;
             }
-            let gone_m = horizon.gone_m(clock.stretched(now.since(slot.sensed_at)));
-            slot.peer.inside = slot.peer.vanished && horizon.surely_holds(&slot.offset_m, gone_m);
+            slot.peer.inside = slot.peer.vanished && horizon.surely_holds(&slot.offset_m, slot.gone_m);
             slot.told = slot.told.map(|told| Told { value: None, ..told });
         }
     }

@@ -5,11 +5,12 @@
 //! or something stood between. Where it is is known up to how far it can have gone:
 //!
 //! ```text
-//! x_j ∈ ball(where it was sensed, g),    g = ρ · (time since)/(longest time that a velocity is held)
+//! x_j ∈ ball(where it was sensed, g),    g = ρ for every tick since, or more for one that came late
 //! missing as long as  |x_i − (where it was sensed)| + g + (stated error of an offset) < R
 //! ```
 //!
-//! A missing neighbour keeps its slot, what it told, and a row for every place where it can be (docs/theory, sec:unsensed). Once
+//! No clock is in it: a tick of the robot itself lasts no longer than a velocity may be held, and ρ is the longest move over
+//! that time. A missing neighbour keeps its slot, what it told, and a row for every place where it can be (docs/theory, sec:unsensed). Once
 //! it may have left unseen, it is given up, and the robot says [`Reason::Overlooked`].
 //! One that was last sensed so near the rim that it may have left in a tick is taken for gone at once: nobody can tell.
 //!
@@ -30,18 +31,20 @@ const HAIR: f64 = 1e-9;
 /// How far robots go, and how far they are sensed.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Horizon {
-    /// The greatest speed of any robot, m/s.
+    /// The greatest speed of any robot, m/s, and ρ, its longest move in a tick, m.
     pub speed_m_s: f64,
+    /// See `speed_m_s`.
+    pub move_max_m: f64,
     /// How far a robot is surely sensed, m: R, less what offsets may be wrong.
     pub radius_m: f64,
 }
 
 impl Horizon {
-    /// How far a robot can have gone after `elapsed`, m.
+    /// How far a robot can have gone in a tick that took `elapsed` on the own clock, m: ρ at least.
     //= theory sec:unsensed
     #[must_use]
-    pub fn gone_m(&self, elapsed: Duration) -> f64 {
-        self.speed_m_s * elapsed.as_secs_f64()
+    pub fn went_m(&self, elapsed: Duration) -> f64 {
+        (self.speed_m_s * elapsed.as_secs_f64()).max(self.move_max_m)
     }
 
     /// True if a robot that was last sensed at `offset_m` (m) and can have gone `gone_m` since must still be within R.
@@ -59,14 +62,13 @@ impl<const D: usize, S: Slots<D>> Robot<D, S> {
         if self.neighbors().iter().all(|slot| slot.sensed) {
             return;
         }
-        let (horizon, now, clock) = (self.horizon(), self.now, self.params.settings().clock);
+        let horizon = self.horizon();
         let Some(own) = self.position.filter(|_| self.params.controller().reckons()) else {
             return self.forget_unsensed();
         };
         let mut overlooked = false;
         self.keep(|slot| {
-            let missing =
-                slot.sensed || horizon.reckon(slot, &own, clock.stretched(now.since(slot.sensed_at)));
+            let missing = slot.sensed || horizon.reckon(slot, &own);
             overlooked |= !missing && !slot.seen_before;
             missing
         });
@@ -94,8 +96,7 @@ impl<const D: usize, S: Slots<D>> Robot<D, S> {
             self.neighbors().iter().enumerate().filter(|(_, slot)| !slot.sensed && !self.stays(slot));
         let distance_m2 = |slot: &Slot<D>| dot(&slot.offset_m, &slot.offset_m);
         let (index, slot) = unsensed.max_by(|(_, a), (_, b)| distance_m2(a).total_cmp(&distance_m2(b)))?;
-        let (horizon, elapsed) = (self.horizon(), self.now.since(slot.sensed_at));
-        if horizon.surely_holds(&slot.offset_m, 2.0 * horizon.gone_m(elapsed)) {
+        if self.horizon().surely_holds(&slot.offset_m, 2.0 * slot.gone_m) {
             self.overlook();
         }
         Some(index)
@@ -105,15 +106,15 @@ impl<const D: usize, S: Slots<D>> Robot<D, S> {
     pub(crate) fn horizon(&self) -> Horizon {
         let (params, longest_m) = (&self.params, self.params.reach().longest_m());
         let radius_m = params.link().radius_m - params.kept().errors.offset_m;
-        Horizon { speed_m_s: longest_m / params.hold_s(), radius_m }
+        Horizon { speed_m_s: longest_m / params.hold_s(), move_max_m: longest_m, radius_m }
     }
 }
 
 impl Horizon {
     /// Notes where a robot that was not sensed is as seen from `own`, and says whether it is missing.
-    fn reckon<const D: usize>(&self, slot: &mut Slot<D>, own: &Vector<D>, elapsed: Duration) -> bool {
+    fn reckon<const D: usize>(&self, slot: &mut Slot<D>, own: &Vector<D>) -> bool {
         // Never 0, which stands for a robot that was sensed.
-        let gone_m = self.gone_m(elapsed).max(f64::MIN_POSITIVE);
+        let gone_m = slot.gone_m.max(f64::MIN_POSITIVE);
         slot.offset_m = subtract(own, &slot.position_m);
         (slot.linked, slot.link) = (false, NO_LINK);
         let missing = self.surely_holds(&slot.offset_m, gone_m);

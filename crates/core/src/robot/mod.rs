@@ -43,8 +43,9 @@ impl<const D: usize, S: AsRef<[Slot<D>]> + AsMut<[Slot<D>]>> Slots<D> for S {}
 /// 5. [`tick`](Self::tick): desired velocity in, safe velocity out.
 ///
 /// A level shared before the others' `receive` is used in the same tick (eq:continuous_a). One that comes later is held until
-/// the next (eq:connectivity). A robot that is not observed in a tick is not a neighbour, and what it told is forgotten. Under
-/// `budget` it stays one as long as it must still be within R ([`missing`]).
+/// the next (eq:connectivity). Under `budget` robots tell no levels: what is shared is the value, in consensus rounds. A robot that
+/// is not observed in a tick is not a neighbour, and what it told is forgotten. Under `budget` it stays one as long as it must
+/// still be within R ([`missing`]).
 ///
 /// *Time.* `now` is the robot's own clock, which must never fall. Nothing is read between two calls of `tick`, so the velocity of
 /// the first is held until the second: for `hold_max` at most, as [`Clock`](crate::settings::Clock) says.
@@ -157,10 +158,12 @@ impl<const D: usize, S: Slots<D>> Robot<D, S> {
     /// Begins a tick at `now` with the robot's own position x_i, m.
     pub fn sense(&mut self, now: Instant, position: Vector<D>) -> Result<(), SenseError> {
         (self.position, self.sensed_now) = (None, true);
+        let went_m = self.horizon().went_m(now.since(self.now));
         for slot in &mut self.slots.as_mut()[..self.count] {
             slot.seen_before = slot.sensed;
             slot.sensed = false;
             slot.unsensed_m = 0.0;
+            slot.gone_m += went_m;
         }
         if now < self.now {
             return Err(SenseError::TimeFell);
@@ -208,7 +211,7 @@ impl<const D: usize, S: Slots<D>> Robot<D, S> {
         }
         let differs = slot.sensed && slot.position_m != position;
         (slot.sensed, slot.seen_before, slot.offset_m) = (true, false, offset_m);
-        (slot.position_m, slot.sensed_at, slot.unsensed_m) = (position, self.now, 0.0);
+        (slot.position_m, slot.gone_m, slot.unsensed_m) = (position, 0.0, 0.0);
         (slot.linked, slot.link) = (link.is_some(), link.unwrap_or(NO_LINK));
         if differs {
             self.overlook();
@@ -216,7 +219,7 @@ impl<const D: usize, S: Slots<D>> Robot<D, S> {
         Ok(if link.is_some() { Observed::Neighbor } else { Observed::InView })
     }
 
-    /// What to tell now: the level when τ₁ has passed, with the value when τ₂ has. A robot that is late for a round by more
+    /// What to tell now: the level when τ₁ has passed, if the controller tells levels, and the value when τ₂ has. A robot that is late for a round by more
     /// than a velocity may be held, as after a crash, waits for the next one, so that all have theirs at the same time.
     ///
     /// Forgets robots that were not observed in this tick, but for those that are missing ([`missing`]). `None` while nothing is due, the own position is unknown, or `scratch` is
@@ -238,15 +241,18 @@ impl<const D: usize, S: Slots<D>> Robot<D, S> {
         if value_due {
             self.begin_round();
         }
-        if !level_due && !value_due {
+        let controller = self.params.controller();
+        let (levels, lists) = (controller.tells_levels(), controller.tells_lists());
+        if !value_due && !(level_due && (levels || lists)) {
             return None;
         }
         let value = value_due.then_some(self.value);
-        if self.params.controller().tells_lists() {
+        if lists {
             self.ledger.head(self.now, value)?;
         }
         self.sequence = self.sequence.saturating_add(1);
-        Message::new(self.sequence, self.level_at, self.told_level, value).ok()
+        let level = (levels || lists).then_some(self.told_level);
+        Message::new(self.sequence, self.level_at, level, value).ok()
     }
 
     /// Takes a message that arrived from `sender`. Under `links` messages are of another kind ([`receive_bytes`](Self::receive_bytes)).

@@ -16,9 +16,9 @@ pub(crate) const NO_LINK: Link<f64> = Link { weight: 0.0, slope: 0.0 };
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Told {
     pub(crate) sequence: u32,
-    /// When the level was sensed, by its sender's clock.
+    /// When it was told, by its sender's clock.
     pub(crate) stamp: Instant,
-    pub(crate) level: f64,
+    pub(crate) level: Option<f64>,
     /// When the message was received, by the own clock.
     pub(crate) at: Instant,
     /// y_j of the consensus round that is on, if it was told.
@@ -36,10 +36,10 @@ pub struct Slot<const D: usize> {
     /// True if it was sensed in the tick before and not yet in this one.
     pub(crate) seen_before: bool,
     pub(crate) offset_m: Vector<D>,
-    /// Where it was sensed, m, and when.
+    /// Where it was sensed, m, and how far it can have gone since, m.
     pub(crate) position_m: Vector<D>,
-    pub(crate) sensed_at: Instant,
-    /// How far it can have gone since, m; 0 unless it is missing.
+    pub(crate) gone_m: f64,
+    /// The same if it is missing, else 0.
     pub(crate) unsensed_m: f64,
     pub(crate) link: Link<f64>,
     /// True if it is within R as sensed. It is false for a robot that only the margin of `budget` brings into view.
@@ -58,7 +58,7 @@ impl<const D: usize> Default for Slot<D> {
             seen_before: false,
             offset_m: [0.0; D],
             position_m: [0.0; D],
-            sensed_at: Instant::START,
+            gone_m: 0.0,
             unsensed_m: 0.0,
             link: NO_LINK,
             linked: false,
@@ -97,10 +97,10 @@ impl<const D: usize> Slot<D> {
     /// The level that it told last, if any.
     #[must_use]
     pub fn told_level(&self) -> Option<f64> {
-        self.told.map(|told| told.level)
+        self.told.and_then(|told| told.level)
     }
 
-    /// How long before `now` that level was received.
+    /// How long before `now` its last message was received.
     #[must_use]
     pub fn told_age(&self, now: Instant) -> Option<Duration> {
         self.told.map(|told| now.since(told.at))

@@ -33,9 +33,9 @@ pub struct Report {
     pub outcome: Outcome,
     /// What the answer is worth.
     pub mode: Mode,
-    /// How many neighbours have told no level yet; `composed` leaves their terms out.
+    /// How many neighbours have told no level yet, where levels are told; `composed` leaves their terms out.
     pub untold: u16,
-    /// Time since the oldest told level in use was received.
+    /// Time since the oldest of the neighbours' last messages was received.
     pub told_age_max: Duration,
     /// The consensus round of this tick, if one was on.
     pub round: Option<RoundReport>,
@@ -55,7 +55,7 @@ pub struct RoundReport {
 /// What a robot can promise for its answer.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Mode {
-    /// Every assumption of `budget` that a robot can check holds (docs/theory, thm:any-claim). It cannot check that all robots
+    /// Every assumption of `budget` that a robot can check holds (docs/theory, thm:sensed). It cannot check that all robots
     /// have the same settings, that every robot near the rim of its range is sensed, and more (docs/budget.md). `composed` never says so: its
     /// theorem needs continuous time.
     Guaranteed,
@@ -77,7 +77,7 @@ pub enum Reason {
     /// `composed`: φ_i < 0, outside Z_i (thm:cbf-qp). `budget`: h_i < 0, or another robot too close.
     OutsideSafeSet,
     /// More time than a velocity may be held has passed since the last tick. It is said for
-    /// [`told_max`](crate::settings::Clock::told_max) more, because until then a level told before may be worth less than it says.
+    /// [`told_max`](crate::settings::Clock::told_max) more.
     Late,
     /// The robot, or under [`Assume::Obedient`](crate::controller::budget::settings::Assume::Obedient) a neighbour, is not where the
     /// stated errors and the input box allow it to be: sensing or tracking is worse than stated. It is said for as long.

@@ -2,7 +2,7 @@
 
 use core::time::Duration;
 
-use crate::controller::budget::settings::{Assume, Trust, fraction_of_rate};
+use crate::controller::budget::settings::{Assume, fraction_of_rate};
 use crate::controller::budget::weight::{Conditions, Weight};
 use crate::equations::composition::PhiSplit;
 use crate::need::Need;
@@ -12,7 +12,7 @@ use crate::need::Need;
 pub enum Controller {
     /// The paper's, as printed ([`crate::controller::composed`]).
     Composed(ComposedSettings),
-    /// Ours ([`crate::controller::budget`]): a guarantee in discrete time, for any lie and any loss of told levels.
+    /// Ours ([`crate::controller::budget`]): a guarantee in discrete time, from what is sensed alone.
     Budget(BudgetSettings),
     /// Ours without weights ([`crate::controller::links`]): robots agree on the links that they keep.
     Links(LinksSettings),
@@ -33,7 +33,7 @@ pub struct ComposedSettings {
     pub alpha: f64,
 }
 
-/// Parameters of `budget`. All robots of a team must have the same; only trust may differ.
+/// Parameters of `budget`. All robots of a team must have the same.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct BudgetSettings {
     /// q₂ of its own weight, 1/m⁴. `None`, here and below, stands for what is chosen for the task
@@ -43,12 +43,8 @@ pub struct BudgetSettings {
     pub epsilon: Option<f64>,
     /// γ: the fraction of h_k that may be lost in a tick, in (0, 1].
     pub gamma: Option<f64>,
-    /// q, at least 0: by how much that fraction rises with h_k (docs/theory, eq:loss).
-    pub gain_slope: f64,
     /// γ_c: the fraction of D − Δ_d² that may be lost in a tick, in (0, 1].
     pub gamma_c: Option<f64>,
-    /// What is believed of levels.
-    pub trust: Trust,
     /// What malicious robots are assumed to do.
     pub assume: Assume,
 }
@@ -102,15 +98,7 @@ impl Default for ComposedSettings {
 
 impl Default for BudgetSettings {
     fn default() -> Self {
-        Self {
-            q2: None,
-            epsilon: None,
-            gamma: None,
-            gain_slope: 0.0,
-            gamma_c: None,
-            trust: Trust::ToldOrSeen,
-            assume: Assume::Obedient,
-        }
+        Self { q2: None, epsilon: None, gamma: None, gamma_c: None, assume: Assume::Obedient }
     }
 }
 

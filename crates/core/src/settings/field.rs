@@ -22,7 +22,6 @@ pub enum Field {
     OwnQ2,
     OwnEpsilon,
     Gamma,
-    GainSlope,
     GammaC,
     HeldGamma,
     HeldGammaC,
@@ -35,7 +34,6 @@ pub enum Field {
     HoldMax,
     ToldMax,
     ClockError,
-    ClockDrift,
     InputMinMS,
     InputMaxMS,
 }
@@ -74,7 +72,7 @@ const STEEPNESS: Allowed = Allowed::LeftOpen(0.0, 1e15);
 const SECONDS: Allowed = Allowed::Closed(1e-6, 3_600.0);
 
 /// All numbers, in the order in which they are checked.
-pub const TABLE: [Row; 25] = [
+pub const TABLE: [Row; 23] = [
     Row {
         field: Field::Robots,
         name: "team.robots",
@@ -188,7 +186,7 @@ pub const TABLE: [Row; 25] = [
     Row {
         field: Field::LevelPeriod,
         name: "clock.tau_1_s",
-        about: "levels are shared and robots move at this period, s",
+        about: "robots move, and tell what they tell of their motion, at this period, s",
         get: |of| Some(of.clock.level_period.as_secs_f64()),
         set: |of, to| of.clock.level_period = time(to),
         range: SECONDS,
@@ -232,16 +230,6 @@ pub const TABLE: [Row; 25] = [
         get: |of| Some(weight(of)?.gamma),
         set: |of, to| budget(of, |budget| budget.gamma = Some(to)),
         range: FRACTION,
-        limit: None,
-        why: "",
-    },
-    Row {
-        field: Field::GainSlope,
-        name: "controller.rise",
-        about: "budget: by how much that fraction rises with h",
-        get: |of| of.budget.as_ref().map(|budget| budget.gain_slope),
-        set: |of, to| budget(of, |budget| budget.gain_slope = to),
-        range: NOT_NEGATIVE,
         limit: None,
         why: "",
     },
@@ -298,7 +286,7 @@ pub const TABLE: [Row; 25] = [
     Row {
         field: Field::ToldMax,
         name: "clock.told_max_s",
-        about: "budget: a level told longer ago counts as not told, s",
+        about: "budget, links: for so long a robot promises nothing after it saw an assumption broken; links: what was told longer ago counts as not told, s",
         get: |of| Some(of.clock.told_max.as_secs_f64()),
         set: |of, to| of.clock.told_max = time(to),
         range: SECONDS,
@@ -308,20 +296,10 @@ pub const TABLE: [Row; 25] = [
     Row {
         field: Field::ClockError,
         name: "clock.error_s",
-        about: "budget: bound of the difference of any two clocks, s",
+        about: "bound of the difference of any two clocks, by which values are counted in a round, s",
         get: |of| Some(of.clock.error.as_secs_f64()),
         set: |of, to| of.clock.error = time(to),
         range: Allowed::Closed(0.0, 3_600.0),
-        limit: None,
-        why: "",
-    },
-    Row {
-        field: Field::ClockDrift,
-        name: "clock.drift_s",
-        about: "budget: bound of what any clock gains or loses in a second, s",
-        get: |of| Some(of.clock.drift.as_secs_f64()),
-        set: |of, to| of.clock.drift = time(to),
-        range: Allowed::Closed(0.0, 0.5),
         limit: None,
         why: "",
     },

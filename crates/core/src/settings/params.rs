@@ -72,6 +72,12 @@ impl<const D: usize> Params<D> {
         self.link != self.paper_link()
     }
 
+    /// True if robots tell each other levels of the paper's weight, from which φ_i follows.
+    #[must_use]
+    pub fn tells_paper_levels(&self) -> bool {
+        self.controller.tells_levels() && !self.weighs_its_own_way()
+    }
+
     /// Shape of the links of the settings, which is the paper's, whatever the controller. φ is about it.
     #[must_use]
     pub fn paper_link(&self) -> LinkShape {

@@ -59,7 +59,7 @@ impl<const D: usize> Team<D> {
 
     /// One tick in which all conspire against one honest robot, or two against each other.
     pub(crate) fn tick(&mut self, builder: Builder<'_, D>) -> Result<(), String> {
-        self.talk();
+        self.random = self.random.wrapping_add(1);
         let mut random = Seeded(self.random);
         let victims: Vec<usize> = self.honest().collect();
         let poorest = victims
@@ -121,7 +121,7 @@ impl<const D: usize> Team<D> {
             let after = self.at(moves, share);
             for k in self.honest() {
                 let (before, now) = (self.kept(&self.positions, k), self.kept(&after, k));
-                let floor = if before < 0.0 { before } else { self.budget.decayed(before, 1) };
+                let floor = if before < 0.0 { before } else { before - self.budget.loss_max(before) };
                 if now < floor - ROUNDING {
                     return Err(format!("h of {k} from {before:e} to {now:e}, allowed is {floor:e}"));
                 }

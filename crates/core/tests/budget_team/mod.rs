@@ -4,9 +4,9 @@
 
 use closeranks_core::controller::budget::curvature::Curvature;
 use closeranks_core::controller::budget::errors::ErrorBounds;
-use closeranks_core::controller::budget::knowledge::{Claim, Sighting};
+use closeranks_core::controller::budget::knowledge::Sighting;
 use closeranks_core::controller::budget::rows::Memory;
-use closeranks_core::controller::budget::settings::{Assume, Budget, Form, Trust};
+use closeranks_core::controller::budget::settings::{Assume, Budget, Form};
 use closeranks_core::equations::link::LinkShape;
 use closeranks_core::need::Need;
 use closeranks_core::num::{Vector, add_scaled, dot, length, subtract};
@@ -23,7 +23,7 @@ pub(crate) const ROWS_MAX: usize = 208;
 const SPACING_M: f64 = 0.31;
 const DISTANCE_MIN_M: f64 = 0.3;
 
-/// The rows of robot i from what it senses and hears.
+/// The rows of robot i from what it senses.
 pub(crate) type Builder<'a, const D: usize> =
     &'a dyn Fn(&Budget, RobotId, &[Sighting<D>], Reach<D>) -> Vec<Row<D>>;
 
@@ -57,9 +57,6 @@ pub(crate) struct Team<const D: usize> {
     pub(crate) malicious: Vec<bool>,
     pub(crate) budget: Budget,
     pub(crate) reach: Reach<D>,
-    /// What i last heard from j, `heard[i][j]`.
-    heard: Vec<Vec<Option<Claim>>>,
-    loss: f64,
     /// Bound of the error of every sensed position, m.
     pub(crate) error_m: f64,
     random: u64,
@@ -83,9 +80,7 @@ impl<const D: usize> Team<D> {
             distance_min_m: DISTANCE_MIN_M,
             move_max_m: reach.longest_m(),
             gamma: [0.2, 0.2, 0.7, 1.0][random.below(4)],
-            gain_slope: if seed % 4 == 3 { 5.0 } else { 0.0 },
             gamma_c: [0.2, 1.0][random.below(2)],
-            trust: [Trust::Told, Trust::ToldOrSeen, Trust::Seen][random.below(3)],
             assume,
             form,
             errors: ErrorBounds::NONE,
@@ -95,10 +90,7 @@ impl<const D: usize> Team<D> {
             malicious[random.below(count)] = true;
         }
         let positions = scatter(count, &mut random);
-        let heard = vec![vec![None; count]; count];
-        let loss = [0.0, 0.5, 0.95][random.below(3)];
-        let mut team =
-            Self { positions, malicious, budget, reach, heard, loss, error_m: 0.0, random: random.0 };
+        let mut team = Self { positions, malicious, budget, reach, error_m: 0.0, random: random.0 };
         team.stretch(random.between(0.0, 0.3)).then_some(team)
     }
 
@@ -171,35 +163,6 @@ impl<const D: usize> Team<D> {
         i != j && dot(&offset, &offset) <= radius_m * radius_m
     }
 
-    /// Everybody tells everybody; some messages are lost; malicious robots tell each neighbour another number.
-    pub(crate) fn talk(&mut self) {
-        let required = f64::from(self.need());
-        let levels: Vec<f64> = (0..self.count()).map(|k| self.told_level(k, required)).collect();
-        let mut random = Seeded(self.random);
-        for i in 0..self.count() {
-            for j in 0..self.count() {
-                if let Some(claim) = &mut self.heard[i][j] {
-                    claim.age_ticks += 1;
-                }
-                if random.between(0.0, 1.0) < self.loss || !self.in_range(i, j) {
-                    continue;
-                }
-                let lie = [random.between(-20.0, 20.0), 1e300, f64::NAN, f64::INFINITY]
-                    [random.below(12).saturating_sub(8)];
-                let level = if self.malicious[j] { lie } else { levels[j] };
-                self.heard[i][j] = Some(Claim { level, age_ticks: 0 });
-            }
-        }
-        self.random = random.0;
-    }
-
-    fn told_level(&self, k: usize, required: f64) -> f64 {
-        if self.error_m == 0.0 {
-            return self.h(&self.positions, k) + required;
-        }
-        self.budget.level(id(k), &self.sightings(k), &mut [0.0; 16])
-    }
-
     pub(crate) fn radius_m(&self) -> f64 {
         self.budget.curvature.link().radius_m
     }
@@ -211,7 +174,7 @@ impl<const D: usize> Team<D> {
     pub(crate) fn sightings(&self, i: usize) -> Vec<Sighting<D>> {
         let near = (0..self.count()).filter(|&j| self.in_range(i, j) || (self.error_m > 0.0 && i != j));
         let own = self.sensed(i, i);
-        near.map(|j| Sighting::new(id(j), subtract(&own, &self.sensed(i, j)), self.heard[i][j])).collect()
+        near.map(|j| Sighting::new(id(j), subtract(&own, &self.sensed(i, j)))).collect()
     }
 
     /// Where i senses j in this tick: anywhere up to the error from where it is, as a rule right at the bound.

@@ -71,7 +71,7 @@ pub(crate) fn message(sequence: u32, level: f64, value: Option<f64>) -> Message 
 }
 
 pub(crate) fn message_at(stamp: Instant, sequence: u32, level: f64, value: Option<f64>) -> Message {
-    Message::new(sequence, stamp, level, value).expect("finite numbers")
+    Message::new(sequence, stamp, Some(level), value).expect("finite numbers")
 }
 
 /// Calls `play` with the paper's parameters.

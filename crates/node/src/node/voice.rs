@@ -136,8 +136,10 @@ impl<const D: usize> Voice<D> for Lying {
         if message.value().is_some() {
             self.liars.begin_round(values.iter().copied());
         }
-        let level = self.liars.level(self.index, message.level());
-        pilot.restate(level);
+        let level = message.level().map(|level| self.liars.level(self.index, level));
+        if let Some(level) = level {
+            pilot.restate(level);
+        }
         if self.liars.binds(self.index) {
             pilot.oblige();
         }

@@ -1,6 +1,4 @@
-//! What each stated error costs: reach of links, room between robots, h, and what told levels are still worth.
-
-use core::time::Duration;
+//! What each stated error costs: reach of links, room between robots, and h.
 
 use closeranks_core::settings::params::{Params, ParamsError};
 
@@ -26,8 +24,6 @@ pub struct Cost {
     pub h: f64,
     /// By how much that is less than with nothing stated.
     pub h_lost: f64,
-    /// The part of a told h that still counts when it is told in this tick.
-    pub told: f64,
     /// The spacings of a patch.
     pub spacings: Spacings,
 }
@@ -41,8 +37,6 @@ pub enum Stated {
     Position,
     /// `tracking_error_m`, which may follow from a lag.
     Tracking,
-    /// `error_s` of clocks.
-    Clock,
     /// `hold_max_s` beyond the tick.
     Hold,
     /// All of them together.
@@ -53,7 +47,7 @@ pub enum Stated {
 pub(super) fn costs<const D: usize>(question: &Question, spacing_m: f64) -> Result<Vec<Cost>, ParamsError> {
     let all = question.settled();
     let mut exact = all.clone();
-    (exact.errors, exact.clock.error, exact.clock.hold_max) = Default::default();
+    (exact.errors, exact.clock.hold_max) = Default::default();
     let none = Cost::new::<D>(Stated::Nothing, 0.0, &exact, spacing_m)?;
     let h = none.h;
     let mut costs = vec![none];
@@ -70,7 +64,7 @@ pub(super) fn costs<const D: usize>(question: &Question, spacing_m: f64) -> Resu
 }
 
 /// Each error with how much of it is stated, and the scenario in which it alone is.
-fn alone(all: &Scenario, exact: &Scenario) -> [(Stated, f64, Scenario); 4] {
+fn alone(all: &Scenario, exact: &Scenario) -> [(Stated, f64, Scenario); 3] {
     let with = |change: fn(&mut Scenario, &Scenario)| {
         let mut scenario = exact.clone();
         change(&mut scenario, all);
@@ -88,7 +82,6 @@ fn alone(all: &Scenario, exact: &Scenario) -> [(Stated, f64, Scenario); 4] {
             all.errors.tracking_m,
             with(|one, all| one.errors.tracking_m = all.errors.tracking_m),
         ),
-        (Stated::Clock, all.clock.error.as_secs_f64(), with(|one, all| one.clock.error = all.clock.error)),
         (Stated::Hold, jitter.as_secs_f64(), with(|one, all| one.clock.hold_max = all.clock.hold_max)),
     ]
 }
@@ -110,7 +103,6 @@ impl Cost {
             move_max_m: params.reach().longest_m(),
             h: h_at(&params, spacing_m),
             h_lost: 0.0,
-            told: told(&params),
             spacings: Spacings::new(&params),
         })
     }
@@ -121,15 +113,4 @@ fn h_at<const D: usize>(params: &Params<D>, spacing_m: f64) -> f64 {
     let robots = params.settings().team.robots;
     let positions_m = start(robots, spacing_m, D).positions::<D>(robots, 0).unwrap_or_default();
     Levels::new(params).map_or(f64::NEG_INFINITY, |mut levels| levels.least(&positions_m).1)
-}
-
-/// The part of h = 1 that counts of a level told in this tick: it is as old as clocks may differ, in ticks rounded up.
-fn told<const D: usize>(params: &Params<D>) -> f64 {
-    let clock = &params.settings().clock;
-    if clock.error > clock.told_max {
-        return 0.0;
-    }
-    let ticks = clock.error.as_nanos().div_ceil(clock.level_period.max(Duration::from_nanos(1)).as_nanos());
-    let ticks = u32::try_from(ticks).unwrap_or(u32::MAX);
-    params.budget().map_or(0.0, |budget| budget.decayed(1.0, ticks))
 }

@@ -26,8 +26,7 @@ impl<'a, const D: usize> Levels<'a, D> {
         let own = positions_m[index];
         self.sightings.clear();
         let others = (1_u16..).zip(positions_m).filter(|(id, _)| usize::from(*id) != index + 1);
-        let sighting =
-            |(id, place): (u16, &Vector<D>)| Sighting::new(RobotId(id), subtract(&own, place), None);
+        let sighting = |(id, place): (u16, &Vector<D>)| Sighting::new(RobotId(id), subtract(&own, place));
         self.sightings.extend(others.map(sighting));
         self.scratch.resize(self.sightings.len(), 0.0);
         let id = RobotId(u16::try_from(index + 1).unwrap_or(u16::MAX));

@@ -1,4 +1,4 @@
-//! Lies about the connectivity level c_i: what they are, how a scenario writes them, and how they are told.
+//! Lies about the connectivity level c_i, for controllers that tell levels: what they are, how a scenario writes them, and how they are told.
 //!
 //! A new lie is a variant of [`LevelAttack`], its row in `KINDS`, and its arm in `LevelLiar::level` or
 //! `LevelLiar::to_one`.
@@ -112,8 +112,8 @@ pub(crate) enum LevelFace {
     Silence,
     /// These bytes arrive.
     Bytes([u8; MESSAGE_BYTES]),
-    /// A message with this level arrives.
-    Level(f64),
+    /// A message with this level arrives, if levels are told.
+    Level(Option<f64>),
 }
 
 /// Tells the lies of a run.
@@ -184,7 +184,9 @@ impl LevelLiar {
         match self.attack {
             LevelAttack::Silent => LevelFace::Silence,
             LevelAttack::Garbage => LevelFace::Bytes(garbage(message, random)),
-            LevelAttack::Faces { min, max } => LevelFace::Level(random.uniform(min, max)),
+            LevelAttack::Faces { min, max } => {
+                LevelFace::Level(message.level().map(|_| random.uniform(min, max)))
+            }
             _ => LevelFace::Level(message.level()),
         }
     }
@@ -193,7 +195,8 @@ impl LevelLiar {
 /// A message in which one number is no number or much too large, or in which one byte is wrong.
 fn garbage(message: &Message, random: &mut Random) -> [u8; MESSAGE_BYTES] {
     let far = Instant::from_nanos(u64::MAX);
-    let huge = Message::new(u32::MAX, far, f64::MAX, message.value().map(|_| -VALUE_MAX));
+    let (level, value) = (message.level().map(|_| f64::MAX), message.value().map(|_| -VALUE_MAX));
+    let huge = Message::new(u32::MAX, far, level, value);
     let mut bytes = huge.map_or_else(|_| message.encode(), |huge| huge.encode());
     let numbers = [f64::NAN, f64::INFINITY, f64::NEG_INFINITY, -f64::MAX, 1e18, 0.0];
     #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "at most 32")]

@@ -163,7 +163,7 @@ controllers! {
         /// Ours (docs/budget.md).
         Budget: Row {
             name: "budget",
-            about: "ours: a guarantee in discrete time, for any lie and any loss of messages",
+            about: "ours, from what is sensed alone: a guarantee in discrete time that no message can touch",
             knows: Knows::Local,
             guarantees: true,
             uses_phi: false,

@@ -179,8 +179,10 @@ impl<const D: usize, T: Transport> Fleet<D, T> {
         }
         for (index, (robot, slot)) in self.robots.iter_mut().zip(&mut self.outbox).enumerate() {
             let Some(message) = *slot else { continue };
-            let level = liars.level(index, message.level());
-            robot.restate(level);
+            let level = message.level().map(|level| liars.level(index, level));
+            if let Some(level) = level {
+                robot.restate(level);
+            }
             if liars.binds(index) {
                 robot.oblige();
             }
@@ -248,7 +250,7 @@ impl<const D: usize, T: Transport> Fleet<D, T> {
     fn control(&mut self, frame: &mut Frame<D>, liars: &mut Liars) {
         let input = self.params.settings().limits.input;
         let mut scratch = self.memory.lend();
-        let (mut ends, own_way): (u32, bool) = (0, self.params.weighs_its_own_way());
+        let (mut ends, tells): (u32, bool) = (0, self.params.tells_paper_levels());
         for (index, robot) in self.robots.iter_mut().enumerate() {
             if self.edges.downtime.down(index) {
                 stand(index, frame, &self.edges.downtime);
@@ -269,7 +271,7 @@ impl<const D: usize, T: Transport> Fleet<D, T> {
             frame.told[index] = robot.told_level();
             frame.phis[index] = match output.report.phi {
                 Some(phi) => phi,
-                None if frame.wants_phi && !own_way => phi(robot, &self.composed),
+                None if frame.wants_phi && tells => phi(robot, &self.composed),
                 None => f64::NAN,
             };
             frame.outcomes[index] = output.report.outcome;

@@ -14,8 +14,6 @@ use crate::scenario::Scenario;
 const STILL_M: f64 = 1e-13;
 /// The rounding of a squared distance, as a fraction of it, is smaller than this.
 const ROUNDING: f64 = 1e-9;
-/// The rounding of a clock is smaller than this, s.
-const CLOCK_S: f64 = 1e-9;
 
 /// Fills the references and the [`Assumptions`](crate::frame::Assumptions) of every frame of a run.
 #[derive(Clone, Debug)]
@@ -26,30 +24,24 @@ pub(crate) struct Judge {
     /// Stated bound of the distance between a robot and its reference, m. Only `budget` has room for one.
     away_m: f64,
     position_error_m: f64,
-    clock_error_s: f64,
-    clock_drift: f64,
 }
 
 impl Judge {
     /// For the robots of `scenario`.
     pub(crate) fn new<const D: usize>(scenario: &Scenario, params: &Params<D>) -> Self {
-        let settings = params.settings();
         let obedient = params.controller().is_obeyed();
         let disobedient = scenario.attack.motion != MotionAttack::Obedient && !scenario.malicious.is_empty();
         Self {
             malicious: scenario.malicious_mask(),
             disobeyed: obedient && disobedient,
             away_m: params.kept().errors.away_m,
-            position_error_m: settings.errors.position_m,
-            clock_error_s: settings.clock.error.as_secs_f64(),
-            clock_drift: settings.clock.drift.as_secs_f64(),
+            position_error_m: params.settings().errors.position_m,
         }
     }
 
     /// Fills references and assumptions of `frame`, whose robots ticked and did not move yet.
     pub(crate) fn judge<const D: usize>(
         &self,
-        tick: u32,
         frame: &mut Frame<D>,
         robots: &dyn Robots<D>,
         bodies: &Bodies<D>,
@@ -66,14 +58,8 @@ impl Judge {
         for (index, unsensed) in frame.assumptions.unsensed.iter_mut().enumerate() {
             *unsensed = edges.is_some_and(|edges| edges.sight.misses(index));
         }
-        let misled = edges.is_some_and(|edges| {
-            let clocks = &edges.clocks;
-            edges.downtime.blind()
-                || clocks.difference_s(tick) > self.clock_error_s + CLOCK_S
-                || clocks.drift() > self.clock_drift + CLOCK_S
-        });
         frame.assumptions.broken = self.disobeyed
-            || misled
+            || edges.is_some_and(|edges| edges.downtime.blind())
             || self.is_away(frame, bodies)
             || frame.assumptions.sensed_wrong.contains(&true)
             || frame.assumptions.renewed;

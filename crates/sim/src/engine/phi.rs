@@ -85,9 +85,9 @@ pub(crate) struct PaperPhi {
 }
 
 impl PaperPhi {
-    /// `None` where robots weigh links as the paper does.
+    /// `None` where robots tell levels, of the weight that the paper gives to links.
     pub(crate) fn new<const D: usize>(scenario: &Scenario, params: &Params<D>) -> Option<Self> {
-        params.weighs_its_own_way().then(|| Self {
+        (!params.tells_paper_levels()).then(|| Self {
             phi: Phi::new(scenario),
             link: params.paper_link(),
             near: Near::default(),

@@ -4,9 +4,9 @@
 //! both ends. Sums are taken in order of robot numbers, as a robot takes them, and every robot decides by the same
 //! function of its controller.
 
-use closeranks_core::controller::{Control, Decision, Glimpse, Low, Motion, Neighbor, Own, Standing};
+use closeranks_core::controller::{Control, Decision, Glimpse, Motion, Neighbor, Own, Standing};
 use closeranks_core::equations::barrier::degree_barrier;
-use closeranks_core::num::{Vector, dot, sqrt, subtract};
+use closeranks_core::num::{Vector, dot, subtract};
 use closeranks_core::robot::neighbor::RobotId;
 use closeranks_core::robot::scratch::Scratch;
 use closeranks_core::settings::params::Params;
@@ -47,14 +47,13 @@ struct Robots<const D: usize, C: Control<D>> {
     told: Vec<C::Told>,
     sums: Vec<C::Sums>,
     /// What can be said of each, and what those who see everybody know of it.
-    others: Vec<Other<C::Told, C::Known>>,
+    others: Vec<Other<C::Known>>,
 }
 
 /// What can be said of a robot in a tick, in one place, because every neighbour asks for all of it.
 #[derive(Clone, Copy, Debug)]
-struct Other<Told, Known> {
+struct Other<Known> {
     told_level: f64,
-    told: Told,
     level: f64,
     degree: u16,
     known: Known,
@@ -88,7 +87,7 @@ impl<const D: usize, C: Control<D> + Copy> Team<D, C> {
         Self {
             robots,
             consensus: Consensus::new(scenario, values),
-            phi: (!params.weighs_its_own_way()).then(|| Phi::new(scenario)),
+            phi: params.tells_paper_levels().then(|| Phi::new(scenario)),
             memory: Memory::new(&params, count),
             tick: 0,
         }
@@ -121,17 +120,17 @@ impl<const D: usize, C: Control<D> + Copy> Robots<D, C> {
         self.told.clear();
         for (index, level) in frame.levels.iter().enumerate() {
             frame.h[index] = degree_barrier(*level, self.params.need().need(id(index)));
-            frame.told[index] = liars.level(index, *level);
-            self.told.push(self.controller.told(id(index), Some(frame.told[index])));
+            let tells = self.controller.tells_levels();
+            frame.told[index] = if tells { liars.level(index, *level) } else { *level };
+            self.told.push(self.controller.told(Some(frame.told[index])));
         }
         self.others.clear();
         if C::LOOKS {
             self.others.extend((0..frame.told.len()).map(|other| Other {
                 told_level: frame.told[other],
-                told: self.told[other],
                 level: frame.levels[other],
                 degree: frame.degrees[other],
-                known: self.controller.know(&glimpse(frame, &self.told, other)),
+                known: self.controller.know(&glimpse(frame, other)),
             }));
         }
     }
@@ -190,9 +189,9 @@ impl<const D: usize, C: Control<D> + Copy> Robots<D, C> {
             if looker.unseen > 0 {
                 dense.look_around(robot);
             }
-            let neighbors = dense.neighbors(robot).map(|(other, pair)| {
-                self.neighbor(&looker, other, pair, Low::Known(dense.low(other)), frame)
-            });
+            let neighbors = dense
+                .neighbors(robot)
+                .map(|(other, pair)| self.neighbor(&looker, other, pair, || dense.low(other), frame));
             let decision = self.decide(robot, neighbors, frame, scratch);
             self.take(robot, &decision, frame);
         }
@@ -206,7 +205,7 @@ impl<const D: usize, C: Control<D> + Copy> Robots<D, C> {
             let neighbors = self.around.of(robot).iter().map(|half| {
                 let other = usize::from(half.other);
                 let low = || self.seen_level(robot, other);
-                self.neighbor(&looker, other, half.pair as usize, Low::Asked(&low), frame)
+                self.neighbor(&looker, other, half.pair as usize, low, frame)
             });
             let decision = self.decide(robot, neighbors, frame, scratch);
             self.take(robot, &decision, frame);
@@ -249,25 +248,23 @@ impl<const D: usize, C: Control<D> + Copy> Robots<D, C> {
         looker: &Looker<D>,
         other: usize,
         pair: usize,
-        low: Low<'_>,
+        low: impl Fn() -> f64,
         frame: &Frame<D>,
     ) -> Neighbor<'_, D, C::Pair, C::Known> {
         let offset_m = subtract(&looker.position_m, &frame.positions_m[other]);
         let (pair, id) = (Some(&self.links.pairs()[pair].pair), id(other));
-        let Other { told_level, told, level, degree, known } = &self.others[other];
+        let Other { told_level, level, degree, known } = &self.others[other];
         if looker.unseen == 0 {
             return Neighbor { id, offset_m, pair, known: *known };
         }
         let known = self.controller.know(&Glimpse {
             id,
             told_level: *told_level,
-            told,
             level: *level,
             degree: *degree,
             unseen: looker.unseen,
             unseen_near: self.sees.unseen_near(looker.index, other),
-            distance_m: sqrt(dot(&offset_m, &offset_m)),
-            low,
+            low: low(),
         });
         Neighbor { id, offset_m, pair, known }
     }
@@ -290,23 +287,21 @@ impl<const D: usize, C: Control<D> + Copy> Robots<D, C> {
         let offset_m = subtract(&frame.positions_m[robot], &frame.positions_m[other]);
         let radius_m = self.params.link().radius_m;
         let in_range = radius_m * radius_m - dot(&offset_m, &offset_m) >= 0.0;
-        let known = self.controller.know(&glimpse(frame, &self.told, other));
+        let known = self.controller.know(&glimpse(frame, other));
         in_range.then_some(Neighbor { id: id(other), offset_m, pair: None, known })
     }
 }
 
 /// What whoever sees everybody sees of `other`.
-fn glimpse<'a, const D: usize, Told>(frame: &Frame<D>, told: &'a [Told], other: usize) -> Glimpse<'a, Told> {
+fn glimpse<const D: usize>(frame: &Frame<D>, other: usize) -> Glimpse {
     Glimpse {
         id: id(other),
         told_level: frame.told[other],
-        told: &told[other],
         level: frame.levels[other],
         degree: frame.degrees[other],
         unseen: 0,
         unseen_near: 0,
-        distance_m: 0.0,
-        low: Low::Known(0.0),
+        low: 0.0,
     }
 }
 

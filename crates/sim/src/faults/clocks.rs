@@ -16,8 +16,6 @@ pub struct Clocks {
     pub offset_max_s: f64,
     /// Each clock is fast or slow by up to this, s/s.
     pub drift_max: f64,
-    /// All clocks are slow together by this, s/s.
-    pub slow: f64,
 }
 
 impl Clocks {
@@ -26,7 +24,6 @@ impl Clocks {
         let mut clocks = Self::default();
         set(&mut clocks.offset_max_s, reader.number(section, "offset_max_s", Allowed::Closed(0.0, 3_600.0)));
         set(&mut clocks.drift_max, reader.number(section, "drift_max", Allowed::Closed(0.0, 0.5)));
-        set(&mut clocks.slow, reader.number(section, "slow", Allowed::Closed(0.0, 0.4)));
         clocks
     }
 }
@@ -43,12 +40,12 @@ impl Shown {
     /// The clocks of so many robots that tick every `tick`.
     #[must_use]
     pub fn new(clocks: Clocks, seed: u64, robots: u16, tick: Duration) -> Self {
-        let Clocks { offset_max_s, drift_max, slow } = clocks;
+        let Clocks { offset_max_s, drift_max } = clocks;
         let mut random = Random::new(seed, Stream::Clocks);
         let mut draws = |min, max| (0..robots).map(|_| random.uniform(min, max)).collect();
         Self {
             offsets_s: draws(0.0, offset_max_s),
-            drifts: draws(-drift_max - slow, drift_max - slow),
+            drifts: draws(-drift_max, drift_max),
             tick_nanos: u64::try_from(tick.as_nanos()).unwrap_or(u64::MAX),
         }
     }
@@ -67,22 +64,6 @@ impl Shown {
         let off = off as i64;
         Instant::from_nanos(world.saturating_add_signed(off))
     }
-
-    /// The most that a clock gains or loses, s/s.
-    #[must_use]
-    pub fn drift(&self) -> f64 {
-        self.drifts.iter().fold(0.0, |most, drift| most.max(drift.abs()))
-    }
-
-    /// Greatest difference between any two clocks at `tick`, s.
-    #[must_use]
-    pub fn difference_s(&self, tick: u32) -> f64 {
-        let shown = (0..self.offsets_s.len()).map(|index| self.now(index, tick).as_nanos());
-        let (low, high) = shown.fold((u64::MAX, 0), |(low, high), now| (low.min(now), high.max(now)));
-        #[expect(clippy::cast_precision_loss, reason = "a difference")]
-        let nanos = high.saturating_sub(low) as f64;
-        nanos * 1e-9
-    }
 }
 
 #[cfg(test)]
@@ -93,11 +74,14 @@ mod tests {
     fn clocks_differ_by_their_offsets_and_ever_more_by_their_drifts() {
         let shown = |clocks| Shown::new(clocks, 1, 11, Duration::from_millis(5));
         assert_eq!(shown(Clocks::default()).now(3, 7), Instant::from_nanos(35_000_000));
-        let shown = shown(Clocks { offset_max_s: 0.2, drift_max: 0.01, slow: 0.0 });
-        assert!((0.05..=0.2).contains(&shown.difference_s(0)));
-        assert!((0.05..=0.4).contains(&shown.difference_s(2_000)), "at most 0.2 more after 10 s");
-        assert!(shown.drift() <= 0.01 && shown.drift() > 0.005);
-        assert_ne!(shown.difference_s(0), shown.difference_s(2_000));
+        let shown = shown(Clocks { offset_max_s: 0.2, drift_max: 0.01 });
+        let spread_s = |tick| {
+            let times = || (0..11).map(|index| shown.now(index, tick));
+            times().max().zip(times().min()).map_or(0.0, |(last, first)| last.since(first).as_secs_f64())
+        };
+        assert!((0.05..=0.2).contains(&spread_s(0)));
+        assert!((0.05..=0.4).contains(&spread_s(2_000)), "at most 0.2 more after 10 s");
+        assert_ne!(spread_s(0), spread_s(2_000));
         assert!((0..11).all(|index| shown.now(index, 1) > shown.now(index, 0)));
     }
 }

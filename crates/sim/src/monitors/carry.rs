@@ -19,8 +19,8 @@ pub(crate) struct Carry<const D: usize> {
     params: Params<D>,
     malicious: Vec<bool>,
     told_ticks: u64,
-    /// γ and κ, by which h may fall; written down once more.
-    shares: [f64; 2],
+    /// γ, the part of h that a tick may take; written down once more.
+    gamma: f64,
     before: Option<Before<D>>,
     /// The last tick in which an assumption was broken.
     broken: Option<u32>,
@@ -46,7 +46,7 @@ impl<const D: usize> Carry<D> {
         Self {
             malicious: scenario.malicious_mask(),
             told_ticks,
-            shares: params.budget().map_or([1.0, 0.0], |budget| [budget.gamma, budget.gain_slope]),
+            gamma: params.budget().map_or(1.0, |budget| budget.gamma),
             mode: ModeWatch::new(scenario, params, told_ticks),
             rest: RestWatch::new(scenario, params),
             distances: Distances::new(scenario, params),
@@ -123,8 +123,7 @@ impl<const D: usize> Carry<D> {
 
     /// What a tick leaves of h at least (docs/budget.md), written down once more.
     fn left(&self, h: f64) -> f64 {
-        let [gamma, rise] = self.shares;
-        if h < 0.0 { h } else { (1.0 - gamma) * h / (1.0 + rise * gamma * h) }
+        if h < 0.0 { h } else { (1.0 - self.gamma) * h }
     }
 
     /// h of normal robots, and their degrees, which follow from it (lem:connectivity).

@@ -191,7 +191,7 @@ fn trimmed<const D: usize>(params: &Params<D>, frame: &Frame<D>, robot: usize) -
     let id = |index: usize| RobotId(u16::try_from(index + 1).unwrap_or(u16::MAX));
     let others = frame.positions_m.iter().enumerate().filter(|(other, _)| *other != robot);
     let sightings: Vec<Sighting<D>> =
-        others.map(|(other, x)| Sighting::new(id(other), subtract(&own, x), None)).collect();
+        others.map(|(other, x)| Sighting::new(id(other), subtract(&own, x))).collect();
     let scratch = &mut vec![0.0; sightings.len()];
     params.budget().map_or(0.0, |budget| budget.level(id(robot), &sightings, scratch))
 }

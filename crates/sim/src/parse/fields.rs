@@ -1,6 +1,6 @@
 //! Every field of a scenario text, with its default and range.
 
-use closeranks_core::controller::budget::settings::{Assume, Trust};
+use closeranks_core::controller::budget::settings::Assume;
 use closeranks_core::equations::composition::PhiSplit;
 use closeranks_core::settings::field::TABLE;
 use closeranks_core::settings::range::{Allowed, MAGNITUDE_MAX, ROBOTS_MAX};
@@ -100,8 +100,6 @@ fn controller(reader: &mut Reader, section: &mut Section<'_>, scenario: &mut Sce
     numbers(reader, section, "controller", scenario);
     let splits = [("neighbours", PhiSplit::Neighbors), ("own", PhiSplit::Own)];
     set(&mut scenario.composed.phi_split, reader.word(section, "share", &splits));
-    let trusts = [("told", Trust::Told), ("told-or-seen", Trust::ToldOrSeen), ("seen", Trust::Seen)];
-    set(&mut scenario.budget.trust, reader.word(section, "trust", &trusts));
     let assumptions = [("obedient", Assume::Obedient), ("free", Assume::Free)];
     let assumed = reader.word(section, "assume", &assumptions);
     set(&mut scenario.budget.assume, assumed);

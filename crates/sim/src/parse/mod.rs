@@ -5,6 +5,7 @@ pub(crate) mod column;
 pub(crate) mod common;
 mod fields;
 mod files;
+mod gone;
 mod inline;
 mod problem;
 pub(crate) mod reader;

@@ -9,6 +9,7 @@ use toml::de::{DeTable, DeValue};
 
 use super::column::{Column, names};
 use super::files::Files;
+use super::gone;
 use super::problem::Problem;
 
 /// Collects problems and the places of fields while a text is read.
@@ -325,9 +326,11 @@ impl Reader {
         let Some(entries) = section.entries.filter(|_| !section.unclear) else { return };
         for (key, _) in entries {
             if !section.known.contains(&key.get_ref().as_ref()) {
-                let found = "not a field here".to_owned();
-                let allowed = one_of(section.known.iter().copied());
                 let field = section.name(&printable(key.get_ref()));
+                let (found, allowed) = match gone::instead(&field) {
+                    Some(instead) => ("no longer a field".to_owned(), instead.to_owned()),
+                    None => ("not a field here".to_owned(), one_of(section.known.iter().copied())),
+                };
                 self.problems.push(Problem { span: key.span(), field, found, allowed });
             }
         }

@@ -261,7 +261,7 @@ impl<const D: usize> World<D> {
             let edges = self.robots.edges();
             phi.fill(&mut self.frame, |robot| edges.is_some_and(|edges| edges.downtime.down(robot)));
         }
-        self.judge.judge(tick, &mut self.frame, self.robots.as_ref(), &self.bodies);
+        self.judge.judge(&mut self.frame, self.robots.as_ref(), &self.bodies);
         self.monitors.watch(tick, &self.frame);
         self.collector.watch(&self.scenario, &self.frame, &self.monitors);
         for index in 0..self.frame.values.len() {

@@ -15,7 +15,7 @@ const ROWS: &str = "core/src/controller/links/rows.rs";
 const LINKS: &str = "core/src/controller/links/control.rs";
 const INEQUALITY: &str = "core/src/controller/budget/inequality.rs";
 
-pub(crate) const MUTANTS: [Mutant; 32] = [
+pub(crate) const MUTANTS: [Mutant; 34] = [
     Mutant {
         name: "gradient with the wrong sign",
         law: "decay",
@@ -65,26 +65,12 @@ pub(crate) const MUTANTS: [Mutant; 32] = [
         )],
     },
     Mutant {
-        name: "stale levels not discounted",
-        law: "decay",
-        lines: &[(
-            "core/src/controller/budget/knowledge.rs",
-            "ticks => self.decayed(larger(spare, 0.0), ticks)",
-            "_ => larger(spare, 0.0)",
-        )],
-    },
-    Mutant {
-        name: "age from receipt",
-        law: "decay",
-        lines: &[(CONTROL, "checked_since(told.stamp)", "checked_since(told.at)")],
-    },
-    Mutant {
-        name: "claims not cut, budgets fourfold",
+        name: "more counted on than is seen, budgets fourfold",
         law: "spare",
         lines: &[(
             "core/src/controller/budget/knowledge.rs",
-            "budget: larger(believed, 0.0),",
-            "budget: 4.0 * larger(believed, 0.0) + 1.0,",
+            "budget: larger(seen.low - need, 0.0),",
+            "budget: 4.0 * larger(seen.low - need, 0.0) + 1.0,",
         )],
     },
     Mutant {
@@ -193,6 +179,38 @@ pub(crate) const MUTANTS: [Mutant; 32] = [
             "core/src/robot/missing.rs",
             "slot.unsensed_m = if missing { gone_m } else { 0.0 };",
             "slot.unsensed_m = if missing { f64::MIN_POSITIVE } else { 0.0 };",
+        )],
+    },
+    Mutant {
+        name: "begins anew without saying so",
+        law: "decay",
+        lines: &[("core/src/robot/assurance.rs", "self.anew = true;", "self.anew = false;")],
+    },
+    Mutant {
+        name: "tolerances that grow with R",
+        law: "mode",
+        lines: &[(
+            "core/src/controller/budget/recovery.rs",
+            "let hair_m2 = NEAR_ROUNDING * self.distance_min_m * self.distance_min_m;",
+            "let hair_m2 = NEAR_ROUNDING * self.curvature.link().radius_m * self.curvature.link().radius_m;",
+        )],
+    },
+    Mutant {
+        name: "rounding at the limit costs a promise",
+        law: "mode",
+        lines: &[(
+            "core/src/controller/budget/recovery.rs",
+            "const H_ROUNDING: f64 = 1e-11;",
+            "const H_ROUNDING: f64 = 0.0;",
+        )],
+    },
+    Mutant {
+        name: "robots out of sight counted as no neighbours",
+        law: "decay",
+        lines: &[(
+            "core/src/controller/budget/survey.rs",
+            "let (low, degree) = (*lows.get(index)?, count(unseen) + *degrees.get(index)?);",
+            "let (low, degree) = (*lows.get(index)?, 0.0 * count(unseen) + *degrees.get(index)?);",
         )],
     },
     Mutant {

@@ -1,11 +1,9 @@
-//! The controller `budget` as a robot runs it: what it senses and hears as rows, the closest velocity, and its worth.
-
-use core::time::Duration;
+//! The controller `budget` as a robot runs it: what it senses as rows, the closest velocity, and its worth.
 
 use crate::controller::budget::Move;
 use crate::controller::budget::curvature::Curvature;
 use crate::controller::budget::inequality::{self, Pair};
-use crate::controller::budget::knowledge::{Claim, KnownMargin, Sighting};
+use crate::controller::budget::knowledge::{KnownMargin, Sighting};
 use crate::controller::budget::recovery::H_ROUNDING;
 use crate::controller::budget::rows::{Memory, Rows};
 use crate::controller::budget::settings::{Assume, Budget, Form};
@@ -15,11 +13,10 @@ use crate::need::Need;
 use crate::num::{Vector, sqrt};
 use crate::program::InputBox;
 use crate::program::balls::reach::Reach;
-use crate::robot::neighbor::{RobotId, Slot};
+use crate::robot::neighbor::Slot;
 use crate::robot::report::{Mode, Reason};
 use crate::robot::scratch::{Needs, Scratch};
-use crate::settings::{BudgetSettings, Clock, Settings};
-use crate::time::Instant;
+use crate::settings::{BudgetSettings, Settings};
 
 /// The controller with its parameters.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -29,7 +26,6 @@ pub struct BudgetController<const D: usize> {
     reach: Reach<D>,
     input: InputBox<D>,
     hold_s: f64,
-    clock: Clock,
 }
 
 impl<const D: usize> BudgetController<D> {
@@ -45,49 +41,24 @@ impl<const D: usize> BudgetController<D> {
             distance_min_m: settings.limits.distance_min_m + 2.0 * errors.away_m,
             move_max_m: reach.longest_m(),
             gamma: weight.gamma,
-            gain_slope: parameters.gain_slope,
             gamma_c: weight.gamma_c,
-            trust: parameters.trust,
             assume: parameters.assume,
             form: Form::Level,
             errors,
         };
-        Self {
-            budget,
-            reach,
-            input: settings.limits.input,
-            hold_s: settings.clock.hold_max().as_secs_f64(),
-            clock: settings.clock,
-        }
+        let hold_s = settings.clock.hold_max().as_secs_f64();
+        Self { budget, reach, input: settings.limits.input, hold_s }
     }
 
     /// Fills the sightings from the slots and returns how many there are.
-    fn see(&self, view: &View<'_, D>, sightings: &mut [Sighting<D>]) -> usize {
-        let latest = view.now.after(self.clock.error);
+    fn see(view: &View<'_, D>, sightings: &mut [Sighting<D>]) -> usize {
         let mut count = 0;
         for (sighting, slot) in sightings.iter_mut().zip(view.in_view()) {
             let Slot { id, offset_m, position_m, unsensed_m, .. } = *slot;
-            let claim = self.claim_of(slot, latest);
-            *sighting = Sighting { id, offset_m, position_m, claim, unsensed_m };
+            *sighting = Sighting { id, offset_m, position_m, unsensed_m };
             count += 1;
         }
         count
-    }
-
-    /// What a neighbour told; `None` if that is from later than `latest`.
-    fn claim_of(&self, slot: &Slot<D>, latest: Instant) -> Option<Claim> {
-        let told = slot.told?;
-        self.claim(told.level, latest.checked_since(told.stamp)?)
-    }
-
-    /// The claim of a level told `age` ago. Its age is counted in whole ticks of the fastest clock, rounded up. `None` if it is
-    /// too old, or older than can be counted: a claim that counted as younger than it is would be worth too much.
-    //= theory sec:clocks
-    #[must_use]
-    pub fn claim(&self, level: f64, age: Duration) -> Option<Claim> {
-        let age_ticks =
-            if age.is_zero() { 0 } else { ticks(self.clock.stretched(age), self.clock.level_period)? };
-        (age <= self.clock.told_max).then_some(Claim { level, age_ticks })
     }
 
     fn desired_m(&self, velocity_m_s: &Vector<D>) -> Vector<D> {
@@ -106,8 +77,7 @@ impl<const D: usize> BudgetController<D> {
 
 impl<const D: usize> Control<D> for BudgetController<D> {
     type Pair = Pair;
-    /// What is left of the claim above what is needed.
-    type Told = f64;
+    type Told = ();
     type Sums = ();
     type Known = KnownMargin;
 
@@ -155,7 +125,7 @@ impl<const D: usize> Control<D> for BudgetController<D> {
             let counted = view.linked().filter(|slot| self.budget.need.counts(view.id, slot.id));
             return counted.fold(0.0, |level, slot| level + slot.link.weight);
         }
-        let count = self.see(view, scratch.sightings);
+        let count = Self::see(view, scratch.sightings);
         self.budget.level(view.id, &scratch.sightings[..count], scratch.values)
     }
 
@@ -175,21 +145,16 @@ impl<const D: usize> Control<D> for BudgetController<D> {
         }
     }
 
-    /// What counts of a level that was told in this tick.
-    #[inline]
-    fn told(&self, robot: RobotId, level: Option<f64>) -> f64 {
-        let claim = level.and_then(|level| self.claim(level, self.clock.error));
-        self.budget.discounted_claim(robot, claim)
-    }
+    fn told(&self, _level: Option<f64>) {}
 
-    fn sums(&self, _own: &f64) {}
+    fn sums(&self, (): &()) {}
 
-    fn hear(&self, (): &mut (), _told: &f64) {}
+    fn hear(&self, (): &mut (), (): &()) {}
 
-    fn add(&self, (): &mut (), _offset_m: &Vector<D>, _pair: &Pair, _told: [&f64; 2]) {}
+    fn add(&self, (): &mut (), _offset_m: &Vector<D>, _pair: &Pair, _told: [&(); 2]) {}
 
     #[inline]
-    fn know(&self, glimpse: &Glimpse<'_, f64>) -> KnownMargin {
+    fn know(&self, glimpse: &Glimpse) -> KnownMargin {
         self.budget.known_of(glimpse)
     }
 
@@ -213,7 +178,7 @@ impl<const D: usize> Control<D> for BudgetController<D> {
     }
 
     fn alone(&self, view: &View<'_, D>, desired: &Vector<D>, scratch: &mut Scratch<'_, D>) -> Decision<D> {
-        let count = self.see(view, scratch.sightings);
+        let count = Self::see(view, scratch.sightings);
         let memory = Memory { rows: scratch.rows, weights: scratch.values };
         let desired_m = self.desired_m(desired);
         let mut rows = self.budget.rows(view.id, &scratch.sightings[..count], &desired_m, self.reach, memory);
@@ -241,49 +206,4 @@ impl<const D: usize> Control<D> for BudgetController<D> {
 fn rows(dimension: usize, blurred: bool, neighbors: usize) -> usize {
     let corners = if blurred { 1 << dimension.min(8) } else { 1 };
     neighbors.saturating_mul(2).saturating_add(1).saturating_mul(corners).saturating_add(2 * dimension)
-}
-
-/// `age` in periods, rounded up; a longer period than 64 bits hold counts as shorter, which makes the age greater.
-fn ticks(age: Duration, period: Duration) -> Option<u32> {
-    let nanos = |span: Duration| u64::try_from(span.as_nanos());
-    let period_ns = nanos(period).unwrap_or(u64::MAX).max(1);
-    u32::try_from(nanos(age).ok()?.div_ceil(period_ns)).ok()
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    fn controller(level_period: Duration) -> BudgetController<2> {
-        let clock = Clock { level_period, told_max: Duration::MAX, ..Clock::default() };
-        let parameters = BudgetSettings { gamma: Some(0.5), ..BudgetSettings::default() };
-        BudgetController::new(&Settings { clock, ..Settings::default() }, &parameters)
-    }
-
-    #[test]
-    fn claims_are_never_younger_than_they_are() {
-        let budget = controller(Duration::from_nanos(1));
-        let age = |nanos| budget.claim(7.0, Duration::from_nanos(nanos)).map(|claim| claim.age_ticks);
-        let most = u64::from(u32::MAX);
-        assert_eq!([0, 1, most].map(age), [Some(0), Some(1), Some(u32::MAX)]);
-        assert_eq!([most + 1, u64::MAX].map(age), [None; 2]);
-        assert_eq!(budget.claim(7.0, Duration::MAX), None);
-        let aged = controller(Duration::MAX).claim(7.0, Duration::from_secs(1));
-        assert_eq!(aged.map(|claim| claim.age_ticks), Some(1));
-    }
-
-    /// Clocks that lose a tenth of every second count nine ticks where those that gain as much make eleven.
-    //= theory sec:clocks type=test
-    #[test]
-    fn ages_are_those_of_the_fastest_clock() {
-        let mut budget = controller(Duration::from_millis(10));
-        let age = |budget: &BudgetController<2>, ms| {
-            budget.claim(7.0, Duration::from_millis(ms)).map(|claim| claim.age_ticks)
-        };
-        assert_eq!([0, 90, 91].map(|ms| age(&budget, ms)), [Some(0), Some(9), Some(10)]);
-        budget.clock.drift = Duration::from_millis(100);
-        assert_eq!([0, 90, 91].map(|ms| age(&budget, ms)), [Some(0), Some(11), Some(12)]);
-        budget.clock.drift = Duration::from_secs(1);
-        assert_eq!([0, 1].map(|ms| age(&budget, ms)), [Some(0), None]);
-    }
 }

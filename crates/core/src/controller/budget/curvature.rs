@@ -1,6 +1,6 @@
 //! How fast, and how sharply, a link can weaken within one tick.
 
-use crate::equations::link::{LANES, Link, LinkShape};
+use crate::equations::link::{LANES, LinkShape};
 use crate::num::exp;
 use crate::num::exponential::exps;
 
@@ -35,8 +35,6 @@ pub struct Curvature {
     steepest_m2: f64,
     /// s at the peak of K, m², at most R².
     sharpest_m2: f64,
-    /// The weight at R/2.
-    half_way: f64,
 }
 
 impl Curvature {
@@ -45,16 +43,15 @@ impl Curvature {
     pub fn new(link: LinkShape) -> Self {
         let steepest_m2 = crate::num::sqrt(2.0 * STEEPEST / link.q2);
         let radius_m2 = link.radius_m * link.radius_m;
-        let half_way = link.link_at(0.25 * radius_m2).map_or(0.0, |link: Link<f64>| link.weight);
         let (mut low, mut high) = (steepest_m2, radius_m2);
         if low >= high {
-            return Self { link, steepest_m2, sharpest_m2: radius_m2, half_way };
+            return Self { link, steepest_m2, sharpest_m2: radius_m2 };
         }
         for _ in 0..HALVINGS {
             let middle = 0.5 * (low + high);
             *if rises(&link, middle) { &mut low } else { &mut high } = middle;
         }
-        Self { link, steepest_m2, sharpest_m2: low, half_way }
+        Self { link, steepest_m2, sharpest_m2: low }
     }
 
     /// The shape of the links.
@@ -130,11 +127,6 @@ impl Curvature {
         let sharpest_m2 = closest(self.sharpest_m2, low, high);
         let sharpest = bend_of(&self.link, sharpest_m2, exp(self.link.exponent(sharpest_m2)));
         RAISE * sharpest.max(swell(&self.link, low)) * error_m
-    }
-
-    /// The weight of a link that is no longer than R/2 is at least this, rounding included.
-    pub(crate) fn least_within_half(&self) -> f64 {
-        self.half_way - 1e-9 * self.link.q1
     }
 
     /// Bound of how fast the weight falls with the distance, 1/m: `2 R f(s)` at the peak of f.

@@ -1,7 +1,8 @@
-//! Our controller `budget`: rows that no lie, no loss and no step length can break (docs/theory, docs/budget.md).
+//! Our controller `budget`, for robots that tell each other nothing of their motion: rows that no lie and no step length can
+//! break (docs/theory, docs/budget.md).
 //!
 //! `h_k` is the spare connectivity of robot k, a budget that k and its neighbours spend by moving apart. In one tick each of
-//! them may spend a fixed fraction of what it *knows* that k still has, so all of them together cannot overspend. Robot i
+//! them may spend a fixed fraction of what it *sees* that k still has, so all of them together cannot overspend. Robot i
 //! moves by the v closest to the desired displacement that satisfies, for every neighbour j with `r = x_i − x_j`, `D = |r|²`:
 //!
 //! ```text
@@ -10,10 +11,10 @@
 //! (near)  −2 r·v              ≤ (γ_c/2) (D − Δ_d²)⁺
 //! (box)   v/T ∈ U_i
 //!
-//! h⁺ = max(h, 0),  L_ij, κ: bounds of the link weight's derivatives,  b_ij ≤ h_j⁺ known,  δ⁺ ≥ δ_j,  s(h) ≤ h what may be lost
+//! h⁺ = max(h, 0),  L_ij, κ: bounds of the link weight's derivatives,  b_ij ≤ h_j⁺ seen,  δ⁺ ≥ δ_j,  s(h) = γ h what may be lost
 //! ```
 //!
-//! Each set is convex and contains v = 0: the program is feasible at every tick, for every lie.
+//! Each set is convex and contains v = 0: the program is feasible at every tick.
 //!
 //! A tick in this file: [`Budget::survey`] says what is seen of the links between the neighbours, [`Budget::known`] what is
 //! known of each neighbour, [`Budget::rows`] makes the rows, and [`Rows::decide`] finds the closest point and the outcome.
@@ -21,10 +22,10 @@
 //! | label in docs/theory | here |
 //! | --- | --- |
 //! | eq:far, eq:far-prime, eq:near: both sides, and when a row is slack | [`inequality`] |
-//! | eq:known, eq:interval, thm:any-claim, thm:free | [`knowledge`] |
+//! | eq:known, thm:sensed, thm:free | [`knowledge`] |
 //! | the sums behind them | [`survey`] |
 //! | the program of a tick and its memory | [`rows`] |
-//! | eq:loss, eq:decayed and the settings | [`settings`] |
+//! | eq:loss and the settings | [`settings`] |
 //! | eq:slope-bound, eq:curvature-bound | [`curvature`] |
 //! | sec:margins | [`margin`] |
 //! | sec:recovery | `recovery` |
@@ -138,7 +139,7 @@ impl Budget {
         let slope = self.slope(index, &sightings[index], survey);
         let pair = &self.pair(&offset_m, slope, &rows.program.reach);
         let Some(seen) = self.seen(index, sightings, survey) else { return };
-        let known = self.known(&seen, pair.distance_m);
+        let known = self.known(&seen);
         self.push_neighbor(own, &Neighbor { id, offset_m, pair, known }, rows);
     }
 

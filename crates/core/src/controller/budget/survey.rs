@@ -139,20 +139,19 @@ impl Budget {
 
     /// What is seen of the links of `sightings[index]`, the sightings that the `survey` was made of. `None` if there is no such.
     #[must_use]
-    pub fn seen<'a, const D: usize>(
+    pub fn seen<const D: usize>(
         &self,
         index: usize,
         sightings: &[Sighting<D>],
-        survey: &'a mut Survey<'_>,
-    ) -> Option<Seen<'a>> {
-        let Sighting { id: robot, claim, .. } = *sightings.get(index)?;
+        survey: &mut Survey<'_>,
+    ) -> Option<Seen> {
+        let robot = sightings.get(index)?.id;
         let (own, robots) = (survey.own, sightings.len());
         let unseen = self.unseen(index, own, sightings);
-        let discounted_claim = self.discounted_claim(robot, claim);
         let weights = match &mut survey.links {
             Links::Sums { lows, degrees, .. } => {
                 let (low, degree) = (*lows.get(index)?, count(unseen) + *degrees.get(index)?);
-                return Some(Seen { robot, low, degree, unseen, discounted_claim, weights: &[] });
+                return Some(Seen { robot, low, degree });
             }
             Links::Table { weights, .. } => weights.get_mut(index * robots..)?.get_mut(..robots)?,
             Links::Line(line) => {
@@ -162,8 +161,7 @@ impl Budget {
         };
         weights.sort_unstable_by(f64::total_cmp);
         let links = weights.iter().filter(|weight| **weight >= 0.0).count();
-        let (low, degree) = (self.trimmed(weights, 0.0, 0), count(unseen) + count(links));
-        Some(Seen { robot, low, degree, unseen, discounted_claim, weights })
+        Some(Seen { robot, low: self.trimmed(weights), degree: count(unseen) + count(links) })
     }
 
     /// The slope of the link of `sightings[index]` to the robot itself, 1/m²; 0 without a link.
@@ -197,7 +195,7 @@ impl Budget {
         }
     }
 
-    /// What robot `own` has to tell: its level, or the trimmed one under [`Assume::Free`]. Only that needs `scratch`, of one number
+    /// The level of robot `own`, or the trimmed one under [`Assume::Free`]. Only that needs `scratch`, of one number
     /// a sighting; with less the level is 0.
     #[must_use]
     pub fn level<const D: usize>(&self, own: RobotId, sightings: &[Sighting<D>], scratch: &mut [f64]) -> f64 {
@@ -209,7 +207,7 @@ impl Budget {
         let Some(scratch) = scratch.get_mut(..sightings.len()) else { return 0.0 };
         scratch.iter_mut().zip(weights).for_each(|(place, weight)| *place = weight);
         scratch.sort_unstable_by(f64::total_cmp);
-        self.trimmed(scratch, 0.0, 0)
+        self.trimmed(scratch)
     }
 
     fn weight_between<const D: usize>(&self, one: &Sighting<D>, other: &Sighting<D>) -> f64 {

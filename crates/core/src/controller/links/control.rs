@@ -165,7 +165,7 @@ impl<const D: usize> Control<D> for LinksController<D> {
         None
     }
 
-    fn told(&self, _robot: RobotId, _level: Option<f64>) {}
+    fn told(&self, _level: Option<f64>) {}
 
     fn sums(&self, (): &()) {}
 
@@ -173,7 +173,7 @@ impl<const D: usize> Control<D> for LinksController<D> {
 
     fn add(&self, (): &mut (), _offset_m: &Vector<D>, (): &(), _told: [&(); 2]) {}
 
-    fn know(&self, _glimpse: &Glimpse<'_, ()>) {}
+    fn know(&self, _glimpse: &Glimpse) {}
 
     /// Never called: a team of `links` is not computed at once by this seam. The robot would stand still.
     fn decide<'a>(
