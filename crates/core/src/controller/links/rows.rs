@@ -68,6 +68,8 @@ fn squared(x: f64) -> f64 {
 
 #[cfg(test)]
 mod tests {
+    use core::time::Duration;
+
     use super::*;
     use crate::controller::budget::errors::ErrorBounds;
     use crate::controller::budget::settings::Assume;
@@ -91,6 +93,7 @@ mod tests {
             errors,
             horizon_s: 4.0,
             pass_right: false,
+            told_max: Duration::ZERO,
         }
     }
 
