@@ -7,7 +7,6 @@ use crate::attack::{Attack, LevelAttack, ListsAttack, MotionAttack};
 use crate::faults::Clocks;
 use crate::faults::network::Network;
 use crate::frame::Frame;
-use crate::geometry::squared_distance;
 use crate::law::{Law, Verdicts, Violation};
 use crate::monitors::time::{fraction, longer_ago, since};
 use crate::monitors::truth::{ROUNDING, Truth, required};
@@ -78,7 +77,10 @@ impl<const D: usize> ModeWatch<D> {
         let safe = (0..truth.h_own.len()).all(|robot| truth.h_own[robot] >= ROUNDING)
             && !self.crowd(truth, true).contains(&true);
         let crowded = self.crowd(truth, false);
-        let well = safe && !stopped && !frame.assumptions.broken && !self.reckons(frame);
+        // Who senses a robot where it is not may reckon with it long after it has left.
+        let reckons =
+            frame.missing.iter().zip(&self.malicious).any(|(missing, malicious)| *missing && !malicious);
+        let well = safe && !stopped && !frame.assumptions.broken && !reckons;
         if !well {
             self.unwell = Some(tick);
         }
@@ -112,19 +114,6 @@ impl<const D: usize> ModeWatch<D> {
         if well && !all {
             self.recovery_ticks = self.recovery_ticks.max(since(self.unwell, tick).min(tick));
         }
-    }
-
-    /// True if somebody keeps its row for a robot that is not in range, and was when it was sensed last: it finds out later.
-    fn reckons(&self, frame: &Frame<D>) -> bool {
-        let radius_m = self.params.link().radius_m;
-        let free = |index: usize| self.free && self.malicious[index];
-        let away = |own: usize, number: &u16| {
-            let other = usize::from(*number) - 1;
-            let pair_m2 = squared_distance(&frame.positions_m[own], &frame.positions_m[other]);
-            !free(other) && pair_m2 > radius_m * radius_m
-        };
-        let normal = frame.rows.iter().enumerate().filter(|(own, _)| !self.malicious[*own]);
-        normal.into_iter().any(|(own, rows)| rows.iter().any(|number| away(own, number)))
     }
 
     /// True when a robot that senses within the stated errors must know that its h is negative, its degree too low, or another
