@@ -64,7 +64,7 @@ pub struct Seen<'a> {
 }
 
 /// What robot i knows of h_j.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct KnownMargin {
     /// b_ij ≥ 0: for an honest robot that the theorem covers, never more than h_j⁺.
     pub budget: f64,
