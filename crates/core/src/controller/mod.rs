@@ -11,14 +11,19 @@
 //! | ours | [`budget`] | positions, and told levels if trusted | docs/budget.md |
 //! | ours, without weights | [`links`] | positions, lists and acknowledgements | docs/links.md |
 //! | none | [`none`] | nothing | nothing |
+//!
+//! What several of them use stands beside them: [`assume`], [`errors`], [`kept`] and [`rows`].
 
 pub mod any;
+pub mod assume;
 pub mod at_once;
 pub mod budget;
 pub mod composed;
+pub mod errors;
 pub mod kept;
 pub mod links;
 pub mod none;
+pub mod rows;
 
 pub use any::AnyController;
 pub use at_once::{AtOnce, Batch, Glimpse, Low, Motion, Neighbor, Own};

@@ -2,13 +2,14 @@
 
 use core::time::Duration;
 
-use crate::controller::budget::Move;
+use crate::controller::assume::Assume;
+use crate::controller::budget::Memory;
 use crate::controller::budget::curvature::Curvature;
 use crate::controller::budget::inequality::{self, Pair};
 use crate::controller::budget::knowledge::{Claim, KnownMargin, Sighting};
 use crate::controller::budget::recovery::H_ROUNDING;
-use crate::controller::budget::rows::{Memory, Rows};
-use crate::controller::budget::settings::{Assume, Budget, Form};
+use crate::controller::budget::settings::{Budget, Form};
+use crate::controller::rows::{Move, Rows};
 use crate::controller::{
     AtOnce, Batch, Control, Decision, Glimpse, Kept, Motion, Neighbor, Own, Standing, View,
 };

@@ -3,7 +3,8 @@
 //! It has two sources. What it *sees*, positions alone, bounds the level of the neighbour from below and from above. What it
 //! is *told* is a claim, which may be a lie; it counts only up to the upper bound.
 
-use crate::controller::budget::settings::{Assume, Budget, Trust};
+use crate::controller::assume::Assume;
+use crate::controller::budget::settings::{Budget, Trust};
 use crate::controller::{Glimpse, Low};
 use crate::num::{Vector, larger};
 use crate::robot::neighbor::RobotId;

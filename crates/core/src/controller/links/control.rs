@@ -2,7 +2,7 @@
 
 use core::time::Duration;
 
-use crate::controller::budget::settings::Assume;
+use crate::controller::assume::Assume;
 use crate::controller::links::Links;
 use crate::controller::links::peer::{Ledger, Peer};
 use crate::controller::{Control, Decision, Kept, Standing, View};

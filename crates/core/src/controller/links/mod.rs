@@ -33,8 +33,8 @@ pub mod protocol;
 mod rows;
 pub mod wire;
 
-use crate::controller::budget::errors::ErrorBounds;
-use crate::controller::budget::settings::Assume;
+use crate::controller::assume::Assume;
+use crate::controller::errors::ErrorBounds;
 use crate::need::Need;
 use crate::num::length;
 use crate::robot::neighbor::{RobotId, Slot};
