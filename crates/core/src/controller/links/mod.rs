@@ -35,8 +35,8 @@ pub mod wire;
 
 use core::time::Duration;
 
-use crate::controller::budget::errors::ErrorBounds;
-use crate::controller::budget::settings::Assume;
+use crate::controller::assume::Assume;
+use crate::controller::errors::ErrorBounds;
 use crate::need::Need;
 use crate::num::length;
 use crate::robot::neighbor::{RobotId, Slot};
