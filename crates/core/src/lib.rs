@@ -108,7 +108,7 @@ pub mod settings;
 pub mod time;
 pub mod wmsr;
 
-pub use crate::controller::budget::settings::Assume;
+pub use crate::controller::assume::Assume;
 pub use crate::controller::links::wire::{LinkMessage, Notice};
 pub use crate::equations::composition::PhiSplit;
 pub use crate::message::{MESSAGE_BYTES, Message, MessageError, VALUE_MAX};

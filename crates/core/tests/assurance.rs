@@ -32,7 +32,6 @@ fn settings() -> Settings<2> {
 }
 
 /// A robot with three others around it, all of them standing still unless moved.
-#[expect(clippy::large_types_passed_by_value, reason = "scenes of a test are short")]
 fn with_robot<R>(settings: Settings<2>, play: impl FnOnce(&mut TestRobot) -> R) -> R {
     let params = Params::new(settings).expect("settings in range");
     play(&mut TestRobot::new(params, RobotId(1), 1.0).expect("memory"))
@@ -55,7 +54,7 @@ fn still(robot: &mut TestRobot, ms: u64) -> Mode {
 }
 
 #[test]
-fn a_missed_tick_is_said_until_old_levels_are_gone() {
+fn a_missed_tick_is_said_for_a_while() {
     with_robot(settings(), |robot| {
         assert_eq!([still(robot, 0), still(robot, 5)], [GUARANTEED; 2]);
         for ms in [20, 25, 30, 35, 40] {

@@ -1,8 +1,9 @@
 //! What a robot knows of its neighbours' levels and degrees: true bounds, from positions alone.
 
 use budget_team::{Team, id};
+use closeranks_core::controller::assume::Assume;
 use closeranks_core::controller::budget::knowledge::{KnownMargin, Seen, Sighting};
-use closeranks_core::controller::budget::settings::{Assume, Budget, Form};
+use closeranks_core::controller::budget::settings::{Budget, Form};
 use closeranks_core::num::{dot, is_finite, subtract};
 use closeranks_core::robot::neighbor::RobotId;
 use seeded::Seeded;

@@ -211,7 +211,8 @@ impl<const D: usize, S: Slots<D>> Robot<D, S> {
         }
         let differs = slot.sensed && slot.position_m != position;
         (slot.sensed, slot.seen_before, slot.offset_m) = (true, false, offset_m);
-        (slot.position_m, slot.gone_m, slot.unsensed_m) = (position, 0.0, 0.0);
+        (slot.position_m, slot.sensed_at) = (position, self.now);
+        (slot.gone_m, slot.unsensed_m) = (0.0, 0.0);
         (slot.linked, slot.link) = (link.is_some(), link.unwrap_or(NO_LINK));
         if differs {
             self.overlook();

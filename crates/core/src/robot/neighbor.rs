@@ -36,8 +36,9 @@ pub struct Slot<const D: usize> {
     /// True if it was sensed in the tick before and not yet in this one.
     pub(crate) seen_before: bool,
     pub(crate) offset_m: Vector<D>,
-    /// Where it was sensed, m, and how far it can have gone since, m.
+    /// Where it was sensed, m, when, and how far it can have gone since, m.
     pub(crate) position_m: Vector<D>,
+    pub(crate) sensed_at: Instant,
     pub(crate) gone_m: f64,
     /// The same if it is missing, else 0.
     pub(crate) unsensed_m: f64,
@@ -58,6 +59,7 @@ impl<const D: usize> Default for Slot<D> {
             seen_before: false,
             offset_m: [0.0; D],
             position_m: [0.0; D],
+            sensed_at: Instant::START,
             gone_m: 0.0,
             unsensed_m: 0.0,
             link: NO_LINK,

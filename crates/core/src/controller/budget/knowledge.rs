@@ -47,7 +47,7 @@ pub struct Seen {
 }
 
 /// What robot i knows of h_j.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct KnownMargin {
     /// b_ij ≥ 0: for a robot that the theorem covers, never more than h_j⁺.
     pub budget: f64,
