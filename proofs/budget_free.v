@@ -34,9 +34,8 @@ exists [set j in take m s]; split.
 Qed.
 
 Section Free.
-Variables gamma q : R.
+Variable gamma : R.
 Hypothesis gamma01 : 0 < gamma <= 1.
-Hypothesis q0 : 0 <= q.
 Variables (V : finType) (k : V) (A : {set V}) (F th : nat).
 Hypothesis kA : k \notin A.
 Hypothesis few : (#|A| <= F)%N.
@@ -56,12 +55,12 @@ Variable T : nat -> R.            (* the trimmed sum *)
 Hypothesis trimmed : forall p (A' : {set V}), k \notin A' -> #|A'| = F -> T p <= S p A'.
 Hypothesis start : INR th <= T 0%N.
 
-(* What k and its normal neighbours count on: seen, which is at most T - theta, or told, which was T - theta m ticks ago. *)
+(* What k and its normal neighbours count on: seen, which is at most T - theta. *)
 Variable used : nat -> R -> Prop.
 Hypothesis known : forall p b, used p b ->
-  b <= pos (T p - INR th) \/ exists2 m, (m <= p)%N & b <= decayed gamma q m (pos (T (p - m)%N - INR th)).
+  b <= pos (T p - INR th).
 Hypothesis tick : forall p (A' : {set V}), liars_among A' -> (forall b, used p b -> b <= pos (S p A' - INR th)) ->
-  S p.+1 A' - INR th >= S p A' - INR th - loss gamma q (pos (S p A' - INR th)).
+  S p.+1 A' - INR th >= S p A' - INR th - loss gamma (pos (S p A' - INR th)).
 
 Lemma pos_mono u v : u <= v -> pos u <= pos v.
 Proof. by move=> le; apply: Rle_max_compat_r. Qed.
@@ -73,11 +72,9 @@ have low p : pos (T p - INR th) <= pos (S p A' - INR th).
   by apply: pos_mono; have := trimmed p kA' cardA'; lra.
 have h0 : 0 <= S 0 A' - INR th by have := trimmed 0 kA' cardA'; lra.
 move=> p; suff : 0 <= S p A' - INR th by lra.
-apply: (any_claim gamma01 q0 (h := fun p => S p A' - INR th) (used := used)) => // [p' ok|p' b us].
+apply: (sensed gamma01 (h := fun p => S p A' - INR th) (used := used)) => // [p' ok|p' b us].
   exact: tick.
-case: (known us) => [le | [m mp le]]; [left | right].
-  exact: Rle_trans (low p').
-exists m => //; apply: Rle_trans le _; apply: part_mono => //; [exact: power_range | exact: pos_nonneg].
+exact: Rle_trans (known us) (low p').
 Qed.
 
 Definition normal_neighbours p := [set j | (j \notin A) && (j != k) & (Rlt_dec 0 (a p j) : bool)].

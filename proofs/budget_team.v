@@ -1,8 +1,7 @@
-(* The controller budget: a whole team from its rows (docs/theory/budget.md, thm:any-claim with (far')).
+(* The controller budget: a whole team from its rows (docs/theory/budget.md, thm:sensed with (far')).
 
-   In words. All robots, malicious ones too, move by (far') and (near). Each counts for each neighbour k on what it sees of it,
-   or on what is left of what a normal k truly had m ticks ago; what it counts on for a malicious k is anything that is not
-   negative. Let h_k >= 0 for every normal k and all pairs be at least Dd apart at the start. Then at every tick, and at every moment between two
+   In words. All robots, malicious ones too, move by (far') and (near). Each counts for each neighbour k on what it sees of it;
+   what it counts on for a malicious k is anything that is not negative. Let h_k >= 0 for every normal k and all pairs be at least Dd apart at the start. Then at every tick, and at every moment between two
    ticks, h_k >= 0 for every normal k, and no pair is closer than Dd.
 
    Assumed of the weight: never negative, 0 out of range, and the curvature bound of eq:curvature-bound for moves of at most rho.
@@ -15,9 +14,8 @@ Set Implicit Arguments. Unset Strict Implicit. Unset Printing Implicit Defensive
 Local Open Scope R_scope.
 
 Section Team.
-Variables gamma q : R.
+Variable gamma : R.
 Hypothesis gamma01 : 0 < gamma <= 1.
-Hypothesis q0 : 0 <= q.
 Variables (V : finType) (d : nat) (A : {set V}) (radius rho : R).
 Let R2 := radius * radius.
 Let rho2 := rho * rho.
@@ -51,15 +49,15 @@ Hypothesis bends : forall p i j w, in_range p i j -> sq w <= 4 * rho2 ->
 Definition g_own p i : vec d := fun c => \big[Rplus/0]_(j in N p i) grad (offset p i j) c.
 Definition kappa_own p i := \big[Rplus/0]_(j in N p i) kappa p i j.
 Hypothesis far_own : forall p i,
-  - dot (g_own p i) (v p i) + kappa_own p i * sq (v p i) <= loss gamma q (b p i i) / (share p i i + 1).
+  - dot (g_own p i) (v p i) + kappa_own p i * sq (v p i) <= loss gamma (b p i i) / (share p i i + 1).
 Hypothesis far_for : forall p i k, i \in N p k ->
-  - dot (grad (offset p i k)) (v p i) + kappa p i k * sq (v p i) <= loss gamma q (b p i k) / (share p i k + 1).
+  - dot (grad (offset p i k)) (v p i) + kappa p i k * sq (v p i) <= loss gamma (b p i k) / (share p i k + 1).
 
-(* sec:shares: d_ik is at least the degree of k. eq:known: seen, or told m ticks ago, truly, and discounted. *)
+(* sec:shares: d_ik is at least the degree of k. eq:known: what is seen. *)
 Hypothesis shares : forall p i k, k \notin A -> i \in k |: N p k -> INR #|N p k| <= share p i k.
 Hypothesis b_nonneg : forall p i k, 0 <= b p i k.
 Hypothesis known : forall p i k, k \notin A -> i \in k |: N p k ->
-  b p i k <= pos (level p k) \/ exists2 m, (m <= p)%N & b p i k <= decayed gamma q m (pos (level (p - m)%N k)).
+  b p i k <= pos (level p k).
 
 Lemma minus_swap p i j : offset p j i = times (-1) (offset p i j).
 Proof. by apply: functional_extensionality => c; rewrite /offset /minus /times; ring. Qed.
@@ -74,16 +72,16 @@ Hypothesis t01 : forall i, 0 <= t i <= 1.
 (* h_k when each robot has done the part t of its move. *)
 Definition level_at := h' k (counts k) (x p) (v p) (fun _ => weight) t (need k).
 
-Lemma takes_its_share : level_at >= level p k - loss gamma q (pos (level p k)).
+Lemma takes_its_share : level_at >= level p k - loss gamma (pos (level p k)).
 Proof.
 have sub : N p k \subset counts k by apply/subsetP => j; rewrite inE => /andP [].
 have out j : j \in counts k -> j \notin N p k -> weight (r k (x p) j) = 0.
   rewrite inE => -> /= far; apply: out_of_range; move: far; rewrite /in_range /offset /r.
   by case: (Rle_dec _ _) => // no _; exact: Rnot_le_lt.
-have s0 c : 0 <= c -> 0 <= loss gamma q c by move=> c0; have [] := loss_range gamma01 q0 c0.
-have mono c e : 0 <= c -> c <= e -> loss gamma q c <= loss gamma q e by exact: loss_mono.
+have s0 c : 0 <= c -> 0 <= loss gamma c by move=> c0; have [] := loss_range gamma01 c0.
+have mono c e : 0 <= c -> c <= e -> loss gamma c <= loss gamma e by exact: loss_mono.
 apply: (@far_prime_tick V d k (counts k) (N p k) sub (x p) (v p) (fun _ => weight) _ out t t01 (need k)
-  (loss gamma q) s0 mono (fun i => b p i k) (fun i => share p i k) _ _
+  (loss gamma) s0 mono (fun i => b p i k) (fun i => share p i k) _ _
   (fun j => grad (offset p k j)) (kappa p k) rho2) => //.
 - by move=> i iN; split=> //; exact: true_b.
 - by move=> i iN; exact: shares.
@@ -100,35 +98,27 @@ rewrite /level /level_at /h /h'; congr (_ - _); apply: eq_bigr => j _; congr wei
 by apply: functional_extensionality => c; rewrite /after /moved /r /plus /minus /times !moves /plus; ring.
 Qed.
 
-(* thm:any-claim, h at ticks *)
+(* thm:sensed, h at ticks *)
 Theorem never_negative k : k \notin A -> 0 <= level 0 k -> forall p, 0 <= level p k.
 Proof.
-move=> kA start; apply: (any_claim gamma01 q0 (h := fun p => level p k)
+move=> kA start; apply: (sensed gamma01 (h := fun p => level p k)
   (used := fun p c => exists2 i, i \in k |: N p k & c = b p i k)) => //.
 - move=> p ok; rewrite level_next; apply: takes_its_share => //; last by move=> i; lra.
   by move=> i iN; apply: ok; exists i.
 - by move=> p c [i iN ->]; exact: known.
 Qed.
 
-(* thm:any-claim, h between ticks *)
+(* thm:sensed, h between ticks *)
 Theorem never_negative_between k : k \notin A -> 0 <= level 0 k -> forall p t,
   (forall i, 0 <= t i <= 1) -> 0 <= level_at p k t.
 Proof.
 move=> kA start p t t01; have all := never_negative kA start; have hp := all p.
-have true_b i : i \in k |: N p k -> b p i k <= pos (level p k).
-  move=> iN; case: (known kA iN) => // -[m mp le]; apply: Rle_trans le _.
-  have left_p := left_after gamma01 q0 (h := fun p => level p k)
-    (used := fun p c => exists2 i, i \in k |: N p k & c = b p i k).
-  rewrite /pos !Rmax_left; [| exact: hp | exact: all].
-  apply: left_p => //.
-  - move=> p' ok; rewrite level_next; apply: takes_its_share => //; last by move=> i'; lra.
-    by move=> i' iN'; apply: ok; exists i'.
-  - by move=> p' c [i' iN' ->]; exact: known.
+have true_b i : i \in k |: N p k -> b p i k <= pos (level p k) by move=> iN; exact: known.
 have := takes_its_share kA true_b t01; rewrite /pos Rmax_left; last exact: hp.
-by have := loss_range gamma01 q0 hp; lra.
+by have := loss_range gamma01 hp; lra.
 Qed.
 
-(* thm:any-claim, distances. *)
+(* thm:sensed, distances. *)
 Variables (gamma_c Dd : R).
 Let Dd2 := Dd * Dd.
 Hypothesis gamma_c01 : 0 < gamma_c <= 1.

@@ -2,12 +2,11 @@
 
    In words. (1) Held links, a row that is dropped as soon as one has stopped listing: somebody may still count on it. (2) Held links
    without lives, that is, a row that is dropped when the newest message does not list, whether or not its sender knows the
-   present life: a message of long ago drops a row on which somebody counts (docs/theory/links.md, "Why a life matters"). (3)
-   Ages counted from receipt instead of from sensing (docs/theory/budget.md, sec:age): h falls below 0. *)
+   present life: a message of long ago drops a row on which somebody counts (docs/theory/links.md, "Why a life matters"). *)
 
 From Coq Require Import Reals Lra.
 From mathcomp Require Import all_ssreflect.
-From Closeranks Require Import loss held_protocol.
+From Closeranks Require Import held_protocol.
 Set Implicit Arguments. Unset Strict Implicit. Unset Printing Implicit Defensive.
 
 Section Links.
@@ -75,17 +74,3 @@ Theorem without_lives : exists s i j,
   [/\ reachable A s, counts (holds s i j), ~~ lists (holds s j i) & released_without_lives (holds s j i)].
 Proof. by exists t7, i, j; split=> //; exact: reach7. Qed.
 End Links.
-
-Local Open Scope R_scope.
-
-(* Robot k and one neighbour take half of what may be lost each; the neighbour counts on what k told one tick ago, which
-   came just now. With the age from receipt, 0 ticks, h is negative after two ticks; from sensing, 1 tick, it is not. *)
-Theorem age_from_receipt : exists gamma q (h : nat -> R), 0 < gamma <= 1 /\ 0 <= q /\
-  h 1%N = h 0%N - (loss gamma q (h 0%N) + loss gamma q (decayed gamma q 0 (h 0%N))) / 2 /\
-  h 2%N = h 1%N - (loss gamma q (h 1%N) + loss gamma q (decayed gamma q 0 (h 0%N))) / 2 /\
-  0 <= h 0%N /\ h 2%N < 0 /\
-  0 <= h 1%N - (loss gamma q (h 1%N) + loss gamma q (decayed gamma q 1 (h 0%N))) / 2.
-Proof.
-exists 1, 0, (fun p => match p with 0%N => 1 | 1%N => 0 | _ => - (1 / 2) end).
-rewrite /decayed /part /loss /=; do ! split; lra || (field_simplify; lra) || field.
-Qed.

@@ -18,7 +18,8 @@ use crate::scenario::Scenario;
 pub(crate) struct Carry<const D: usize> {
     params: Params<D>,
     malicious: Vec<bool>,
-    told_ticks: u64,
+    /// For how long a broken assumption is felt: under `budget`, which remembers nothing, for no longer than it lasts.
+    claim_ticks: u64,
     /// γ, the part of h that a tick may take; written down once more.
     gamma: f64,
     before: Option<Before<D>>,
@@ -43,9 +44,10 @@ impl<const D: usize> Carry<D> {
         let aged = settings.clock.told_max + settings.clock.error;
         let told_ticks = aged.as_nanos().div_ceil(settings.clock.level_period.as_nanos().max(1));
         let told_ticks = u64::try_from(told_ticks).unwrap_or(u64::MAX).saturating_add(1);
+        let settles = params.budget().is_some();
         Self {
             malicious: scenario.malicious_mask(),
-            told_ticks,
+            claim_ticks: if settles { 0 } else { told_ticks },
             gamma: params.budget().map_or(1.0, |budget| budget.gamma),
             mode: ModeWatch::new(scenario, params, told_ticks),
             rest: RestWatch::new(scenario, params),
@@ -84,7 +86,7 @@ impl<const D: usize> Carry<D> {
             self.broken = Some(tick);
         }
         let moves = !frame.assumptions.broken && covered;
-        let claims = moves && longer_ago(self.broken, tick, self.told_ticks);
+        let claims = moves && longer_ago(self.broken, tick, self.claim_ticks);
         let moved = carried.is_some_and(|before| before.moves);
         if self.lists() {
             self.held.watch(tick, frame, [moved, moves], verdicts);
