@@ -79,7 +79,10 @@ impl Shares {
         self.robots.resize_with(view.positions_m.len(), HalfSpaces::default);
         self.robots.iter_mut().for_each(HalfSpaces::clear);
         for pair in pairs_in_range(view) {
-            self.keep(&Barrier::apart(view, pair));
+            let apart = Barrier::apart(view, pair);
+            for (robot, gradient) in &apart.gradients {
+                self.robots[*robot].push_first(gradient, -0.5 * RATE_1_S * apart.h);
+            }
         }
     }
 

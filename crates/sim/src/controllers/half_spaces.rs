@@ -24,6 +24,8 @@ pub(super) struct HalfSpaces {
 struct Plane {
     normal: [f64; 3],
     bound: f64,
+    /// Where not all can be satisfied, those that come first are.
+    first: bool,
 }
 
 impl HalfSpaces {
@@ -34,23 +36,34 @@ impl HalfSpaces {
 
     /// Adds `normal·w ≥ bound`. Without a direction it says nothing about the velocity, and is left out.
     pub(super) fn push<const D: usize>(&mut self, normal: &Vector<D>, bound: f64) {
+        self.add(normal, bound, false);
+    }
+
+    /// The same for what comes before all else: that nobody collides.
+    pub(super) fn push_first<const D: usize>(&mut self, normal: &Vector<D>, bound: f64) {
+        self.add(normal, bound, true);
+    }
+
+    fn add<const D: usize>(&mut self, normal: &Vector<D>, bound: f64, first: bool) {
         let size = length(normal);
         if size > 0.0 && size.is_finite() {
             let mut unit = [0.0; 3];
             unit.iter_mut().zip(normal).for_each(|(component, n)| *component = n / size);
-            self.planes.push(Plane { normal: unit, bound: bound / size });
+            self.planes.push(Plane { normal: unit, bound: bound / size, first });
         }
     }
 
-    /// The velocity closest to `desired` that all allow. Where none is allowed, the half-spaces that are broken from `from` on
-    /// are moved until they no longer are, and the outcome is `Infeasible`.
+    /// The velocity closest to `desired` that all allow. Where none is allowed, one is looked for from `from` on that breaks
+    /// little, and none of those that come first if that can be; those that it breaks are moved so that it no longer does, and the
+    /// outcome is `Infeasible`.
     pub(super) fn closest<const D: usize>(
         &self,
         desired: &Vector<D>,
         from: &Vector<D>,
         input: &InputBox<D>,
     ) -> Answer<D> {
-        let (start, missing) = self.allowed(from, input);
+        let (start, missing) = self.allowed(from, input, false);
+        let start = if missing > ROUNDING_M_S { self.allowed(&start, input, true).0 } else { start };
         // Seen from `start`, the box and every half-space contain 0, as the program wants it.
         let around =
             InputBox { min_m_s: subtract(&input.min_m_s, &start), max_m_s: subtract(&input.max_m_s, &start) };
@@ -68,21 +81,27 @@ impl HalfSpaces {
 
     /// A velocity in the box that breaks no constraint, and 0, or one that breaks some, and by how much, m/s.
     ///
-    /// Each step goes to the boundary of the constraint that is broken most.
-    fn allowed<const D: usize>(&self, from: &Vector<D>, input: &InputBox<D>) -> (Vector<D>, f64) {
+    /// Each step goes to the boundary of the constraint that is broken most. With `first`, only those count that come first.
+    fn allowed<const D: usize>(
+        &self,
+        from: &Vector<D>,
+        input: &InputBox<D>,
+        first: bool,
+    ) -> (Vector<D>, f64) {
+        let planes = || self.planes.iter().filter(|plane| plane.first || !first);
         let broken = |velocity: &Vector<D>, plane: &Plane| {
             let along: f64 = (0..D).map(|d| plane.normal[d] * velocity[d]).sum();
             plane.bound - along
         };
         let mut velocity = input.clip(from);
         for _ in 0..STEPS {
-            let worst = self.planes.iter().map(|plane| (broken(&velocity, plane), plane));
+            let worst = planes().map(|plane| (broken(&velocity, plane), plane));
             let worst = worst
                 .fold((0.0, None), |most, (by, plane)| if by > most.0 { (by, Some(plane)) } else { most });
             let (by, Some(plane)) = worst else { return (velocity, 0.0) };
             velocity = input.clip(&core::array::from_fn(|d| velocity[d] + by * plane.normal[d]));
         }
-        let missing = self.planes.iter().map(|plane| broken(&velocity, plane)).fold(0.0, f64::max);
+        let missing = planes().map(|plane| broken(&velocity, plane)).fold(0.0, f64::max);
         (velocity, missing)
     }
 }
@@ -101,6 +120,9 @@ mod tests {
         assert_eq!((answer.velocity_m_s, answer.outcome == Outcome::Infeasible), ([0.5, 0.25], false));
         spaces.push(&[-1.0, 0.0], 0.0);
         assert_eq!(spaces.closest(&[0.0; 2], &[0.0; 2], &input).outcome, Outcome::Infeasible);
+        spaces.push_first(&[1.0, 0.0], 0.75);
+        let answer = spaces.closest(&[0.0; 2], &[0.0; 2], &input);
+        assert!((answer.velocity_m_s[0] - 0.75).abs() < 1e-12, "{answer:?}");
         spaces.clear();
         assert_eq!(spaces.closest(&[2.0, 0.0], &[0.0; 2], &input).velocity_m_s, [1.0, 0.0]);
     }

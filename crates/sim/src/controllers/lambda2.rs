@@ -20,7 +20,7 @@ use crate::controllers::eigen::eigen;
 use crate::controllers::{Answer, TeamView, Velocities};
 
 /// Room for what is lost between two ticks, in which λ₂ bends.
-const MARGIN: f64 = 0.25;
+const MARGIN: f64 = 0.1;
 /// Eigenvalues count as equal up to this fraction of the greatest one.
 const EQUAL: f64 = 1e-9;
 
