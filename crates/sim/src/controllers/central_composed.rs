@@ -16,7 +16,7 @@ use closeranks_core::program::{InputBox, Outcome};
 use closeranks_core::robot::neighbor::RobotId;
 use closeranks_core::settings::ComposedSettings;
 
-use crate::controllers::barrier::{Barrier, pairs_in_range};
+use crate::controllers::shared::barrier::{Barrier, pairs_in_range};
 use crate::controllers::{Answer, TeamView, Velocities};
 
 /// The controller with the weights of the composition.
@@ -117,14 +117,16 @@ fn closest<const D: usize>(
         }
         multiplier += missing / slope;
     }
-    answers.iter_mut().for_each(|answer| answer.outcome = outcome);
+    for answer in answers {
+        answer.outcome = outcome;
+    }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::controllers::Controller;
-    use crate::controllers::barrier::tests::{check_gradients, outward, places, watch};
+    use crate::controllers::shared::testing::{check_gradients, outward, places, watch};
 
     fn composed(view: &TeamView<'_, 2>) -> Composed {
         CentralComposed::new(outward(Controller::CentralComposed).composed).composed(view)

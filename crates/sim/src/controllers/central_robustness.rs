@@ -15,7 +15,7 @@
 
 use closeranks_core::num::{dot, subtract};
 
-use crate::controllers::barrier::{Barrier, Shares, pairs_in_range};
+use crate::controllers::shared::barrier::{Barrier, Shares, pairs_in_range};
 use crate::controllers::{Answer, TeamView, Velocities};
 
 /// The controller with the core that it chose.
@@ -67,7 +67,9 @@ fn core<const D: usize>(view: &TeamView<'_, D>, size: usize) -> Vec<usize> {
 /// In which layer each robot joins: 0 for the core, none for who never has `need` neighbours that joined.
 fn percolate(robots: usize, links: &[[usize; 2]], core: &[usize], need: usize) -> Vec<Option<usize>> {
     let mut layers = vec![None; robots];
-    core.iter().for_each(|robot| layers[*robot] = Some(0));
+    for robot in core {
+        layers[*robot] = Some(0);
+    }
     for layer in 1..=robots {
         let mut inside = vec![0; robots];
         for [one, other] in links {
@@ -92,7 +94,7 @@ fn is_before(layer: Option<usize>, than: Option<usize>) -> bool {
 mod tests {
     use super::*;
     use crate::controllers::Controller;
-    use crate::controllers::barrier::tests::{outward, watch};
+    use crate::controllers::shared::testing::{outward, watch};
     use crate::scenario::Scenario;
     use closeranks_core::settings::Team;
 

@@ -6,7 +6,7 @@
 //! robots at the other ends of its links, and their agreement on what the links of the start were. Built from the
 //! description of these works in the paper and in their abstracts.
 
-use crate::controllers::barrier::{Barrier, Shares, pairs_in_range};
+use crate::controllers::shared::barrier::{Barrier, Shares, pairs_in_range};
 use crate::controllers::{Answer, TeamView, Velocities};
 
 /// The controller with the links of the first tick.
@@ -29,8 +29,8 @@ impl Velocities for FixedTopology {
 #[cfg(test)]
 mod tests {
     use crate::controllers::Controller;
-    use crate::controllers::barrier::pairs_in_range;
-    use crate::controllers::barrier::tests::{outward, watch};
+    use crate::controllers::shared::barrier::pairs_in_range;
+    use crate::controllers::shared::testing::{outward, watch};
 
     #[test]
     fn no_link_of_the_start_is_lost_however_robots_pull() {

@@ -8,7 +8,7 @@
 
 use closeranks_core::num::{dot, subtract};
 
-use crate::controllers::barrier::{Barrier, Shares, pairs_in_range};
+use crate::controllers::shared::barrier::{Barrier, Shares, pairs_in_range};
 use crate::controllers::{Answer, TeamView, Velocities};
 
 /// The controller.
@@ -82,7 +82,7 @@ fn scan_first_forest(robots: usize, links: &[[usize; 2]], order: &[usize]) -> Ve
 mod tests {
     use super::*;
     use crate::controllers::Controller;
-    use crate::controllers::barrier::tests::{outward, watch};
+    use crate::controllers::shared::testing::{outward, watch};
 
     /// True if the graph stays connected without any `removed` or fewer of its robots: by trying all sets.
     fn is_connected_without(robots: usize, links: &[[usize; 2]], removed: u32) -> bool {

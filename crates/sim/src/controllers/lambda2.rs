@@ -15,8 +15,8 @@
 use closeranks_core::equations::link::Link;
 use closeranks_core::num::{Vector, add_scaled, subtract};
 
-use crate::controllers::barrier::{Barrier, Shares, pairs_in_range};
-use crate::controllers::eigen::eigen;
+use crate::controllers::shared::barrier::{Barrier, Shares, pairs_in_range};
+use crate::controllers::shared::eigen::eigen;
 use crate::controllers::{Answer, TeamView, Velocities};
 
 /// Room for what is lost between two ticks, in which λ₂ bends.
@@ -98,7 +98,7 @@ fn gradients<const D: usize>(
 mod tests {
     use super::*;
     use crate::controllers::Controller;
-    use crate::controllers::barrier::tests::{check_gradients, outward, places, watch};
+    use crate::controllers::shared::testing::{check_gradients, outward, places, watch};
     use closeranks_core::num::length;
 
     #[test]
@@ -113,7 +113,7 @@ mod tests {
         let scenario = outward(Controller::Lambda2);
         let params = scenario.params::<2>().unwrap();
         let at = |places: &[Vector<2>]| {
-            let view = crate::controllers::barrier::tests::view(&params, places);
+            let view = crate::controllers::shared::testing::view(&params, places);
             let spectrum = eigen(laplacian(4, &links(&view)));
             (0.5 * (spectrum[1].0 + spectrum[2].0), spectrum[2].0 - spectrum[1].0, barrier(&view).unwrap())
         };

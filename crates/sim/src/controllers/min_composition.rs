@@ -1,6 +1,6 @@
 //! The least of all barriers, as a function that is not smooth (Glotfelter, Cortés, Egerstedt 2017).
 //!
-//! With every `h_i = c_i − F′` of eq:candidate_h_robust and every `Δ² − Δ_d²`, let h be the least. Where several
+//! With every `h_i = c_i − F′` and every `Δ² − Δ_d²`, let h be the least. Where several
 //! are within [`ALMOST`] of it, all of them count as active, as the source wants it near a kink:
 //!
 //! ```text
@@ -12,7 +12,7 @@
 
 use closeranks_core::robot::neighbor::RobotId;
 
-use crate::controllers::barrier::{Barrier, Shares, pairs_in_range};
+use crate::controllers::shared::barrier::{Barrier, Shares, pairs_in_range};
 use crate::controllers::{Answer, TeamView, Velocities};
 
 /// How much larger than the least one a barrier is that counts as active.
@@ -51,7 +51,7 @@ fn barriers<const D: usize>(view: &TeamView<'_, D>) -> Vec<Barrier<D>> {
 mod tests {
     use super::*;
     use crate::controllers::Controller;
-    use crate::controllers::barrier::tests::{outward, watch};
+    use crate::controllers::shared::testing::{outward, watch};
 
     #[test]
     fn the_least_barrier_does_not_become_negative() {

@@ -5,12 +5,9 @@
 //! implements [`Velocities`] in a file beside this one; robots then run without a controller of their own and are asked
 //! for the velocities that it finds, while links, levels, consensus, liars and monitors are those of the engine.
 
-mod barrier;
 pub mod central_composed;
 pub mod central_robustness;
-mod eigen;
 pub mod fixed_topology;
-mod half_spaces;
 pub mod k_connectivity;
 pub mod lambda2;
 pub mod min_composition;
@@ -18,6 +15,7 @@ pub mod orca;
 pub mod p_choose_r;
 pub mod pairwise;
 mod row;
+mod shared;
 
 use closeranks_core::settings;
 

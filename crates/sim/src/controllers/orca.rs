@@ -15,7 +15,7 @@
 
 use closeranks_core::num::{Vector, add_scaled, dot, length, sqrt, subtract};
 
-use crate::controllers::half_spaces::HalfSpaces;
+use crate::controllers::shared::half_spaces::HalfSpaces;
 use crate::controllers::{Answer, TeamView, Velocities};
 
 /// τ, s: collisions later than this are not avoided yet.

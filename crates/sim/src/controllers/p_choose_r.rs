@@ -9,7 +9,7 @@
 use closeranks_core::num::{dot, subtract};
 use closeranks_core::robot::neighbor::RobotId;
 
-use crate::controllers::barrier::{Barrier, Shares, pairs_in_range};
+use crate::controllers::shared::barrier::{Barrier, Shares, pairs_in_range};
 use crate::controllers::{Answer, TeamView, Velocities};
 
 /// Links count as equally long up to this difference of squares, as a fraction of R².
@@ -55,7 +55,7 @@ fn square_m2<const D: usize>(view: &TeamView<'_, D>, [one, other]: [usize; 2]) -
 mod tests {
     use super::*;
     use crate::controllers::Controller;
-    use crate::controllers::barrier::tests::{outward, watch};
+    use crate::controllers::shared::testing::{outward, watch};
 
     #[test]
     fn everybody_keeps_enough_links_and_others_may_go() {

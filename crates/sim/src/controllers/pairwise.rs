@@ -5,7 +5,7 @@
 //! of third robots, and the team can close up but hardly spread. Needs: the positions of the robots in range.
 //! Built from the description of these works in the paper and in their abstracts.
 
-use crate::controllers::barrier::{Barrier, Shares, pairs_in_range};
+use crate::controllers::shared::barrier::{Barrier, Shares, pairs_in_range};
 use crate::controllers::{Answer, TeamView, Velocities};
 
 /// The controller.
@@ -27,8 +27,8 @@ impl Velocities for Pairwise {
 #[cfg(test)]
 mod tests {
     use crate::controllers::Controller;
-    use crate::controllers::barrier::pairs_in_range;
-    use crate::controllers::barrier::tests::{outward, watch};
+    use crate::controllers::shared::barrier::pairs_in_range;
+    use crate::controllers::shared::testing::{outward, watch};
 
     #[test]
     fn links_only_become_more() {

@@ -7,7 +7,7 @@ use closeranks_core::num::sqrt;
 const SWEEPS: usize = 30;
 
 /// The eigenvalues of `matrix` in rising order, each with its eigenvector of length 1. `matrix` is symmetric, row by row.
-pub(super) fn eigen(mut matrix: Vec<Vec<f64>>) -> Vec<(f64, Vec<f64>)> {
+pub(in crate::controllers) fn eigen(mut matrix: Vec<Vec<f64>>) -> Vec<(f64, Vec<f64>)> {
     let size = matrix.len();
     let mut vectors: Vec<Vec<f64>> =
         (0..size).map(|i| (0..size).map(|j| if i == j { 1.0 } else { 0.0 }).collect()).collect();

@@ -12,22 +12,22 @@
 use closeranks_core::equations::link::Link;
 use closeranks_core::num::{Vector, add_scaled, dot, subtract};
 
-use crate::controllers::half_spaces::HalfSpaces;
+use crate::controllers::shared::half_spaces::HalfSpaces;
 use crate::controllers::{Answer, TeamView};
 
 /// α, 1/s: the same for all controllers of others that use barriers.
-pub(super) const RATE_1_S: f64 = 5.0;
+pub(in crate::controllers) const RATE_1_S: f64 = 5.0;
 
 /// A function h of positions, with its gradient for each robot that it is about.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) struct Barrier<const D: usize> {
-    pub(super) h: f64,
-    pub(super) gradients: Vec<(usize, Vector<D>)>,
+pub(in crate::controllers) struct Barrier<const D: usize> {
+    pub(in crate::controllers) h: f64,
+    pub(in crate::controllers) gradients: Vec<(usize, Vector<D>)>,
 }
 
 impl<const D: usize> Barrier<D> {
     /// Two robots are not too close: `h = Δ² − Δ_d²`, m².
-    pub(super) fn apart(view: &TeamView<'_, D>, [one, other]: [usize; 2]) -> Self {
+    pub(in crate::controllers) fn apart(view: &TeamView<'_, D>, [one, other]: [usize; 2]) -> Self {
         let least_m = view.params.settings().limits.distance_min_m;
         let offset_m = subtract(&view.positions_m[one], &view.positions_m[other]);
         let gradients = vec![(one, offset_m.map(|x| 2.0 * x)), (other, offset_m.map(|x| -2.0 * x))];
@@ -38,7 +38,7 @@ impl<const D: usize> Barrier<D> {
     ///
     /// A tick of T in which both go their longest way ρ takes up to 4ρ² more from R² − Δ² than the row says, and the row
     /// gives αT h back, so that the last term is all that can be lost: R² − Δ² itself stays positive in sampled time.
-    pub(super) fn linked(view: &TeamView<'_, D>, [one, other]: [usize; 2]) -> Self {
+    pub(in crate::controllers) fn linked(view: &TeamView<'_, D>, [one, other]: [usize; 2]) -> Self {
         let radius_m = view.params.link().radius_m;
         let offset_m = subtract(&view.positions_m[one], &view.positions_m[other]);
         let gradients = vec![(one, offset_m.map(|x| -2.0 * x)), (other, offset_m.map(|x| 2.0 * x))];
@@ -46,7 +46,7 @@ impl<const D: usize> Barrier<D> {
     }
 
     /// `robot` has enough neighbours among `others`: `h = Σ_j a_ij − need` with the paper's weights.
-    pub(super) fn degree(
+    pub(in crate::controllers) fn degree(
         view: &TeamView<'_, D>,
         robot: usize,
         others: impl Iterator<Item = usize>,
@@ -69,13 +69,13 @@ impl<const D: usize> Barrier<D> {
 
 /// What bounds the velocities of a whole team, a set of half-spaces for each robot.
 #[derive(Clone, Debug, Default)]
-pub(super) struct Shares {
+pub(in crate::controllers) struct Shares {
     robots: Vec<HalfSpaces>,
 }
 
 impl Shares {
     /// Begins a tick: nothing is bounded but that all pairs in range stay apart.
-    pub(super) fn begin<const D: usize>(&mut self, view: &TeamView<'_, D>) {
+    pub(in crate::controllers) fn begin<const D: usize>(&mut self, view: &TeamView<'_, D>) {
         self.robots.resize_with(view.positions_m.len(), HalfSpaces::default);
         self.robots.iter_mut().for_each(HalfSpaces::clear);
         for pair in pairs_in_range(view) {
@@ -87,12 +87,12 @@ impl Shares {
     }
 
     /// Shares a barrier out evenly.
-    pub(super) fn keep<const D: usize>(&mut self, barrier: &Barrier<D>) {
+    pub(in crate::controllers) fn keep<const D: usize>(&mut self, barrier: &Barrier<D>) {
         self.keep_at(barrier, barrier.h);
     }
 
     /// The same with another value than h in the bound.
-    pub(super) fn keep_at<const D: usize>(&mut self, barrier: &Barrier<D>, value: f64) {
+    pub(in crate::controllers) fn keep_at<const D: usize>(&mut self, barrier: &Barrier<D>, value: f64) {
         #[expect(clippy::cast_precision_loss, reason = "far below 2^53")]
         let robots = barrier.gradients.len() as f64;
         for (robot, gradient) in &barrier.gradients {
@@ -101,7 +101,11 @@ impl Shares {
     }
 
     /// The velocities closest to the desired ones.
-    pub(super) fn answer<const D: usize>(&self, view: &TeamView<'_, D>, answers: &mut [Answer<D>]) {
+    pub(in crate::controllers) fn answer<const D: usize>(
+        &self,
+        view: &TeamView<'_, D>,
+        answers: &mut [Answer<D>],
+    ) {
         let input = &view.params.settings().limits.input;
         for (robot, answer) in answers.iter_mut().enumerate() {
             *answer = self.robots[robot].closest(&view.desired_m_s[robot], &[0.0; D], input);
@@ -116,7 +120,7 @@ fn sampling_m2<const D: usize>(view: &TeamView<'_, D>) -> f64 {
 }
 
 /// All pairs of different robots in range of each other, the lower number first.
-pub(super) fn pairs_in_range<const D: usize>(view: &TeamView<'_, D>) -> Vec<[usize; 2]> {
+pub(in crate::controllers) fn pairs_in_range<const D: usize>(view: &TeamView<'_, D>) -> Vec<[usize; 2]> {
     let (robots, radius_m) = (view.positions_m.len(), view.params.link().radius_m);
     let pairs = (0..robots).flat_map(|one| (one + 1..robots).map(move |other| [one, other]));
     pairs
@@ -128,78 +132,9 @@ pub(super) fn pairs_in_range<const D: usize>(view: &TeamView<'_, D>) -> Vec<[usi
 }
 
 #[cfg(test)]
-pub(super) mod tests {
+mod tests {
     use super::*;
-    use crate::attack::ValueAttack;
-    use crate::controllers::Controller;
-    use crate::scenario::Scenario;
-    use crate::scenario::desired::Desired;
-    use crate::world::{Options, World};
-    use closeranks_core::settings::params::Params;
-
-    /// Eleven robots without liars that pull away from each other.
-    pub(in crate::controllers) fn outward(controller: Controller) -> Scenario {
-        Scenario {
-            controller,
-            malicious: Vec::new(),
-            attack: ValueAttack::None.into(),
-            desired: Desired::Paper,
-            duration_s: 4.0,
-            ..Scenario::default()
-        }
-    }
-
-    /// Runs a team and calls `look` with every tick's positions as a view; gives the radius at the end over that at the start.
-    pub(in crate::controllers) fn watch(scenario: &Scenario, mut look: impl FnMut(&TeamView<'_, 2>)) -> f64 {
-        let params = scenario.params::<2>().unwrap();
-        let mut world = World::<2>::new(scenario, Options::default()).unwrap();
-        let mut radii_m = Vec::new();
-        while !world.is_over() {
-            let frame = world.step();
-            radii_m.push(frame.positions_m.iter().map(|x| dot(x, x)).sum::<f64>());
-            look(&view(&params, &frame.positions_m));
-        }
-        (radii_m[radii_m.len() - 1] / radii_m[0]).sqrt()
-    }
-
-    pub(in crate::controllers) fn view<'a>(
-        params: &'a Params<2>,
-        positions_m: &'a [Vector<2>],
-    ) -> TeamView<'a, 2> {
-        TeamView { params, positions_m, velocities_m_s: positions_m, desired_m_s: positions_m }
-    }
-
-    /// Compares the gradients of a barrier with differences of its value.
-    pub(in crate::controllers) fn check_gradients(
-        places: &[Vector<2>],
-        barrier: impl Fn(&TeamView<'_, 2>) -> Barrier<2>,
-    ) {
-        const STEP_M: f64 = 1e-5;
-        let params = Scenario::default().params::<2>().unwrap();
-        let here = barrier(&view(&params, places));
-        assert!(!here.gradients.is_empty());
-        for (robot, gradient) in &here.gradients {
-            for axis in 0..2 {
-                let at = |step_m: f64| {
-                    let mut moved = places.to_vec();
-                    moved[*robot][axis] += step_m;
-                    barrier(&view(&params, &moved)).h
-                };
-                let slope = (at(STEP_M) - at(-STEP_M)) / (2.0 * STEP_M);
-                assert!((slope - gradient[axis]).abs() <= 1e-6 * (1.0 + slope.abs()), "{slope} {gradient:?}");
-            }
-        }
-    }
-
-    /// Eleven places that have no symmetry.
-    pub(in crate::controllers) fn places() -> Vec<Vector<2>> {
-        (0..11)
-            .map(|k| {
-                let k = f64::from(k);
-                [1.3 * (0.9 * k).sin() + 0.21 * k, 1.1 * (1.7 * k).cos() - 0.13 * k]
-            })
-            .collect()
-    }
+    use crate::controllers::shared::testing::{check_gradients, places};
 
     #[test]
     fn gradients_are_those_of_the_values() {

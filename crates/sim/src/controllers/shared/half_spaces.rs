@@ -15,7 +15,7 @@ const ROUNDING_M_S: f64 = 1e-9;
 
 /// The half-spaces of one robot.
 #[derive(Clone, Debug, Default)]
-pub(super) struct HalfSpaces {
+pub(in crate::controllers) struct HalfSpaces {
     planes: Vec<Plane>,
 }
 
@@ -30,17 +30,17 @@ struct Plane {
 
 impl HalfSpaces {
     /// Forgets all half-spaces.
-    pub(super) fn clear(&mut self) {
+    pub(in crate::controllers) fn clear(&mut self) {
         self.planes.clear();
     }
 
     /// Adds `normal·w ≥ bound`. Without a direction it says nothing about the velocity, and is left out.
-    pub(super) fn push<const D: usize>(&mut self, normal: &Vector<D>, bound: f64) {
+    pub(in crate::controllers) fn push<const D: usize>(&mut self, normal: &Vector<D>, bound: f64) {
         self.add(normal, bound, false);
     }
 
     /// The same for what comes before all else: that nobody collides.
-    pub(super) fn push_first<const D: usize>(&mut self, normal: &Vector<D>, bound: f64) {
+    pub(in crate::controllers) fn push_first<const D: usize>(&mut self, normal: &Vector<D>, bound: f64) {
         self.add(normal, bound, true);
     }
 
@@ -56,7 +56,7 @@ impl HalfSpaces {
     /// The velocity closest to `desired` that all allow. Where none is allowed, one is looked for from `from` on that breaks
     /// little, and none of those that come first if that can be; those that it breaks are moved so that it no longer does, and the
     /// outcome is `Infeasible`.
-    pub(super) fn closest<const D: usize>(
+    pub(in crate::controllers) fn closest<const D: usize>(
         &self,
         desired: &Vector<D>,
         from: &Vector<D>,
