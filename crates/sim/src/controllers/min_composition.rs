@@ -1,7 +1,7 @@
 //! The least of all barriers, as a function that is not smooth (Glotfelter, Cortés, Egerstedt 2017).
 //!
 //! With every `h_i = c_i − F′` and every `Δ² − Δ_d²`, let h be the least. Where several
-//! are within [`ALMOST`] of it, all of them count as active, as the source wants it near a kink:
+//! are within `ALMOST` of it, all of them count as active, as the source wants it near a kink:
 //!
 //! ```text
 //! Σ_i ∂h_k/∂x_i · u_i ≥ −α h        for every k with h_k ≤ h + ALMOST
