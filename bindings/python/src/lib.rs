@@ -12,6 +12,7 @@ mod paper;
 mod robot;
 mod run;
 mod scenario;
+mod sweep;
 mod values;
 mod wmsr;
 mod world;
@@ -29,6 +30,8 @@ fn native(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_class::<scenario::Scenario>()?;
     module.add_class::<world::World>()?;
     module.add_class::<run::Run>()?;
+    module.add_class::<sweep::Sweep>()?;
+    module.add_class::<sweep::SweepFolder>()?;
     module.add_class::<robot::Robot>()?;
     module.add_class::<output::Output>()?;
     module.add_function(wrap_pyfunction!(scenario::named, module)?)?;

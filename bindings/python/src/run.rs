@@ -116,7 +116,6 @@ impl Run {
     }
 
     /// Pairs of robots that are linked at a tick, by index, and the weights of their links.
-    #[expect(clippy::type_complexity, reason = "two arrays")]
     fn edges<'py>(&self, py: Python<'py>, tick: usize) -> PyResult<(Bound<'py, PyArray2<i64>>, Vec<f64>)> {
         let record = self.record()?;
         if tick > record.last_tick() {

@@ -1,6 +1,7 @@
 //! A team in its world, one tick after another.
 
-use std::time::{Duration, Instant};
+use core::time::Duration;
+use std::time::Instant;
 
 use closeranks_core::robot::report::Mode;
 use closeranks_sim::output::record::outcome_name;
