@@ -131,7 +131,8 @@ impl Sweep {
     /// Makes the folder, or goes on in it.
     fn open(slf: &Bound<'_, Self>, folder: PathBuf) -> PyResult<SweepFolder> {
         let sweep = slf.get();
-        let store = Store::open(Path::new(&folder), &sweep.job.manifest).map_err(|error| sweep.error(&error))?;
+        let store =
+            Store::open(Path::new(&folder), &sweep.job.manifest).map_err(|error| sweep.error(&error))?;
         Ok(SweepFolder { sweep: slf.clone().unbind(), store: Mutex::new(Some(Arc::new(store))) })
     }
 }

@@ -1,6 +1,6 @@
 """Closeranks: software that keeps a team of robots agreeing while some of them lie.
 
-What to run is a `Scenario`, what it came to a `Run`; a `World` is stepped tick by tick from outside. `Robot` is the filter alone,
+What to run is a `Scenario`, what it came to a `Run`; a `World` is stepped tick by tick from outside, a `Batch` is many of those. `Robot` is the filter alone,
 for people with their own simulator or robots. `WMSR` is the consensus rule on arrays. `robustness` says how many liars a network
 survives, exactly, and `graphs` makes networks by name. `sweep` runs thousands of scenarios drawn from one file. `plots` draws the paper's figures.
 
@@ -14,6 +14,7 @@ the names of numbers. Whatever is refused is refused with an `Error` (a ValueErr
 """
 
 from closeranks import graphs, plots
+from closeranks._batch import Batch
 from closeranks._native import COMMIT as __commit__
 from closeranks._native import VERSION as __version__
 from closeranks._native import Error, GraphError, MessageError, Output, RobotError, ScenarioError
@@ -27,6 +28,7 @@ from closeranks._world import World
 
 __all__ = [
     "WMSR",
+    "Batch",
     "Error",
     "GraphError",
     "MessageError",
