@@ -3,7 +3,6 @@
 //! Python owns the loop, the callbacks and the pictures (`python/closeranks`); here is what must be fast or exact. Calls that
 //! take long let go of the interpreter, and return to it often enough that Ctrl-C works.
 
-mod batch;
 mod columns;
 mod errors;
 mod graph;
@@ -30,7 +29,7 @@ fn native(module: &Bound<'_, PyModule>) -> PyResult<()> {
     errors::add(module)?;
     module.add_class::<scenario::Scenario>()?;
     module.add_class::<world::World>()?;
-    module.add_class::<batch::Batch>()?;
+    module.add_class::<world::batch::Batch>()?;
     module.add_class::<run::Run>()?;
     module.add_class::<sweep::Sweep>()?;
     module.add_class::<sweep::SweepFolder>()?;

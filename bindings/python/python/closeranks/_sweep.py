@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 from collections.abc import Iterator
 from concurrent.futures import ThreadPoolExecutor, as_completed
-from functools import lru_cache
+from importlib import import_module
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Literal, TypeAlias
 
@@ -157,9 +157,8 @@ def _on_workers(
     recipe: _Recipe, folder: _native.SweepFolder, missing: list[int], client: Client | None
 ) -> Iterator[int]:
     """Runs blocks on workers; gives their numbers as they are written here."""
-    import distributed
-
-    own = distributed.Client() if client is None else client
+    distributed: Any = import_module("distributed")  # its calls have no types
+    own: Any = distributed.Client() if client is None else client
     futures: dict[Any, int] = {}
     try:
         # Not pure: a key of its own for each call, so that no result of another call is taken for ours.
@@ -176,12 +175,16 @@ def _on_workers(
             own.close()
 
 
-@lru_cache(maxsize=4)
-def _sweep_of(recipe: _Recipe) -> _native.Sweep:
-    text, name, files, runs, seed, shard = recipe
-    return _native.Sweep(text, name, list(files), runs, seed, shard)
+_last: dict[_Recipe, _native.Sweep] = {}
+"""The sweep of which this worker did a block last."""
 
 
 def _block(recipe: _Recipe, block: int) -> bytes:
     """The rows of a block, on a worker."""
-    return _sweep_of(recipe).block(block)
+    native = _last.get(recipe)
+    if native is None:
+        text, name, files, runs, seed, shard = recipe
+        native = _native.Sweep(text, name, list(files), runs, seed, shard)
+        _last.clear()
+        _last[recipe] = native
+    return native.block(block)

@@ -50,9 +50,8 @@ fn state(status: &Status) -> &'static str {
 
 fn sentence(whole: &Whole) -> String {
     let Whole { count, finished, open, at_work } = whole;
-    let line = |what: &str, shards: &BTreeSet<u64>| match shards.is_empty() {
-        true => String::new(),
-        false => format!("{what}: {}\n", ranges(shards)),
+    let line = |what: &str, shards: &BTreeSet<u64>| {
+        if shards.is_empty() { String::new() } else { format!("{what}: {}\n", ranges(shards)) }
     };
     let head = format!("{} of {count} shards are finished\n", finished.len());
     head + &line("at work", at_work) + &line("open", open)

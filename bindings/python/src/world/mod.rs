@@ -1,5 +1,7 @@
 //! A team in its world, one tick after another.
 
+pub(crate) mod batch;
+
 use core::time::Duration;
 use std::time::Instant;
 

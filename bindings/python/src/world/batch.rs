@@ -14,6 +14,7 @@ use rayon::{ThreadPool, ThreadPoolBuilder};
 use crate::errors;
 use crate::run::laws;
 use crate::scenario::Scenario;
+use crate::world::numbers;
 
 /// Worlds that differ in their seeds alone.
 #[pyclass(module = "closeranks._native")]
@@ -24,15 +25,11 @@ pub(crate) struct Batch {
 }
 
 /// The part of an array that is about world `index` of `worlds`.
-fn part<'a>(array: Option<&'a [f64]>, index: usize, worlds: usize) -> Option<&'a [f64]> {
+fn part(array: Option<&[f64]>, index: usize, worlds: usize) -> Option<&[f64]> {
     array.map(|array| {
         let size = array.len() / worlds.max(1);
         &array[index * size..(index + 1) * size]
     })
-}
-
-fn numbers<'a>(array: Option<&'a PyReadonlyArray1<'_, f64>>) -> PyResult<Option<&'a [f64]>> {
-    array.map(|array| array.as_slice()).transpose().map_err(errors::refused)
 }
 
 /// Refuses an array with a number that is not `good`, before any world is stepped.
