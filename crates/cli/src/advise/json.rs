@@ -15,6 +15,7 @@ pub(super) fn advice(asked: &Asked, advice: &Advice) -> Value {
         "version": env!("CARGO_PKG_VERSION"),
         "commit": env!("CLOSERANKS_COMMIT"),
         "asked": question(asked, advice),
+        "controller": asked.talk.controller(),
         "exists": advice.fit().exists(),
         "start": start(asked, advice),
         "assume": fits.collect::<Map<_, _>>(),

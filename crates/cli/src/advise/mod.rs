@@ -4,6 +4,7 @@ mod json;
 mod numbers;
 mod options;
 mod tables;
+mod which;
 mod words;
 
 use std::path::PathBuf;
@@ -19,12 +20,14 @@ use closeranks_sim::world::{self, Options};
 use crate::{output, results, source};
 
 pub(crate) const HELP: &str = "\
-Says which starts, speeds, ticks and F are possible under the controller budget, and what stated errors cost:
+Says which controller to take, which starts, speeds, ticks and F are possible under the controller budget, and what stated
+errors cost:
 
     closeranks advise                                   # the paper's team: 11 robots, F = 2, R = 3 m
     closeranks advise --robots 20 --faults 4 --radius 5 --speed 0.5 --tick 0.02
     closeranks advise --position-error 0.01 --lag 0.02  # what these two cost
     closeranks advise --assume free                     # liars may move as they like
+    closeranks advise --silent                          # robots tell each other nothing of their motion
     closeranks advise --dimension 3 --json | jq .start  # positions to copy into a scenario
     closeranks advise scenarios/budget.toml             # of a scenario, and whether its start is inside
     closeranks advise scenarios/budget.toml --faults 3  # the same with another F
@@ -40,6 +43,8 @@ pub(crate) struct Advise {
     file: Option<PathBuf>,
     #[command(flatten)]
     options: options::Numbers,
+    #[command(flatten)]
+    talk: which::Talk,
     /// Whether malicious robots move by the rules, or as they like.
     #[arg(long, value_parser = ["obedient", "free"])]
     assume: Option<String>,
@@ -54,6 +59,7 @@ pub(crate) struct Advise {
 /// What was asked, and what is known of the scenario behind it.
 struct Asked {
     question: Question,
+    talk: which::Talk,
     /// Where the start of the file lies under `budget`, if there is one for this team.
     start: Option<StartSummary>,
     /// The controller that the file names.
@@ -86,7 +92,7 @@ fn asked(arguments: &Advise) -> Result<Asked> {
     }
     arguments.options.fill(&mut question);
     let start = file.as_ref().and_then(|_| start(&question));
-    Ok(Asked { question, start, controller: file.map(|file| file.controller.name()) })
+    Ok(Asked { question, talk: arguments.talk, start, controller: file.map(|file| file.controller.name()) })
 }
 
 /// Where the start of the scenario lies: its first tick under `budget`. None if there is no such start.

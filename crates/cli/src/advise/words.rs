@@ -22,6 +22,7 @@ pub(super) fn told(asked: &Asked, advice: &Advice) -> String {
     let fits: String = advice.fits.iter().map(|fit| wrapped(&spacings(asked, fit))).collect();
     parts.push(fits + &wrapped(&starting(asked, advice)));
     parts.extend(file(asked, advice).map(|text| wrapped(&text)));
+    parts.push(wrapped(&asked.talk.advice(&asked.question, advice.fit().assume)));
     parts.push(wrapped(&assumption(advice)));
     parts.push(wrapped(&faults(asked, advice)));
     parts.push(wrapped(&motion(asked, advice)));
