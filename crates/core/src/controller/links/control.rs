@@ -1,7 +1,5 @@
 //! The controller `links` as a robot runs it: its lists, its rows, the closest velocity, and its worth.
 
-use core::time::Duration;
-
 use crate::controller::assume::Assume;
 use crate::controller::links::Links;
 use crate::controller::links::peer::{Ledger, Peer};
@@ -25,7 +23,6 @@ pub struct LinksController<const D: usize> {
     reach: Reach<D>,
     input: InputBox<D>,
     hold_s: f64,
-    told_max: Duration,
     /// A neighbour that is not sensed for more ticks than this is given up.
     unseen_max: u32,
     /// The links of the team; their weights are of no use here.
@@ -56,17 +53,18 @@ impl<const D: usize> LinksController<D> {
             errors,
             horizon_s: parameters.horizon_s,
             pass_right: parameters.pass_right,
+            told_max: settings.clock.told_max,
         };
-        let (input, told_max) = (settings.limits.input, settings.clock.told_max);
-        let ticks = told_max.as_nanos() / period.as_nanos().max(1);
+        let input = settings.limits.input;
+        let ticks = settings.clock.told_max.as_nanos() / period.as_nanos().max(1);
         let unseen_max = u32::try_from(ticks).unwrap_or(u32::MAX);
-        Self { links, reach, input, hold_s, told_max, unseen_max, shape }
+        Self { links, reach, input, hold_s, unseen_max, shape }
     }
 
     /// The desired velocity as the robot tells and follows it.
     fn wish(&self, view: &View<'_, D>, desired: &Vector<D>) -> Vector<D> {
         let heard = view.sensed().filter_map(|slot| {
-            let told = slot.peer.told_within(view.now, self.told_max)?;
+            let told = slot.peer.told_within(view.now, self.links.told_max)?;
             Some((slot.offset_m, told.head.wish_m_s))
         });
         self.links.turned(desired, heard)

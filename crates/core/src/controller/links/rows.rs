@@ -67,6 +67,8 @@ fn squared(x: f64) -> f64 {
 
 #[cfg(test)]
 mod tests {
+    use core::time::Duration;
+
     use super::*;
     use crate::controller::assume::Assume;
     use crate::controller::errors::ErrorBounds;
@@ -90,6 +92,7 @@ mod tests {
             errors,
             horizon_s: 4.0,
             pass_right: false,
+            told_max: Duration::ZERO,
         }
     }
 
