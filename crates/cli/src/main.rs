@@ -107,6 +107,9 @@ struct Paper {
     /// Folder to write to; what the same command wrote there is replaced.
     #[arg(short, long, value_name = "DIR", default_value = "closeranks-out")]
     output: PathBuf,
+    /// Record every tick as messages of ROS 2 in FILE.mcap, for Foxglove, Rerun and ros2 bag; each scenario has its name put into that of its file.
+    #[arg(long, value_name = "FILE")]
+    record: Option<PathBuf>,
     /// Seed of initial values and of what liars say.
     #[arg(long, default_value_t = 1, value_parser = invocation::seed, allow_negative_numbers = true)]
     seed: u64,
@@ -122,6 +125,9 @@ struct Run {
     /// Folder for figures, data and page; without it only the table is printed.
     #[arg(short, long, value_name = "DIR")]
     output: Option<PathBuf>,
+    /// Record every tick as messages of ROS 2 in FILE.mcap, for Foxglove, Rerun and ros2 bag.
+    #[arg(long, value_name = "FILE")]
+    record: Option<PathBuf>,
     /// Use this seed instead of the file's.
     #[arg(long, conflicts_with = "draw", value_parser = invocation::seed, allow_negative_numbers = true)]
     seed: Option<u64>,
@@ -152,6 +158,9 @@ struct Compare {
     /// Folder for figures, data and page; without it only the table is printed.
     #[arg(short, long, value_name = "DIR")]
     output: Option<PathBuf>,
+    /// Record every tick as messages of ROS 2 in FILE.mcap, for Foxglove, Rerun and ros2 bag; each controller has its name put into that of its file.
+    #[arg(long, value_name = "FILE")]
+    record: Option<PathBuf>,
     /// Use this seed instead of the file's.
     #[arg(long, value_parser = invocation::seed, allow_negative_numbers = true)]
     seed: Option<u64>,

@@ -8,11 +8,12 @@ use closeranks_report::html::html;
 use closeranks_report::robustness::robustness;
 use closeranks_report::table::{Line, table, text};
 use closeranks_sim::scenario::Scenario;
-use closeranks_sim::world::{self, Options, Run};
+use closeranks_sim::world::{Options, Run};
 
 use crate::as_run::as_run;
 use crate::folder::Folder;
 use crate::results::recorder::Recorder;
+use crate::results::tape::{self, Tape, Target};
 use crate::{invocation, json, output, pages, progress, sentences, source};
 
 /// Name of the file with every tick.
@@ -42,16 +43,19 @@ pub(crate) fn run(arguments: &crate::Run) -> Result<bool> {
         .as_mut()
         .map(|folder| Recorder::new(folder, [TICKS, ROUNDS], &scenario, &source))
         .transpose()?;
+    let target = arguments.record.as_deref().map(Target::new).transpose()?;
+    let mut tape = target.map(|target| Tape::new(&target, &scenario, &source)).transpose()?;
     let bar = progress::bar(u64::from(scenario.ticks()), arguments.speech.quiet);
     bar.set_message(scenario.name.clone());
     let unrecorded = Options { robustness: true, digest: true, ..Options::default() };
     let mut progress = |tick| bar.set_position(u64::from(tick));
     let (run, time) = progress::timed(|| match recorder {
-        Some(recorder) => recorder.run(&scenario, &mut progress),
-        None => Ok(world::run(&scenario, unrecorded, &mut progress)?),
+        Some(recorder) => recorder.run(&scenario, &mut progress, &mut tape::record(&mut tape)),
+        None => tape::run(&scenario, unrecorded, &mut progress, &mut tape::record(&mut tape)),
     });
     bar.finish_and_clear();
     let done = Done { source, run: run?, scenario, wall_s: time.as_secs_f64() };
+    let recorded = tape.map(Tape::finish).transpose()?;
     if arguments.speech.json {
         output::say(&json::text(&json::run(&done.scenario, &done.run, done.wall_s)));
     } else if !arguments.speech.quiet {
@@ -62,6 +66,9 @@ pub(crate) fn run(arguments: &crate::Run) -> Result<bool> {
         if !arguments.speech.quiet && !arguments.speech.json {
             output::say(&format!("written to {}: {files}\n", target.display()));
         }
+    }
+    if !arguments.speech.quiet && !arguments.speech.json {
+        tape::say(recorded.as_deref().into_iter());
     }
     Ok(done.run.summary.failures(&done.scenario).next().is_none())
 }

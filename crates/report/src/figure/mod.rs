@@ -4,7 +4,7 @@ pub mod network;
 pub mod robustness;
 
 mod distance;
-mod formation;
+pub(crate) mod formation;
 mod overview;
 pub(crate) mod panel;
 mod paper;
