@@ -19,7 +19,7 @@ static INVOCATION: OnceLock<Invocation> = OnceLock::new();
 const WRITERS: [&str; 5] = ["paper", "run", "compare", "check", "view"];
 
 /// Arguments that say where results go and how they are told, not what they are.
-const UNTELLING: [&str; 6] = ["output", "record", "export", "overwrite", "quiet", "json"];
+const UNTELLING: [&str; 8] = ["output", "record", "export", "overwrite", "quiet", "json", "live", "speed"];
 
 /// Adds `--overwrite` to every command that writes a folder and may replace.
 pub(crate) fn with_overwrite(command: Command) -> Command {

@@ -7,6 +7,7 @@ mod check;
 mod compare;
 mod folder;
 mod invocation;
+mod live;
 mod maker;
 mod output;
 mod paper;
@@ -140,6 +141,12 @@ struct Run {
     /// Seed of that sweep [default: 1].
     #[arg(long, value_name = "S", requires = "draw", value_parser = invocation::seed, allow_negative_numbers = true)]
     sweep_seed: Option<u64>,
+    /// Draw the run in the terminal while it goes on.
+    #[arg(long, conflicts_with_all = ["json", "quiet", "print"])]
+    live: bool,
+    /// How fast: seconds of the run in a second.
+    #[arg(long, value_name = "X", requires = "live", default_value_t = 1.0, value_parser = speed)]
+    speed: f64,
     /// Print the drawn scenario as plain TOML instead of running it.
     #[arg(long, requires = "draw")]
     print: bool,
@@ -166,6 +173,12 @@ struct Compare {
     seed: Option<u64>,
     #[command(flatten)]
     speech: Speech,
+}
+
+/// Reads how fast a run is shown.
+fn speed(text: &str) -> Result<f64, &'static str> {
+    let number = text.parse().ok().filter(|speed| (0.01..=1000.0).contains(speed));
+    number.ok_or("allowed is a number from 0.01 to 1000")
 }
 
 fn main() -> ExitCode {
