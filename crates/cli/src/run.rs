@@ -3,7 +3,7 @@
 use anyhow::{Result, bail};
 use closeranks_graph::graph::set::NODE_LIMIT;
 use closeranks_report::content::{Link, Page, Section};
-use closeranks_report::figure::{Case, overview};
+use closeranks_report::figure::{Case, animation, overview};
 use closeranks_report::html::html;
 use closeranks_report::robustness::robustness;
 use closeranks_report::table::{Line, table, text};
@@ -22,6 +22,9 @@ use crate::{invocation, json, output, pages, progress, sentences, source};
 const TICKS: &str = "run.parquet";
 /// Name of the file with every consensus round.
 const ROUNDS: &str = "rounds.parquet";
+
+/// Name of the picture that moves.
+const ANIMATION: &str = "animation.svg";
 
 /// A finished run.
 struct Done {
@@ -127,6 +130,10 @@ fn save(mut folder: Folder, done: &Done) -> Result<String> {
     figures.extend(robustness.as_deref().map(|svg| ("robustness", svg)));
     let mut files = pages::add_data(&mut folder, ["scenario.toml", TICKS, ROUNDS], source, scenario, run)?;
     files.extend(pages::add_figures(&mut folder, &figures, &|| ())?);
+    if let Some(film) = animation(Case { title: &scenario.name, scenario, record }) {
+        folder.add(ANIMATION, film);
+        files.push(Link::new(ANIMATION, "the run in some seconds, as a picture that moves"));
+    }
     let names = pages::names(&files);
     folder.add("report.html", html(&page(done, svg.clone(), robustness, files)));
     folder.write()?;
