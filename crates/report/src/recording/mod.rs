@@ -5,10 +5,12 @@
 //! | a record, one row a tick and robot | [`mod@write`] |
 //! | exact robustness, one row a consensus round | [`rounds`] |
 //! | the messages that robots would give to ROS 2, as MCAP | [`mcap`] |
+//! | what a run looked like, read back from either | [`history`] |
 //! | positions, read back | [`mod@read`] |
 //! | positions that others recorded | [`elsewhere`] |
 
 pub mod elsewhere;
+pub mod history;
 pub mod mcap;
 pub mod positions;
 pub mod read;

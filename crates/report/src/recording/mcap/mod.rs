@@ -23,8 +23,10 @@ mod diagnostics;
 mod look;
 mod markers;
 mod messages;
+mod read;
 mod schemas;
 mod writer;
 
 pub use self::look::{ROBOTS_MAX, opened_by};
+pub use self::read::{McapError, read};
 pub use self::writer::RunWriter;
