@@ -1,13 +1,17 @@
 //! Notes which commit is built, so that every record says where it came from.
+//!
+//! `crates/cli/build.rs` does the same with other paths. A script must lie in its own package to be built from a published one, and a package
+//! for these lines would be one more to publish.
 
 use std::process::Command;
 
 /// What is built.
-const SOURCES: [&str; 5] = [
+const SOURCES: [&str; 6] = [
     "../../crates/core/src",
     "../../crates/graph/src",
     "../../crates/sim/src",
     "../../crates/report/src",
+    "../../crates/sweep/src",
     "src",
 ];
 

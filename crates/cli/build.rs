@@ -1,9 +1,13 @@
 //! Notes which commit is built, so that every record says where it came from.
+//!
+//! `bindings/python/build.rs` does the same with other paths. A script must lie in its own package to be built from a published one, and a package
+//! for these lines would be one more to publish.
 
 use std::process::Command;
 
 /// What the program is made of.
-const SOURCES: [&str; 5] = ["../core/src", "../graph/src", "../sim/src", "../report/src", "src"];
+const SOURCES: [&str; 6] =
+    ["../core/src", "../graph/src", "../sim/src", "../report/src", "../sweep/src", "src"];
 
 fn main() {
     println!("cargo:rerun-if-changed=../../.git/HEAD");

@@ -9,8 +9,10 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 import numpy as np
 import numpy.typing as npt
 
+from closeranks._frames import pandas_frame, polars_frame
 from closeranks._native import Run as NativeRun
 from closeranks._types import Floats, Law
+from closeranks.plots import overview
 
 if TYPE_CHECKING:
     import networkx as nx
@@ -99,8 +101,13 @@ class Run:
 
     @property
     def degree(self) -> npt.NDArray[np.uint16]:
-        """delta_i, (T, n)."""
+        """delta_i as it is, (T, n)."""
         return self._native.degree()
+
+    @property
+    def degree_sensed(self) -> Floats:
+        """delta_i as robots sense it, (T, n); NaN of a robot that is down."""
+        return self._native.numbers("degree_sensed")
 
     @property
     def levels(self) -> Floats:
@@ -108,8 +115,13 @@ class Run:
         return self._native.numbers("level")
 
     @property
+    def levels_sensed(self) -> Floats:
+        """Levels c_i as robots sense them, (T, n); NaN of a robot that is down."""
+        return self._native.numbers("level_sensed")
+
+    @property
     def told(self) -> Floats:
-        """Levels as told, (T, n)."""
+        """Levels as told, (T, n); NaN of a robot that is down, and of one that does not tell all the same."""
         return self._native.numbers("told")
 
     @property
@@ -124,8 +136,13 @@ class Run:
 
     @property
     def values(self) -> Floats:
-        """y_i, (T, n); of malicious robots what they tell."""
+        """y_i as robots hold it, (T, n), malicious or not."""
         return self._native.numbers("value")
+
+    @property
+    def values_told(self) -> Floats:
+        """y_i as told, (T, n); NaN of a robot that is down, and of one that does not tell all the same."""
+        return self._native.numbers("value_told")
 
     @property
     def outcome(self) -> npt.NDArray[np.uint8]:
@@ -190,15 +207,12 @@ class Run:
 
     def to_polars(self) -> pl.DataFrame:
         """One row a tick and robot, with the columns of `run.parquet`: `tick, time_s, robot, malicious, x_m, y_m, (z_m,) ux_m_s,
-        uy_m_s, (uz_m_s,) degree, level, told, h, phi_i, value, outcome`; inputs are null at the last tick."""
-        from closeranks._frames import polars_frame
-
+        uy_m_s, (uz_m_s,) degree, level, told, h, phi_i, value, value_told, degree_sensed,
+        level_sensed, outcome`; inputs are null at the last tick, and what was not told or sensed is."""
         return polars_frame(self)
 
     def to_pandas(self) -> pd.DataFrame:
         """The same rows and columns as `to_polars`; inputs are NaN at the last tick."""
-        from closeranks._frames import pandas_frame
-
         return pandas_frame(self)
 
     def to_parquet(self, path: str | os.PathLike[str]) -> None:
@@ -216,8 +230,6 @@ class Run:
 
         `closeranks.plots` has the paper's two figures for several runs side by side.
         """
-        from closeranks.plots import overview
-
         return overview(self, title=title)
 
     def __str__(self) -> str:

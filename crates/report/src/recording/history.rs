@@ -50,7 +50,7 @@ mod tests {
 
     #[test]
     fn a_moment_is_a_line_of_json() {
-        let mut columns: [Vec<f64>; 6] = core::array::from_fn(|column| vec![column as f64 + 0.1; 2]);
+        let mut columns: [Vec<f64>; 6] = [0.1, 1.1, 2.1, 3.1, 4.1, 5.1].map(|number| vec![number; 2]);
         columns[4][1] = f64::NAN;
         let history = History { scenario: "seed = 7\n".to_owned(), robots: 2, ticks: vec![3], columns };
         let lines = history.lines();

@@ -1,13 +1,15 @@
 //! Every field of a scenario text, with its default and range.
 
-use closeranks_core::controller::budget::settings::{Assume, Trust};
+use closeranks_core::controller::assume::Assume;
+use closeranks_core::controller::budget::settings::Trust;
 use closeranks_core::equations::composition::PhiSplit;
 use closeranks_core::settings::field::TABLE;
 use closeranks_core::settings::range::{Allowed, MAGNITUDE_MAX, ROBOTS_MAX};
 use toml::de::{DeTable, DeValue};
 
 use super::common::{ANY, POSITION, POSITIVE, interval, set, small};
-use super::reader::{Reader, Section, number, whole};
+use super::reader::{Reader, Section};
+use super::value::{number, whole};
 use crate::attack::Attack;
 use crate::faults::{Faults, Outages};
 use crate::law::Law;
