@@ -130,8 +130,8 @@ mod tests {
 
     fn moment(tick: u32) -> String {
         let numbers = "[0.5,1,null]";
-        let columns: String = COLUMNS.iter().map(|name| format!(",\"{name}\":{numbers}")).collect();
-        format!("{{\"tick\":{tick}{columns}}}\n")
+        let columns: Vec<String> = COLUMNS.iter().map(|name| format!("\"{name}\":{numbers}")).collect();
+        format!("{{\"tick\":{tick},{}}}\n", columns.join(","))
     }
 
     const FIRST: &str =
@@ -155,7 +155,7 @@ mod tests {
     #[test]
     fn only_the_newest_moments_are_kept() {
         let feed = Feed::default();
-        let many = MOMENTS_MAX as u32 + 7;
+        let many = u32::try_from(MOMENTS_MAX).unwrap() + 7;
         let text: String = (0..many).map(moment).collect();
         feed.follow(&mut text.as_bytes(), 3).unwrap();
         let all = feed.next(&mut Some(0)).unwrap();
