@@ -16,6 +16,7 @@ pub use controller::{BudgetSettings, ComposedSettings, Controller, LinksSettings
 use crate::controller::budget::errors::ErrorBounds;
 use crate::controller::budget::weight::Conditions;
 use crate::equations::link::LinkShape;
+use crate::need::Ranks;
 use crate::program::InputBox;
 use crate::robot::neighbor::RobotId;
 
@@ -73,6 +74,8 @@ pub struct Settings<const D: usize> {
     pub clock: Clock,
     /// Stated bounds of errors.
     pub errors: Errors,
+    /// Ranks of the team, if it has any.
+    pub ranks: Option<Ranks>,
 }
 
 impl Default for Team {

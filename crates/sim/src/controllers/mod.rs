@@ -103,6 +103,8 @@ pub struct Row {
     /// Whether it guarantees in discrete time what it promises. Robots then watch what that rests on: their clocks, and
     /// whether they are where their moves should have taken them.
     pub guarantees: bool,
+    /// Whether ranks may tell who counts for whom.
+    pub ranks: bool,
     /// Whether φ_i is part of its decisions.
     pub uses_phi: bool,
     /// The laws that sweeps hold it to.
@@ -166,6 +168,7 @@ controllers! {
             about: "ours: a guarantee in discrete time, for any lie and any loss of messages",
             knows: Knows::Local,
             guarantees: true,
+            ranks: false,
             uses_phi: false,
             promises: &Law::PROMISED,
             counted: Counted::Covered,
@@ -179,6 +182,7 @@ controllers! {
             about: "the paper's, as printed",
             knows: Knows::Local,
             guarantees: false,
+            ranks: false,
             uses_phi: true,
             promises: &Law::COMPOSED,
             counted: Counted::Covered,
@@ -192,6 +196,7 @@ controllers! {
             about: "ours, without weights: robots agree on the links that they keep",
             knows: Knows::Local,
             guarantees: true,
+            ranks: true,
             uses_phi: false,
             promises: &Law::LINKS,
             counted: Counted::Covered,
@@ -205,6 +210,7 @@ controllers! {
             about: "the desired velocity, cut to the input box",
             knows: Knows::Local,
             guarantees: false,
+            ranks: false,
             uses_phi: false,
             promises: &Law::EXPECTED,
             counted: Counted::All,
@@ -218,6 +224,7 @@ controllers! {
             about: "collision avoidance alone, by reciprocal half-planes",
             knows: Knows::Global,
             guarantees: false,
+            ranks: false,
             uses_phi: false,
             promises: &[Law::Interval, Law::Input],
             counted: Counted::Covered,

@@ -10,7 +10,7 @@ use closeranks_core::num::dot;
 use closeranks_core::program::Outcome;
 use closeranks_core::robot::Robot;
 use closeranks_core::robot::error::RobotError;
-use closeranks_core::robot::neighbor::{RobotId, Slot};
+use closeranks_core::robot::neighbor::{Member, RobotId, Slot};
 use closeranks_core::robot::report::Mode;
 use closeranks_core::settings::params::Params;
 
@@ -29,6 +29,8 @@ use crate::transport::{Bytes, Parcel, Transport};
 #[derive(Debug)]
 pub struct Fleet<const D: usize, T = FaultyNetwork<InMemory>> {
     robots: Vec<Robot<D, Vec<Slot<D>>>>,
+    /// Their numbers and ranks.
+    members: Vec<Member>,
     memory: Memory<D>,
     composed: Composed,
     params: Params<D>,
@@ -76,11 +78,14 @@ impl<const D: usize, T: Transport> Fleet<D, T> {
     ) -> Result<Self, RobotError> {
         let others = values.len().saturating_sub(1);
         let slots = scenario.faults.sensing.dropouts.slots.map_or(others, usize::from);
-        let robots = (0..)
+        let members = members::<D>(scenario);
+        let robots = members
+            .iter()
             .zip(values)
-            .map(|(index, value)| Robot::new(params, id(index), *value, vec![Slot::default(); slots]));
+            .map(|(member, value)| Robot::new(params, *member, *value, vec![Slot::default(); slots]));
         Ok(Self {
             robots: robots.collect::<Result<_, _>>()?,
+            members,
             memory: Memory::new(&params, others),
             composed: scenario.composition(),
             params,
@@ -133,6 +138,7 @@ impl<const D: usize, T: Transport> Fleet<D, T> {
         let time_s = self.time_s();
         if self.tick.is_multiple_of(self.ticks_per_round) {
             frame.heard.fill([0; 2]);
+            frame.listened.fill([0; 2]);
         }
         self.edges.begin_tick(self.tick, time_s, &frame.positions_m);
         self.transport.begin_tick(self.tick);
@@ -162,7 +168,7 @@ impl<const D: usize, T: Transport> Fleet<D, T> {
                 if index != observer && sight.senses((observer, own), index, within) {
                     let sensed = senses.sense(observer, index, position);
                     sight.note((observer, index), position, &sensed);
-                    let _ = robot.observe(id(index), sensed);
+                    let _ = robot.observe(self.members[index], sensed);
                 }
             }
         }
@@ -284,7 +290,7 @@ impl<const D: usize, T: Transport> Fleet<D, T> {
             }
             ends += u32::from(output.report.degree);
             if output.report.round.is_some() {
-                frame.heard[index] = heard(robot, &self.malicious);
+                [frame.heard[index], frame.listened[index]] = heard(robot, &self.malicious);
             }
         }
         frame.links = ends / 2;
@@ -313,6 +319,13 @@ fn id(index: usize) -> RobotId {
     RobotId(u16::try_from(index + 1).unwrap_or(u16::MAX))
 }
 
+/// The robots of `scenario` as the roster has them.
+fn members<const D: usize>(scenario: &Scenario) -> Vec<Member> {
+    let ranks = scenario.ranks::<D>().ok().flatten();
+    let rank = |index: usize| ranks.as_ref().map_or(0, |ranks| ranks[index]);
+    (0..usize::from(scenario.team.robots)).map(|index| Member { id: id(index), rank: rank(index) }).collect()
+}
+
 /// φ_i of a robot whose controller does not use it, from what it senses and was told.
 fn phi<const D: usize>(robot: &Robot<D, Vec<Slot<D>>>, composed: &Composed) -> f64 {
     let slots = || robot.neighbors().iter();
@@ -320,9 +333,17 @@ fn phi<const D: usize>(robot: &Robot<D, Vec<Slot<D>>>, composed: &Composed) -> f
     composed.phi(robot.told_level(), slots().filter_map(Slot::told_level), distances_m2)
 }
 
-/// How many values a robot used in its round, and how many of them were those of normal robots.
-fn heard<const D: usize>(robot: &Robot<D, Vec<Slot<D>>>, malicious: &[bool]) -> [u16; 2] {
-    let spoke = || robot.neighbors().iter().filter(|slot| slot.told_value().is_some());
-    let normal = spoke().filter(|slot| !malicious[usize::from(slot.id().0) - 1]).count();
-    [spoke().count(), normal].map(|count| u16::try_from(count).unwrap_or(u16::MAX))
+/// How many values of robots that count for it a robot used in its round, and how many of them were those of normal robots; and how
+/// many values it used at all, and how many of them were those of malicious robots.
+fn heard<const D: usize>(robot: &Robot<D, Vec<Slot<D>>>, malicious: &[bool]) -> [[u16; 2]; 2] {
+    let spoke = robot.neighbors().iter().filter(|slot| slot.told_value().is_some() && robot.listens_to(slot));
+    let [mut counted, mut normal, mut all, mut liars] = [0; 4];
+    for slot in spoke {
+        let (counts, lies) = (robot.counts(slot), malicious[usize::from(slot.id().0) - 1]);
+        all += 1;
+        counted += u16::from(counts);
+        normal += u16::from(counts && !lies);
+        liars += u16::from(lies);
+    }
+    [[counted, normal], [all, liars]]
 }

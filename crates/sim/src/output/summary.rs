@@ -156,8 +156,8 @@ fn start<const D: usize>(scenario: &Scenario, frame: &Frame<D>, monitors: &Monit
     let Extremes { phi_min, distance_min_m, inside_from, .. } = *monitors.extremes();
     let normal = frame.h.iter().zip(monitors.malicious()).filter(|(_, malicious)| !**malicious);
     let h_min = normal.map(|(h, _)| *h).fold(f64::INFINITY, f64::min);
-    let normal = frame.degrees.iter().zip(monitors.malicious()).filter(|(_, malicious)| !**malicious);
-    let degrees = normal.into_iter().all(|(degree, _)| *degree >= monitors.kept_degree());
+    let normal = monitors.malicious().iter().enumerate().filter(|(_, malicious)| !**malicious);
+    let degrees = normal.into_iter().all(|(robot, _)| monitors.can_keep(robot));
     let inside = match scenario.controller.row().inside {
         Inside::Margins => h_min >= 0.0 && distance_min_m >= scenario.limits.distance_min_m,
         Inside::Degrees => degrees && distance_min_m >= scenario.limits.distance_min_m,

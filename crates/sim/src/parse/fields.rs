@@ -2,6 +2,7 @@
 
 use closeranks_core::controller::budget::settings::{Assume, Trust};
 use closeranks_core::equations::composition::PhiSplit;
+use closeranks_core::need::Listen;
 use closeranks_core::settings::field::TABLE;
 use closeranks_core::settings::range::{Allowed, MAGNITUDE_MAX, ROBOTS_MAX};
 use toml::de::{DeTable, DeValue};
@@ -13,6 +14,7 @@ use crate::faults::{Faults, Outages};
 use crate::law::Law;
 use crate::plant::Plant;
 use crate::scenario::desired::Desired;
+use crate::scenario::ranks::{How, Ranking};
 use crate::scenario::route::{KINDS, Route, Whose};
 use crate::scenario::start::Start;
 use crate::scenario::{Controller, Scenario, Values};
@@ -79,6 +81,32 @@ fn team(reader: &mut Reader, section: &mut Section<'_>, scenario: &mut Scenario)
         reader.list(section, "malicious", &format!("the number of a robot, 1 to {robots}"), robot);
     scenario.malicious = malicious.unwrap_or_else(|| (1..=scenario.team.faults.min(robots)).collect());
     scenario.malicious.sort_unstable();
+    scenario.ranks = ranks(reader, section, scenario.team.robots);
+}
+
+/// A list of ranks, or a table that says how they are chosen from the start.
+fn ranks(reader: &mut Reader, section: &mut Section<'_>, robots: u16) -> Option<Ranking> {
+    let listed = |reader: &mut Reader, section: &mut Section<'_>, key| {
+        let rank = move |value: &DeValue<'_>| whole(value).map(small).filter(|rank| *rank < robots);
+        reader.list(section, key, &format!("a rank, 0 to {}", robots - 1), rank).map(How::Listed)
+    };
+    if !section.has_table("ranks") {
+        let how = listed(reader, section, "ranks")?;
+        return Some(Ranking { how, listen: Listen::All });
+    }
+    reader.table(section, "ranks", |reader, section| {
+        let listen = [("all", Listen::All), ("counted", Listen::Counted)];
+        let listen = reader.word(section, "listen", &listen).unwrap_or_default();
+        if section.has("list") {
+            return listed(reader, section, "list").map(|how| Ranking { how, listen });
+        }
+        let core = small(reader.whole(section, "core", 1..u64::from(robots) + 1)?);
+        let kinds = [("own", How::Own { core }), ("layers", How::Layers { core })];
+        let places: Vec<(&str, usize)> = kinds.iter().enumerate().map(|(k, (name, _))| (*name, k)).collect();
+        let kind = reader.word(section, "kind", &places).unwrap_or(0);
+        let [(_, own), (_, layers)] = kinds;
+        Some(Ranking { how: if kind == 0 { own } else { layers }, listen })
+    })
 }
 
 /// Reads every number of the settings that stands in `table`.
@@ -173,6 +201,7 @@ fn motion(reader: &mut Reader, section: &mut Section<'_>, scenario: &mut Scenari
         ("paper", Desired::Paper),
         ("hold", Desired::Hold),
         ("gather", Desired::Gather),
+        ("outward", Desired::Outward),
         ("wander", Desired::Wander),
     ];
     let words = simple.iter().map(|(name, _)| *name).chain(KINDS.map(|(name, _)| name));
