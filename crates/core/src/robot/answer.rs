@@ -5,8 +5,8 @@ use core::time::Duration;
 use crate::controller::{Decision, Standing};
 use crate::equations::barrier::degree_barrier;
 use crate::program::Outcome;
-use crate::robot::report::{Mode, Output, Report, RoundReport, small};
 use crate::robot::neighbor::Slot;
+use crate::robot::report::{Mode, Output, Report, RoundReport, small};
 use crate::robot::{Robot, Slots};
 
 impl<const D: usize, S: Slots<D>> Robot<D, S> {

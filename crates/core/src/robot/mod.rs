@@ -187,7 +187,11 @@ impl<const D: usize, S: Slots<D>> Robot<D, S> {
     /// Takes the sensed position of another robot, m.
     ///
     /// Under ranks `other` is a [`Member`], with the rank that the roster has; a number alone stands for rank 0.
-    pub fn observe(&mut self, other: impl Into<Member>, position: Vector<D>) -> Result<Observed, ObserveError> {
+    pub fn observe(
+        &mut self,
+        other: impl Into<Member>,
+        position: Vector<D>,
+    ) -> Result<Observed, ObserveError> {
         let Member { id, rank } = other.into();
         if id == self.id {
             return Err(ObserveError::OwnId);
@@ -239,7 +243,13 @@ impl<const D: usize, S: Slots<D>> Robot<D, S> {
         let value_due = self.value_timer.fires_in_turn(self.now, self.params.settings().clock.hold_max());
         if level_due {
             let (controller, slots) = (self.params.controller(), &mut self.slots.as_mut()[..self.count]);
-            controller.agree(Member { id: self.id, rank: self.rank }, &mut self.ledger, slots, self.now, scratch);
+            controller.agree(
+                Member { id: self.id, rank: self.rank },
+                &mut self.ledger,
+                slots,
+                self.now,
+                scratch,
+            );
             self.level = self.params.controller().level(&self.view(), scratch);
             self.level_at = self.now;
             self.told_level = self.level;

@@ -40,7 +40,11 @@ impl<const D: usize, const N: usize, const K: usize> SizedRobot<D, N, K> {
     }
 
     /// See [`Robot::observe`].
-    pub fn observe(&mut self, other: impl Into<Member>, position: Vector<D>) -> Result<Observed, ObserveError> {
+    pub fn observe(
+        &mut self,
+        other: impl Into<Member>,
+        position: Vector<D>,
+    ) -> Result<Observed, ObserveError> {
         self.robot.observe(other, position)
     }
 

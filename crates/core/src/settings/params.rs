@@ -8,10 +8,10 @@ use crate::equations::link::LinkShape;
 use crate::need::{Keep, Listen, Need};
 use crate::num::{Vector, is_finite};
 use crate::program::balls::reach::Reach;
+use crate::settings::Team;
 use crate::settings::field::{Field, TABLE};
 pub use crate::settings::range::{Allowed, MAGNITUDE_MAX, ROBOTS_MAX};
 pub use crate::settings::{Controller, Settings};
-use crate::settings::Team;
 
 /// Settings that were checked, and what follows from them.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -209,7 +209,11 @@ impl<const D: usize> Settings<D> {
         let ranked = matches!(self.controller, Controller::Links(_));
         let least = if ranked { f64::from(faults) * 2.0 + 1.0 } else { f64::from(robots) };
         let allowed = Allowed::Closed(least, f64::from(robots));
-        if allowed.holds(core) { Ok(()) } else { Err(ParamsError { field: Field::Core, value: core, allowed }) }
+        if allowed.holds(core) {
+            Ok(())
+        } else {
+            Err(ParamsError { field: Field::Core, value: core, allowed })
+        }
     }
 
     fn check_input(&self) -> Result<(), ParamsError> {
@@ -246,9 +250,9 @@ mod tests {
 
     use super::*;
     use crate::controller::budget::settings::Assume;
+    use crate::need::Ranks;
     use crate::robot::neighbor::RobotId;
     use crate::settings::range::ROBOTS_MAX;
-    use crate::need::Ranks;
     use crate::settings::{BudgetSettings, ComposedSettings, LinksSettings};
 
     type Change = fn(&mut Settings<2>);

@@ -30,7 +30,12 @@ impl Agreement {
     /// For the team of `rule`.
     pub(crate) fn new(rule: &Arc<Rule>) -> Self {
         let highest = rule.ranks().map_or(0, |ranks| ranks.iter().copied().max().unwrap_or(0));
-        Self { rule: Arc::clone(rule), rounds: usize::from(highest) + 1, spreads: VecDeque::new(), most_heard: 0 }
+        Self {
+            rule: Arc::clone(rule),
+            rounds: usize::from(highest) + 1,
+            spreads: VecDeque::new(),
+            most_heard: 0,
+        }
     }
 
     /// Ends a round with this spread of values of up to this `magnitude`; the most that the spread may be, if anything is promised.

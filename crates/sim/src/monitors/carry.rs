@@ -11,8 +11,8 @@ use crate::monitors::distance::Distances;
 use crate::monitors::held::Held;
 use crate::monitors::mode::ModeWatch;
 use crate::monitors::rest::RestWatch;
-use crate::monitors::time::{fraction, longer_ago};
 use crate::monitors::rule::Rule;
+use crate::monitors::time::{fraction, longer_ago};
 use crate::monitors::truth::{ROUNDING, Truth};
 use crate::scenario::Scenario;
 

@@ -90,13 +90,17 @@ impl Heard {
     }
 
     /// Ends a round with the tick in which the next one begins, and normal robots take up their new values.
-    pub(crate) fn end_round<const D: usize>(&mut self, tick: u32, frame: &Frame<D>, malicious: &[bool]) -> Met {
+    pub(crate) fn end_round<const D: usize>(
+        &mut self,
+        tick: u32,
+        frame: &Frame<D>,
+        malicious: &[bool],
+    ) -> Met {
         let is_void = self.watch_liars(tick, malicious);
         let mut normal = self.values.iter().enumerate().filter(|(robot, _)| !malicious[*robot]);
         let most_heard = self.listened.iter().map(|[all, _]| *all).max().unwrap_or(0);
-        let enough = normal.all(|(robot, heard)| {
-            self.rule.hears_enough(robot, *heard, self.one_voice, self.among)
-        });
+        let enough =
+            normal.all(|(robot, heard)| self.rule.hears_enough(robot, *heard, self.one_voice, self.among));
         let steady = core::mem::replace(&mut self.steady, true) && !frame.assumptions.unsteady;
         Met { suffices: self.same_time && steady && enough && !is_void, is_void, most_heard }
     }
@@ -105,7 +109,9 @@ impl Heard {
     fn watch_liars(&mut self, tick: u32, malicious: &[bool]) -> bool {
         let robots = (1_u16..).zip(&self.listened).zip(malicious);
         let mut normal = robots.filter(|(_, lies)| !**lies).map(|((robot, [_, liars]), _)| (robot, *liars));
-        let Some((robot, liars)) = normal.find(|(_, liars)| *liars > self.rule.faults()) else { return false };
+        let Some((robot, liars)) = normal.find(|(_, liars)| *liars > self.rule.faults()) else {
+            return false;
+        };
         self.void.rounds += 1;
         self.void.first.get_or_insert((tick, robot, liars));
         true

@@ -26,7 +26,12 @@ impl<const D: usize> Held<D> {
     /// For the robots of `scenario`.
     pub(crate) fn new(scenario: &Scenario, params: Params<D>, rule: &Arc<Rule>) -> Self {
         let robots = usize::from(scenario.team.robots);
-        Self { params, rule: Arc::clone(rule), malicious: scenario.malicious_mask(), sound: vec![Vec::new(); robots] }
+        Self {
+            params,
+            rule: Arc::clone(rule),
+            malicious: scenario.malicious_mask(),
+            sound: vec![Vec::new(); robots],
+        }
     }
 
     /// Looks at one tick. `moved` is true if all moves since the tick before obeyed the rows, and rows rested on what is

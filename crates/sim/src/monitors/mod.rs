@@ -24,12 +24,12 @@ use closeranks_core::settings::params::Params;
 
 use crate::frame::Frame;
 use crate::law::{Law, Verdicts, Violation};
-use crate::monitors::carry::Carry;
 use crate::monitors::agreement::Agreement;
+use crate::monitors::carry::Carry;
 use crate::monitors::heard::Heard;
+pub use crate::monitors::heard::Void;
 use crate::monitors::rule::Rule;
 use crate::monitors::truth::Truth;
-pub use crate::monitors::heard::Void;
 use crate::scenario::Scenario;
 
 /// Watches the frames of one run.
@@ -209,7 +209,8 @@ impl<const D: usize> Monitors<D> {
                 continue;
             }
             lower(&mut self.extremes.degree_min, degree);
-            let h = if ranked { self.truth.h[index] } else { degree_barrier(self.truth.levels[index], required) };
+            let h =
+                if ranked { self.truth.h[index] } else { degree_barrier(self.truth.levels[index], required) };
             self.extremes.h_min = self.extremes.h_min.min(h);
         }
         self.extremes.distance_min_m = sqrt(self.carry.least_m2());

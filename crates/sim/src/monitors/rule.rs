@@ -86,7 +86,13 @@ impl Rule {
     //= theory thm:contraction
     //= theory thm:two-faced
     //= theory thm:ranks
-    pub(crate) fn hears_enough(&self, robot: usize, [all, normal]: [u16; 2], one_voice: bool, liars: u16) -> bool {
+    pub(crate) fn hears_enough(
+        &self,
+        robot: usize,
+        [all, normal]: [u16; 2],
+        one_voice: bool,
+        liars: u16,
+    ) -> bool {
         let faults = self.team.faults;
         match self.among(robot) {
             Some(robots) => {

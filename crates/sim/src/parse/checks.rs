@@ -6,8 +6,8 @@ use closeranks_core::settings::range::Allowed;
 
 use super::reader::Reader;
 use crate::geometry::squared_distance;
-use crate::scenario::start::{Start, StartError};
 use crate::scenario::ranks::RanksError;
+use crate::scenario::start::{Start, StartError};
 use crate::scenario::{Controller, Limits, Scenario, Values};
 
 /// How many rows (ticks × robots) a run may have at most.
@@ -66,7 +66,9 @@ fn ranks<const D: usize>(reader: &mut Reader, scenario: &Scenario) {
     let Err(error) = scenario.ranks::<D>() else { return };
     let allowed = match &error {
         RanksError::Count { robots, .. } => format!("{robots} ranks, one a robot"),
-        RanksError::Core { .. } => "a core of at least 2F + 1 robots, more under assume = \"free\"".to_owned(),
+        RanksError::Core { .. } => {
+            "a core of at least 2F + 1 robots, more under assume = \"free\"".to_owned()
+        }
         RanksError::NoCore { .. } => "a start with a core, or a smaller team.faults".to_owned(),
         RanksError::Short { keep, .. } => {
             format!("at least {keep} neighbours of lower ranks for every robot above rank 0")

@@ -14,6 +14,7 @@ use crate::faults::{Faults, Outages};
 use crate::law::Law;
 use crate::plant::Plant;
 use crate::scenario::desired::Desired;
+use crate::scenario::liars::Local;
 use crate::scenario::ranks::{How, Ranking};
 use crate::scenario::route::{KINDS, Route, Whose};
 use crate::scenario::start::Start;
@@ -39,6 +40,13 @@ pub(super) fn read(reader: &mut Reader, table: &DeTable<'_>) -> Scenario {
     ];
     for (key, fill) in tables {
         reader.table(&mut root, key, |reader, section| fill(reader, section, &mut scenario));
+    }
+    let team = root.table("team");
+    let drawn = team.filter(|team| team.has_table("malicious")).map(|mut team| {
+        reader.table(&mut team, "malicious", |reader, section| local(reader, section, &scenario))
+    });
+    if let Some(local) = drawn {
+        draw_liars(reader, &local, &mut scenario);
     }
     let malicious = whose(&scenario, Some(&scenario.malicious));
     scenario.attack =
@@ -77,11 +85,33 @@ fn team(reader: &mut Reader, section: &mut Section<'_>, scenario: &mut Scenario)
     let robots = scenario.team.robots;
     let robot =
         move |value: &DeValue<'_>| whole(value).map(small).filter(|robot| (1..=robots).contains(robot));
-    let malicious =
-        reader.list(section, "malicious", &format!("the number of a robot, 1 to {robots}"), robot);
-    scenario.malicious = malicious.unwrap_or_else(|| (1..=scenario.team.faults.min(robots)).collect());
-    scenario.malicious.sort_unstable();
+    scenario.malicious = (1..=scenario.team.faults.min(robots)).collect();
+    // Liars that are drawn are read once it is known how far links reach.
+    if !section.knows_table("malicious") {
+        let allowed = format!("the number of a robot, 1 to {robots}");
+        set(&mut scenario.malicious, reader.list(section, "malicious", &allowed, robot));
+        scenario.malicious.sort_unstable();
+    }
     scenario.ranks = ranks(reader, section, scenario.team.robots);
+}
+
+/// How liars are drawn, `{ local = .., within_m = .. }`; by default those within R count as neighbours.
+fn local(reader: &mut Reader, section: &mut Section<'_>, scenario: &Scenario) -> Local {
+    let most = reader.whole(section, "local", 0..u64::from(scenario.team.robots) + 1).map_or(0, small);
+    Local { most, within_m: reader.number_or(section, "within_m", POSITIVE, scenario.link.radius_m) }
+}
+
+/// Draws liars once it is known where robots start. A start that does not exist is refused later.
+fn draw_liars(reader: &Reader, local: &Local, scenario: &mut Scenario) {
+    if !reader.is_clean() {
+        return;
+    }
+    let (faults, seed) = (scenario.team.faults, scenario.seed);
+    let liars = match scenario.dimension {
+        3 => scenario.positions::<3>().map(|positions_m| local.draw(&positions_m, faults, seed)),
+        _ => scenario.positions::<2>().map(|positions_m| local.draw(&positions_m, faults, seed)),
+    };
+    set(&mut scenario.malicious, liars.ok());
 }
 
 /// A list of ranks, or a table that says how they are chosen from the start.

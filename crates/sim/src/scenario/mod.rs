@@ -1,6 +1,7 @@
 //! What to run, as plain data that was checked.
 
 pub mod desired;
+pub mod liars;
 pub mod ranks;
 pub mod route;
 mod scatter;

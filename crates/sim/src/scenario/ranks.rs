@@ -137,11 +137,9 @@ fn refuse(short: impl Iterator<Item = bool>, keeps: Keeps) -> Result<(), RanksEr
     let short: Vec<usize> = short.enumerate().filter(|(_, short)| *short).map(|(robot, _)| robot).collect();
     match short.as_slice() {
         [] => Ok(()),
-        [first, others @ ..] => Err(RanksError::Short {
-            robot: small(first + 1),
-            others: others.len(),
-            keep: keeps.above,
-        }),
+        [first, others @ ..] => {
+            Err(RanksError::Short { robot: small(first + 1), others: others.len(), keep: keeps.above })
+        }
     }
 }
 
@@ -206,7 +204,8 @@ impl Start {
                 is_core[*robot] = true;
             }
             let inside = |robot: &usize| self.around[*robot].iter().filter(|other| is_core[**other]).count();
-            (robots.len() == count && robots.iter().all(|robot| inside(robot) >= keeps.core)).then_some(is_core)
+            (robots.len() == count && robots.iter().all(|robot| inside(robot) >= keeps.core))
+                .then_some(is_core)
         });
         found.next().ok_or(RanksError::NoCore { core, keep: keeps.core })
     }
