@@ -409,6 +409,19 @@ impl<const D: usize, S: Slots<D>> Robot<D, S> {
         self.neighbors().iter().filter(|slot| slot.peer.is_counted()).map(|slot| slot.id)
     }
 
+    /// How many neighbours the robot can have.
+    #[must_use]
+    pub fn slot_count(&self) -> usize {
+        self.slots.as_ref().len()
+    }
+
+    /// Gives the robot another number of slots, for whoever can. Those at the front stay as they are; neighbours whose slots are taken
+    /// away are forgotten.
+    pub fn change_slots(&mut self, change: impl FnOnce(&mut S)) {
+        change(&mut self.slots);
+        self.count = self.count.min(self.slots.as_ref().len());
+    }
+
     /// The neighbours in order of their number.
     #[must_use]
     pub fn neighbors(&self) -> &[Slot<D>] {

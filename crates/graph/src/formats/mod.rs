@@ -135,7 +135,7 @@ pub struct NetworkReading {
 /// its format demands, and where it may be two different graphs.
 pub fn read(text: &str, options: &Options<'_>) -> Result<Reading, FormatError> {
     if text.len() > TEXT_LIMIT {
-        return Err(FormatError::new(1, Problem::TextTooLong { bytes: text.len() }));
+        return Err(FormatError::new(1, Problem::TextTooLong { bytes: text.len(), most: TEXT_LIMIT }));
     }
     read_network(text, options)?.small()
 }
@@ -144,7 +144,10 @@ pub fn read(text: &str, options: &Options<'_>) -> Result<Reading, FormatError> {
 /// [`NETWORK_LIMIT`](crate::network::NETWORK_LIMIT) nodes, otherwise as [`read`].
 pub fn read_network(text: &str, options: &Options<'_>) -> Result<NetworkReading, FormatError> {
     if text.len() > NETWORK_TEXT_LIMIT {
-        return Err(FormatError::new(1, Problem::TextTooLong { bytes: text.len() }));
+        return Err(FormatError::new(
+            1,
+            Problem::TextTooLong { bytes: text.len(), most: NETWORK_TEXT_LIMIT },
+        ));
     }
     let text = unix_lines(text);
     let (row, told_by) = choose::choose(&text, options)?;

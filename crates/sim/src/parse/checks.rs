@@ -5,6 +5,7 @@ use closeranks_core::settings::params::{Params, ParamsError};
 use closeranks_core::settings::range::Allowed;
 
 use super::reader::Reader;
+use crate::attack::ListsAttack;
 use crate::geometry::squared_distance;
 use crate::scenario::ranks::RanksError;
 use crate::scenario::start::{Start, StartError};
@@ -81,7 +82,8 @@ fn ranks<const D: usize>(reader: &mut Reader, scenario: &Scenario) {
 const ONE_BY_ONE_MAX: u16 = 1_000;
 
 fn one_by_one<const D: usize>(reader: &mut Reader, scenario: &Scenario, params: &Params<D>) {
-    let at_once = scenario.is_plain() && params.controller().can_be_computed_at_once();
+    let lists = params.controller().tells_lists() && scenario.attack.lists == ListsAttack::None;
+    let at_once = scenario.is_plain() && (params.controller().can_be_computed_at_once() || lists);
     if !at_once && scenario.team.robots > ONE_BY_ONE_MAX {
         let allowed = format!(
             "at most {ONE_BY_ONE_MAX} where robots run one by one: wherever something goes wrong, liars have faces, fall \
