@@ -108,7 +108,8 @@ pub mod settings;
 pub mod time;
 pub mod wmsr;
 
-pub use crate::controller::budget::settings::{Assume, Trust};
+pub use crate::controller::assume::Assume;
+pub use crate::controller::budget::settings::Trust;
 pub use crate::controller::links::wire::{LinkMessage, Notice};
 pub use crate::equations::composition::PhiSplit;
 pub use crate::message::{MESSAGE_BYTES, Message, MessageError, VALUE_MAX};

@@ -1,8 +1,9 @@
 //! What a robot knows of its neighbours' levels: true bounds, and claims that cannot do harm.
 
 use budget_team::{Team, id};
+use closeranks_core::controller::assume::Assume;
 use closeranks_core::controller::budget::knowledge::{Claim, KnownMargin, Sighting};
-use closeranks_core::controller::budget::settings::{Assume, Budget, Form, Trust};
+use closeranks_core::controller::budget::settings::{Budget, Form, Trust};
 use closeranks_core::num::{dot, is_finite, length, subtract};
 use closeranks_core::robot::neighbor::RobotId;
 use seeded::Seeded;

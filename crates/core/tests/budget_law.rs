@@ -2,8 +2,9 @@
 
 use budget_literal::{known, level};
 use budget_team::{Builder, ROWS_MAX, Team, crate_rows};
+use closeranks_core::controller::assume::Assume;
 use closeranks_core::controller::budget::knowledge::{Claim, Sighting};
-use closeranks_core::controller::budget::settings::{Assume, Budget, Form};
+use closeranks_core::controller::budget::settings::{Budget, Form};
 use closeranks_core::equations::link::Link;
 use closeranks_core::need::{Keep, Need};
 use closeranks_core::num::{add_scaled, dot, length};

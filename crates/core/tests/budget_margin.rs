@@ -2,9 +2,10 @@
 //! margin.
 
 use budget_team::{Team, crate_rows};
+use closeranks_core::controller::assume::Assume;
 use closeranks_core::controller::budget::curvature::Curvature;
-use closeranks_core::controller::budget::errors::ErrorBounds;
-use closeranks_core::controller::budget::settings::{Assume, Form};
+use closeranks_core::controller::budget::settings::Form;
+use closeranks_core::controller::errors::ErrorBounds;
 use closeranks_core::equations::link::{Link, LinkShape};
 use closeranks_core::num::{length, subtract};
 

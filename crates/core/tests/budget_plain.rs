@@ -2,11 +2,12 @@
 //! order, bit for bit, and so the same answer.
 
 use budget_plain_rows::{Plain, plain};
+use closeranks_core::controller::assume::Assume;
+use closeranks_core::controller::budget::Memory;
 use closeranks_core::controller::budget::curvature::Curvature;
-use closeranks_core::controller::budget::errors::ErrorBounds;
 use closeranks_core::controller::budget::knowledge::{Claim, Sighting};
-use closeranks_core::controller::budget::rows::Memory;
-use closeranks_core::controller::budget::settings::{Assume, Budget, Form, Trust};
+use closeranks_core::controller::budget::settings::{Budget, Form, Trust};
+use closeranks_core::controller::errors::ErrorBounds;
 use closeranks_core::equations::link::LinkShape;
 use closeranks_core::need::Need;
 use closeranks_core::program::InputBox;

@@ -1,10 +1,11 @@
 //! Starts outside the set: nothing that is broken gets worse, and what can be mended is.
 
+use closeranks_core::controller::assume::Assume;
+use closeranks_core::controller::budget::Memory;
 use closeranks_core::controller::budget::curvature::Curvature;
-use closeranks_core::controller::budget::errors::ErrorBounds;
 use closeranks_core::controller::budget::knowledge::{Claim, Sighting};
-use closeranks_core::controller::budget::rows::Memory;
-use closeranks_core::controller::budget::settings::{Assume, Budget, Form, Trust};
+use closeranks_core::controller::budget::settings::{Budget, Form, Trust};
+use closeranks_core::controller::errors::ErrorBounds;
 use closeranks_core::equations::link::LinkShape;
 use closeranks_core::need::{Keep, Need};
 use closeranks_core::num::{Vector, add_scaled, dot, length, subtract};

@@ -1,6 +1,7 @@
 //! What a robot answers: the equations, whatever the order of calls, and something safe whatever the calls.
 
-use closeranks_core::controller::budget::settings::{Assume, Trust};
+use closeranks_core::controller::assume::Assume;
+use closeranks_core::controller::budget::settings::Trust;
 use closeranks_core::equations::composition::{PhiSplit, Term};
 use closeranks_core::message::{MESSAGE_BYTES, Message};
 use closeranks_core::num::{Vector, dot, is_finite, subtract};

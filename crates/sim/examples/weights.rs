@@ -9,7 +9,7 @@
 use core::time::Duration;
 use std::env::args;
 
-use closeranks_core::controller::budget::settings::Assume;
+use closeranks_core::controller::assume::Assume;
 use closeranks_core::controller::budget::settings::fraction_of_rate;
 use closeranks_core::settings::{BudgetSettings, Clock};
 use closeranks_sim::plant::Plant;

@@ -44,6 +44,8 @@ pub struct Frame<const D: usize> {
     pub one_value: Vec<bool>,
     /// What the program found.
     pub outcomes: Vec<Outcome>,
+    /// Robots that reckon with one that they do not sense although, by what they sensed before, it cannot have left.
+    pub missing: Vec<bool>,
     /// What each robot says its answer is worth.
     pub modes: Vec<Mode>,
     /// Values of robots that count for it that each robot used in the last round, and how many of them were those of normal
@@ -113,6 +115,7 @@ impl<const D: usize> Frame<D> {
             one_value: vec![true; robots],
             values,
             outcomes: vec![Outcome::Free; robots],
+            missing: vec![false; robots],
             modes: vec![Mode::Degraded(Reason::ContinuousTime); robots],
             heard: vec![[0; 2]; robots],
             listened: vec![[0; 2]; robots],

@@ -6,7 +6,8 @@ use closeranks_core::settings::{BudgetSettings, Clock, LinkSettings, Team};
 use closeranks_sim::scenario::Limits;
 use core::time::Duration;
 
-use closeranks_core::controller::budget::settings::{Assume, Trust};
+use closeranks_core::controller::assume::Assume;
+use closeranks_core::controller::budget::settings::Trust;
 use closeranks_core::program::Outcome;
 use closeranks_sim::attack::LevelAttack;
 use closeranks_sim::law::Law;

@@ -5,7 +5,8 @@ use closeranks_core::settings::{BudgetSettings, Clock, ComposedSettings, LinkSet
 use closeranks_sim::scenario::Limits;
 use core::time::Duration;
 
-use closeranks_core::controller::budget::settings::{Assume, Trust};
+use closeranks_core::controller::assume::Assume;
+use closeranks_core::controller::budget::settings::Trust;
 use closeranks_core::equations::composition::PhiSplit;
 use closeranks_sim::attack::LevelAttack;
 use closeranks_sim::scenario::start::Start;

@@ -3,7 +3,7 @@
 
 use core::time::Duration;
 
-use closeranks_core::controller::budget::settings::Assume;
+use closeranks_core::controller::assume::Assume;
 use closeranks_core::robot::report::{Mode, Reason};
 use closeranks_core::settings::{BudgetSettings, Clock, Errors, LinkSettings};
 use closeranks_sim::attack::{Attack, LevelAttack, MotionAttack};

@@ -9,8 +9,10 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 import numpy as np
 import numpy.typing as npt
 
+from closeranks._frames import pandas_frame, polars_frame
 from closeranks._native import Run as NativeRun
 from closeranks._types import Floats, Law
+from closeranks.plots import overview
 
 if TYPE_CHECKING:
     import networkx as nx
@@ -191,14 +193,10 @@ class Run:
     def to_polars(self) -> pl.DataFrame:
         """One row a tick and robot, with the columns of `run.parquet`: `tick, time_s, robot, malicious, x_m, y_m, (z_m,) ux_m_s,
         uy_m_s, (uz_m_s,) degree, level, told, h, phi_i, value, outcome`; inputs are null at the last tick."""
-        from closeranks._frames import polars_frame
-
         return polars_frame(self)
 
     def to_pandas(self) -> pd.DataFrame:
         """The same rows and columns as `to_polars`; inputs are NaN at the last tick."""
-        from closeranks._frames import pandas_frame
-
         return pandas_frame(self)
 
     def to_parquet(self, path: str | os.PathLike[str]) -> None:
@@ -216,8 +214,6 @@ class Run:
 
         `closeranks.plots` has the paper's two figures for several runs side by side.
         """
-        from closeranks.plots import overview
-
         return overview(self, title=title)
 
     def __str__(self) -> str:

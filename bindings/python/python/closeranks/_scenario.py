@@ -14,10 +14,10 @@ from closeranks import _native
 from closeranks._native import Scenario as NativeScenario
 from closeranks._progress import bar
 from closeranks._types import Attack, Floats, Law, Progress, Start
+from closeranks._world import World
 
 if TYPE_CHECKING:
     from closeranks._run import Run
-    from closeranks._world import World
 
 _TEXT_MAX = 1 << 20
 _FILE_MAX = 1 << 18
@@ -258,8 +258,6 @@ class Scenario:
         KeyboardInterrupt
             Within a twentieth of a second. Long calls let other threads of Python run.
         """
-        from closeranks._world import World
-
         scenario = self if controller is None else self.under("none")
         world = World(scenario, record=record, robustness=robustness)
         asked = desired is not None or controller is not None or levels is not None or values is not None

@@ -13,11 +13,11 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from closeranks._run import Run
-
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
+
+    from closeranks._run import Run
 
 __all__ = ["draw_formation", "draw_h", "draw_values", "formations", "overview", "series"]
 

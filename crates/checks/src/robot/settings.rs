@@ -1,6 +1,7 @@
 //! Settings of any kind, from ordinary to refused.
 
-use closeranks_core::controller::budget::settings::{Assume, Trust};
+use closeranks_core::controller::assume::Assume;
+use closeranks_core::controller::budget::settings::Trust;
 use closeranks_core::equations::composition::PhiSplit;
 use closeranks_core::settings::field::TABLE;
 use closeranks_core::settings::params::{Controller, Settings};

@@ -3,7 +3,7 @@
 //! It is exactly as printed: there is no recovery and no slack. The one choice is the split (docs/theory, `sec:split`).
 //! The equations are in [`crate::equations::composition`].
 
-use crate::controller::{Batch, Control, Decision, Glimpse, Motion, Neighbor, Own, Standing, View};
+use crate::controller::{AtOnce, Batch, Control, Decision, Glimpse, Motion, Neighbor, Own, Standing, View};
 use crate::equations::composition::{Composed, Composition, PhiSplit, Sum, TERM_LARGE, Term};
 use crate::equations::link::{Link, LinkShape};
 use crate::need::Need;
@@ -43,6 +43,12 @@ pub struct Sums<const D: usize> {
     terms: f64,
 }
 
+impl<const D: usize> Default for Sums<D> {
+    fn default() -> Self {
+        Self { row: Sum::new(0.0), terms: 0.0 }
+    }
+}
+
 impl<const D: usize> ComposedController<D> {
     pub(crate) fn new(settings: &Settings<D>, parameters: &ComposedSettings, link: LinkShape) -> Self {
         let need = settings.need_of_neighbors();
@@ -77,18 +83,56 @@ impl<const D: usize> ComposedController<D> {
 }
 
 impl<const D: usize> Control<D> for ComposedController<D> {
+    fn need(&self) -> &Need {
+        &self.need
+    }
+
+    fn can_be_computed_at_once(&self) -> bool {
+        true
+    }
+
+    fn alone(&self, view: &View<'_, D>, desired: &Vector<D>, scratch: &mut Scratch<'_, D>) -> Decision<D> {
+        let own = Own { id: view.id, level: view.told_level, told_level: view.told_level, degree: 0 };
+        let told = self.told(view.id, Some(view.told_level));
+        let mut sums = self.sums(&told);
+        for slot in view.linked() {
+            let other = self.told(slot.id, slot.told_level());
+            self.hear(&mut sums, &other);
+            if let Some(pair) = self.pair(&slot.offset_m, &slot.link) {
+                self.add(&mut sums, &slot.offset_m, &pair, [&told, &other]);
+            }
+        }
+        let neighbors = view.linked().map(|slot| Neighbor {
+            id: slot.id,
+            offset_m: slot.offset_m,
+            pair: None,
+            known: slot.told_level(),
+        });
+        let motion = Motion { desired_m_s: *desired, before_m_s: view.before_m_s };
+        self.decide(&own, &sums, neighbors, &motion, scratch)
+    }
+
+    /// The answer is never guaranteed, because thm:cbf-qp needs continuous time. Of all that speaks against it, the gravest is
+    /// named.
+    fn mode(&self, standing: &Standing) -> Mode {
+        Mode::Degraded(match standing.outcome {
+            _ if standing.degree < standing.need => Reason::Degree,
+            Outcome::Infeasible => Reason::Infeasible,
+            _ if standing.phi.is_some_and(|phi| phi < 0.0) => Reason::OutsideSafeSet,
+            _ if standing.untold > 0 => Reason::Untold,
+            _ => Reason::ContinuousTime,
+        })
+    }
+}
+
+impl<const D: usize> AtOnce<D> for ComposedController<D> {
     type Pair = Pair;
     type Told = f64;
     type Sums = Sums<D>;
     type Known = Option<f64>;
 
     const ADDS: bool = true;
-    const LOOKS: bool = false;
     const USES_PHI: bool = true;
-
-    fn need(&self) -> &Need {
-        &self.need
-    }
 
     /// There is no pair where slope and collision term are both too small for `f64`. Such a pair matters only beside a huge
     /// Ê, and then all neighbours are looked at one by one.
@@ -169,38 +213,5 @@ impl<const D: usize> Control<D> for ComposedController<D> {
             phi: Some(phi),
             doubt: None,
         }
-    }
-
-    fn alone(&self, view: &View<'_, D>, desired: &Vector<D>, scratch: &mut Scratch<'_, D>) -> Decision<D> {
-        let own = Own { id: view.id, level: view.told_level, told_level: view.told_level, degree: 0 };
-        let told = self.told(view.id, Some(view.told_level));
-        let mut sums = self.sums(&told);
-        for slot in view.linked() {
-            let other = self.told(slot.id, slot.told_level());
-            self.hear(&mut sums, &other);
-            if let Some(pair) = self.pair(&slot.offset_m, &slot.link) {
-                self.add(&mut sums, &slot.offset_m, &pair, [&told, &other]);
-            }
-        }
-        let neighbors = view.linked().map(|slot| Neighbor {
-            id: slot.id,
-            offset_m: slot.offset_m,
-            pair: None,
-            known: slot.told_level(),
-        });
-        let motion = Motion { desired_m_s: *desired, before_m_s: view.before_m_s };
-        self.decide(&own, &sums, neighbors, &motion, scratch)
-    }
-
-    /// The answer is never guaranteed, because thm:cbf-qp needs continuous time. Of all that speaks against it, the gravest is
-    /// named.
-    fn mode(&self, standing: &Standing) -> Mode {
-        Mode::Degraded(match standing.outcome {
-            _ if standing.degree < standing.need => Reason::Degree,
-            Outcome::Infeasible => Reason::Infeasible,
-            _ if standing.phi.is_some_and(|phi| phi < 0.0) => Reason::OutsideSafeSet,
-            _ if standing.untold > 0 => Reason::Untold,
-            _ => Reason::ContinuousTime,
-        })
     }
 }

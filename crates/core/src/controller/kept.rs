@@ -1,6 +1,6 @@
 //! What a controller keeps, in the words of those who watch it.
 
-use crate::controller::budget::errors::ErrorBounds;
+use crate::controller::errors::ErrorBounds;
 use crate::equations::link::LinkShape;
 
 /// What a controller keeps among references: where velocities have taken each robot ([`ErrorBounds`]).

@@ -1,8 +1,9 @@
 //! The controllers: what stands between the desired and the safe velocity. One file each, behind one closed enum.
 //!
-//! [`Control`] is the seam. A robot on its own calls [`Control::alone`], which looks at what it senses and hears and ends
-//! in [`Control::decide`]. Whoever computes a whole team at once makes [`Control::Pair`] once for both ends of a link, adds
-//! up [`Control::Sums`], and calls the same `decide`: so both give the same bits.
+//! [`Control`] is the seam: what a robot on its own asks. A controller implements what it has; only `need`, `alone` and `mode`
+//! have no default. One whose teams can be computed at once implements [`AtOnce`] too. [`Control::alone`] then looks at what the
+//! robot senses and hears and ends in [`AtOnce::decide`]. Whoever computes a team makes [`AtOnce::Pair`] once for both ends of a
+//! link, adds up [`AtOnce::Sums`], and calls the same `decide`: so both give the same bits.
 //!
 //! | controller | file | needs | promises |
 //! | --- | --- | --- | --- |
@@ -10,53 +11,34 @@
 //! | ours | [`budget`] | positions, and told levels if trusted | docs/budget.md |
 //! | ours, without weights | [`links`] | positions, lists and acknowledgements | docs/links.md |
 //! | none | [`none`] | nothing | nothing |
+//!
+//! What several of them use stands beside them: [`assume`], [`errors`], [`kept`] and [`rows`].
 
 pub mod any;
+pub mod assume;
+pub mod at_once;
 pub mod budget;
 pub mod composed;
+pub mod errors;
 pub mod kept;
 pub mod links;
 pub mod none;
+pub mod rows;
 
 pub use any::AnyController;
+pub use at_once::{AtOnce, Batch, Glimpse, Low, Motion, Neighbor, Own};
 pub use kept::Kept;
 
 use crate::controller::links::peer::Ledger;
-use crate::equations::link::{Link, LinkShape};
+use crate::equations::link::LinkShape;
 use crate::need::Need;
-use crate::num::{Vector, subtract};
+use crate::num::Vector;
 use crate::program::Outcome;
 use crate::robot::id::Member;
 use crate::robot::neighbor::{RobotId, Slot};
 use crate::robot::report::{Mode, Reason};
 use crate::robot::scratch::{Needs, Scratch};
 use crate::time::Instant;
-
-/// A robot itself, as its neighbours do not know it.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Own {
-    /// Its number.
-    pub id: RobotId,
-    /// c_i, or what the controller has in its place.
-    pub level: f64,
-    /// The level that it tells. By Assumption 1 a liar's own row uses its lie.
-    pub told_level: f64,
-    /// How many neighbours may count: those in sight.
-    pub degree: u16,
-}
-
-/// A neighbour as a controller needs it.
-#[derive(Clone, Copy, Debug)]
-pub struct Neighbor<'a, const D: usize, Pair, Known> {
-    /// Its number.
-    pub id: RobotId,
-    /// x_i − x_j, m.
-    pub offset_m: Vector<D>,
-    /// What both ends share; `None` where the pair bounds the move of neither.
-    pub pair: Option<&'a Pair>,
-    /// What the robot knows of it.
-    pub known: Known,
-}
 
 /// What a robot on its own senses and hears in a tick.
 #[derive(Clone, Copy, Debug)]
@@ -106,63 +88,6 @@ impl<'a, const D: usize> View<'a, D> {
     }
 }
 
-/// Links whose pairs are made together.
-#[derive(Debug)]
-pub struct Batch<'a, const D: usize> {
-    /// Where all robots are, m.
-    pub positions_m: &'a [Vector<D>],
-    /// Index of the first and of the second end of each.
-    pub ends: &'a [[u16; 2]],
-    /// Squared distance of each, m². A controller may overwrite it.
-    pub distances_m2: &'a mut [f64],
-    /// `a_ij` of each.
-    pub weights: &'a [f64],
-    /// `2 ∂a/∂Δ²` of each, 1/m².
-    pub slopes: &'a [f64],
-}
-
-impl<const D: usize> Batch<'_, D> {
-    /// Position of the first less that of the second end of a link, m.
-    #[inline]
-    #[must_use]
-    pub fn offset_m(&self, index: usize) -> Vector<D> {
-        let [first, second] = self.ends[index].map(usize::from);
-        subtract(&self.positions_m[first], &self.positions_m[second])
-    }
-}
-
-/// What can be said of a neighbour j as robot i sees it, in a world in which all sense exactly and hear the same.
-#[derive(Clone, Copy)]
-pub struct Glimpse<'a, Told> {
-    /// The number of j.
-    pub id: RobotId,
-    /// The level that j told.
-    pub told_level: f64,
-    /// What others make of it.
-    pub told: &'a Told,
-    /// The true level of j.
-    pub level: f64,
-    /// How many neighbours j has.
-    pub degree: u16,
-    /// How many robots of the team i does not see.
-    pub unseen: usize,
-    /// How many of these are neighbours of j.
-    pub unseen_near: usize,
-    /// Distance of i and j, m.
-    pub distance_m: f64,
-    /// The sum of the weights of j with i and with whomever i sees, in order of numbers.
-    pub low: Low<'a>,
-}
-
-/// A sum that is there, or that costs a walk over neighbours.
-#[derive(Clone, Copy)]
-pub enum Low<'a> {
-    /// It is there.
-    Known(f64),
-    /// It is added up when it is asked for.
-    Asked(&'a dyn Fn() -> f64),
-}
-
 /// What a controller decided.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Decision<const D: usize> {
@@ -199,22 +124,6 @@ pub struct Standing {
 
 /// A controller of one robot.
 pub trait Control<const D: usize> {
-    /// What both ends of a link share. Two robots of which [`pair`](Self::pair) makes nothing do not bound each other.
-    type Pair: Copy + core::fmt::Debug + 'static;
-    /// What others make of a level that a robot told.
-    type Told: Copy + core::fmt::Debug;
-    /// What a robot adds up over its neighbours.
-    type Sums: Copy + core::fmt::Debug;
-    /// What a robot knows of a neighbour when it decides.
-    type Known: Copy + core::fmt::Debug;
-
-    /// True if it adds up anything over neighbours.
-    const ADDS: bool;
-    /// True if it looks at every neighbour one by one; false if it does so only where sums fail.
-    const LOOKS: bool;
-    /// True if φ_i is part of its decision.
-    const USES_PHI: bool;
-
     /// Who counts for whom, and how many of them a robot must keep.
     fn need(&self) -> &Need;
 
@@ -243,9 +152,9 @@ pub trait Control<const D: usize> {
         Needs { values: neighbors, sightings: 0, rows: 0 }
     }
 
-    /// True if a whole team can be computed at once where nothing goes wrong: decisions rest on levels and links alone.
+    /// True if the controller implements [`AtOnce`] and decisions rest on levels and links alone where nothing goes wrong.
     fn can_be_computed_at_once(&self) -> bool {
-        true
+        false
     }
 
     /// True if a robot tells lists of links in place of its level.
@@ -286,69 +195,9 @@ pub trait Control<const D: usize> {
         counted.fold(0.0, |level, slot| level + slot.link.weight)
     }
 
-    /// What both ends of a pair at `offset_m` (m) share, whose link is `link`.
-    fn pair(&self, offset_m: &Vector<D>, link: &Link<f64>) -> Option<Self::Pair>;
-
-    /// [`pair`](Self::pair) of many links, with the bits of each. `make` is called for every link in order.
-    fn pairs(&self, links: &mut Batch<'_, D>, mut make: impl FnMut(usize, Option<Self::Pair>)) {
-        for index in 0..links.ends.len() {
-            let link = Link { weight: links.weights[index], slope: links.slopes[index] };
-            make(index, self.pair(&links.offset_m(index), &link));
-        }
-    }
-
-    /// What others make of a level that `robot` told, or of none.
-    fn told(&self, robot: RobotId, level: Option<f64>) -> Self::Told;
-
-    /// Sums of a robot without neighbours.
-    fn sums(&self, own: &Self::Told) -> Self::Sums;
-
-    /// Adds what a neighbour told. To be called for every neighbour, in order of their numbers.
-    fn hear(&self, sums: &mut Self::Sums, told: &Self::Told);
-
-    /// Adds a pair to the sums of one end, from which the other end is at −`offset_m`, with what this end and the other told.
-    /// To be called for every neighbour with a pair, in order of their numbers.
-    fn add(&self, sums: &mut Self::Sums, offset_m: &Vector<D>, pair: &Self::Pair, told: [&Self::Told; 2]);
-
-    /// Adds a pair to the sums of both ends; `offset_m` is that of the first.
-    fn add_both(
-        &self,
-        sums: [&mut Self::Sums; 2],
-        offset_m: &Vector<D>,
-        pair: &Self::Pair,
-        told: [&Self::Told; 2],
-    ) {
-        let ([first, second], [one, other]) = (sums, told);
-        self.add(first, offset_m, pair, [one, other]);
-        self.add(second, &offset_m.map(|component| -component), pair, [other, one]);
-    }
-
-    /// What a robot knows of a neighbour, as whoever computes a whole team at once finds it.
-    fn know(&self, glimpse: &Glimpse<'_, Self::Told>) -> Self::Known;
-
-    /// The velocity closest to `desired` (m/s) that the controller allows. `neighbors` come in order of their numbers;
-    /// `before_m_s` is the velocity of the tick before.
-    fn decide<'a>(
-        &self,
-        own: &Own,
-        sums: &Self::Sums,
-        neighbors: impl Iterator<Item = Neighbor<'a, D, Self::Pair, Self::Known>> + Clone,
-        motion: &Motion<D>,
-        scratch: &mut Scratch<'_, D>,
-    ) -> Decision<D>;
-
     /// The decision of a robot on its own, from what it senses and hears.
     fn alone(&self, view: &View<'_, D>, desired: &Vector<D>, scratch: &mut Scratch<'_, D>) -> Decision<D>;
 
     /// What an answer is worth, given what it rests on.
     fn mode(&self, standing: &Standing) -> Mode;
-}
-
-/// Where a robot wants to go, and where it went before.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Motion<const D: usize> {
-    /// u_{i,des}, m/s.
-    pub desired_m_s: Vector<D>,
-    /// u_i of the tick before, m/s.
-    pub before_m_s: Vector<D>,
 }

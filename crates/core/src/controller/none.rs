@@ -1,11 +1,9 @@
 //! No controller: the desired velocity, cut to the input box. No program is solved and nothing is promised.
 
-use crate::controller::{Control, Decision, Glimpse, Motion, Neighbor, Own, Standing, View};
-use crate::equations::link::Link;
+use crate::controller::{AtOnce, Control, Decision, Motion, Neighbor, Own, Standing, View};
 use crate::need::Need;
 use crate::num::Vector;
 use crate::program::{InputBox, Outcome};
-use crate::robot::neighbor::RobotId;
 use crate::robot::report::{Mode, Reason};
 use crate::robot::scratch::Scratch;
 use crate::settings::Settings;
@@ -29,32 +27,29 @@ impl<const D: usize> Unfiltered<D> {
 }
 
 impl<const D: usize> Control<D> for Unfiltered<D> {
-    type Pair = ();
-    type Told = ();
-    type Sums = ();
-    type Known = ();
-
-    const ADDS: bool = false;
-    const LOOKS: bool = false;
-    const USES_PHI: bool = false;
-
     fn need(&self) -> &Need {
         &self.need
     }
 
-    fn pair(&self, _offset_m: &Vector<D>, _link: &Link<f64>) -> Option<()> {
-        None
+    fn can_be_computed_at_once(&self) -> bool {
+        true
     }
 
-    fn told(&self, _robot: RobotId, _level: Option<f64>) {}
+    fn alone(&self, _view: &View<'_, D>, desired: &Vector<D>, _scratch: &mut Scratch<'_, D>) -> Decision<D> {
+        self.cut(desired)
+    }
 
-    fn sums(&self, (): &()) {}
+    fn mode(&self, standing: &Standing) -> Mode {
+        let degree_low = standing.degree < standing.need;
+        Mode::Degraded(if degree_low { Reason::Degree } else { Reason::Unfiltered })
+    }
+}
 
-    fn hear(&self, (): &mut (), (): &()) {}
-
-    fn add(&self, (): &mut (), _offset_m: &Vector<D>, (): &(), _told: [&(); 2]) {}
-
-    fn know(&self, _glimpse: &Glimpse<'_, ()>) {}
+impl<const D: usize> AtOnce<D> for Unfiltered<D> {
+    type Pair = ();
+    type Told = ();
+    type Sums = ();
+    type Known = ();
 
     fn decide<'a>(
         &self,
@@ -65,14 +60,5 @@ impl<const D: usize> Control<D> for Unfiltered<D> {
         _scratch: &mut Scratch<'_, D>,
     ) -> Decision<D> {
         self.cut(&motion.desired_m_s)
-    }
-
-    fn alone(&self, _view: &View<'_, D>, desired: &Vector<D>, _scratch: &mut Scratch<'_, D>) -> Decision<D> {
-        self.cut(desired)
-    }
-
-    fn mode(&self, standing: &Standing) -> Mode {
-        let degree_low = standing.degree < standing.need;
-        Mode::Degraded(if degree_low { Reason::Degree } else { Reason::Unfiltered })
     }
 }

@@ -65,6 +65,12 @@ impl<const D: usize, S: Slots<D>> Robot<D, S> {
         Some(Notice { head, word: Word { number: head.number, entry }, promised })
     }
 
+    /// True if the robot reckons with a neighbour that it does not sense although it cannot have left.
+    pub fn misses_somebody(&self) -> bool {
+        let controller = self.params.controller();
+        self.neighbors().iter().any(|slot| !slot.sensed && controller.misses(slot))
+    }
+
     /// The link of this squared length, m²; `None` beyond R. Who keeps lists has no use for its weight.
     pub(crate) fn link_at(&self, distance_m2: f64) -> Option<Link<f64>> {
         let shape = self.params.link();

@@ -70,7 +70,7 @@ pub enum Mode {
 /// Why an answer is not guaranteed. Of several reasons the gravest is given.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Reason {
-    /// There are fewer than F′ neighbours (θ under [`Assume::Free`](crate::controller::budget::settings::Assume::Free)).
+    /// There are fewer than F′ neighbours (θ under [`Assume::Free`](crate::controller::assume::Assume::Free)).
     Degree,
     /// The program had no solution.
     Infeasible,
@@ -79,7 +79,7 @@ pub enum Reason {
     /// More time than a velocity may be held has passed since the last tick. It is said for
     /// [`told_max`](crate::settings::Clock::told_max) more, because until then a level told before may be worth less than it says.
     Late,
-    /// The robot, or under [`Assume::Obedient`](crate::controller::budget::settings::Assume::Obedient) a neighbour, is not where the
+    /// The robot, or under [`Assume::Obedient`](crate::controller::assume::Assume::Obedient) a neighbour, is not where the
     /// stated errors and the input box allow it to be: sensing or tracking is worse than stated. It is said for as long.
     Moved,
     /// A robot within R may be overlooked. An observation was refused or found no slot, two of one robot differed, or a

@@ -2,7 +2,8 @@
 
 use core::time::Duration;
 
-use crate::controller::budget::settings::{Assume, Trust, fraction_of_rate};
+use crate::controller::assume::Assume;
+use crate::controller::budget::settings::{Trust, fraction_of_rate};
 use crate::controller::budget::weight::{Conditions, Weight};
 use crate::equations::composition::PhiSplit;
 use crate::need::Need;

@@ -13,8 +13,8 @@ pub mod range;
 pub use clock::Clock;
 pub use controller::{BudgetSettings, ComposedSettings, Controller, LinksSettings};
 
-use crate::controller::budget::errors::ErrorBounds;
 use crate::controller::budget::weight::Conditions;
+use crate::controller::errors::ErrorBounds;
 use crate::equations::link::LinkShape;
 use crate::need::Ranks;
 use crate::program::InputBox;

@@ -249,7 +249,7 @@ mod tests {
     use core::time::Duration;
 
     use super::*;
-    use crate::controller::budget::settings::Assume;
+    use crate::controller::assume::Assume;
     use crate::need::Ranks;
     use crate::robot::neighbor::RobotId;
     use crate::settings::range::ROBOTS_MAX;

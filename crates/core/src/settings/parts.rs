@@ -2,8 +2,8 @@
 
 use core::time::Duration;
 
-use crate::controller::budget::errors::ErrorBounds;
 use crate::controller::budget::weight::{Conditions, Weight};
+use crate::controller::errors::ErrorBounds;
 use crate::robot::neighbor::RobotId;
 use crate::settings::{
     BudgetSettings, Clock, ComposedSettings, Controller, Errors, LinkSettings, LinksSettings, Settings, Team,

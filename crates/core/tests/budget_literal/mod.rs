@@ -1,7 +1,8 @@
 //! What a robot knows of a neighbour, from the formulas alone: one neighbour at a time, one weight at a time.
 
+use closeranks_core::controller::assume::Assume;
 use closeranks_core::controller::budget::knowledge::{KnownMargin, Sighting};
-use closeranks_core::controller::budget::settings::{Assume, Budget, Trust};
+use closeranks_core::controller::budget::settings::{Budget, Trust};
 use closeranks_core::equations::link::Link;
 use closeranks_core::num::{Vector, is_finite, length, subtract};
 use closeranks_core::robot::neighbor::RobotId;

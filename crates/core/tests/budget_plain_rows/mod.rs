@@ -1,7 +1,8 @@
 //! The rows of a tick, one after the other, each from its formula. Nothing is kept from one row to the next.
 
+use closeranks_core::controller::assume::Assume;
 use closeranks_core::controller::budget::knowledge::{KnownMargin, Sighting};
-use closeranks_core::controller::budget::settings::{Assume, Budget, Form};
+use closeranks_core::controller::budget::settings::{Budget, Form};
 use closeranks_core::equations::link::Link;
 use closeranks_core::num::{Vector, add_scaled, dot, is_finite, length};
 use closeranks_core::program::balls::Program;

@@ -1,6 +1,6 @@
 //! A tick in which all robots conspire, and the law that it may not break.
 
-use closeranks_core::controller::budget::settings::Assume;
+use closeranks_core::controller::assume::Assume;
 use closeranks_core::num::{Vector, add_scaled, dot, length, subtract};
 use closeranks_core::program::balls::Program;
 use closeranks_core::program::balls::row::Row;

@@ -20,7 +20,7 @@ pub mod patch;
 pub mod question;
 pub mod team;
 
-use closeranks_core::controller::budget::settings::Assume;
+use closeranks_core::controller::assume::Assume;
 use closeranks_core::equations::link::LinkShape;
 use closeranks_core::settings::field::Field;
 use closeranks_core::settings::params::ParamsError;

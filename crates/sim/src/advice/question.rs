@@ -1,6 +1,6 @@
 //! What is asked: a scenario, with numbers set by their names in files, a speed and a lag.
 
-use closeranks_core::controller::budget::settings::Assume;
+use closeranks_core::controller::assume::Assume;
 use closeranks_core::program::InputBox;
 use closeranks_core::program::balls::reach::Reach;
 use closeranks_core::settings::field::{Field, Row, TABLE};

@@ -1,6 +1,6 @@
 //! Who counts for whom, and which F and n go together.
 
-use closeranks_core::controller::budget::settings::Assume;
+use closeranks_core::controller::assume::Assume;
 use closeranks_core::robot::neighbor::RobotId;
 use closeranks_core::settings::params::Params;
 use closeranks_core::settings::range::ROBOTS_MAX;

@@ -308,6 +308,7 @@ impl<const D: usize, T: Transport> Fleet<D, T> {
                 None => f64::NAN,
             };
             frame.outcomes[index] = output.report.outcome;
+            frame.missing[index] = robot.misses_somebody();
             frame.modes[index] = output.report.mode;
             frame.values[index] = liars.value(index, robot.value());
             frame.held[index] = robot.value();
@@ -339,6 +340,7 @@ fn encode<const D: usize>(
 /// What is known of a robot that is down: how it moves. It has no φ_i and solves no program; the rest stays as it was.
 fn stand<const D: usize>(index: usize, frame: &mut Frame<D>, downtime: &Downtime) {
     frame.velocities_m_s[index] = downtime.without_command(index, frame.velocities_m_s[index]);
+    frame.missing[index] = false;
     frame.modes[index] = Mode::Stopped;
     frame.outcomes[index] = Outcome::Free;
     frame.phis[index] = f64::NAN;

@@ -1,6 +1,6 @@
 //! All links of a team in a tick, in one sorted list, each found and weighed once for both ends.
 
-use closeranks_core::controller::{Batch, Control};
+use closeranks_core::controller::{AtOnce, Batch};
 use closeranks_core::settings::params::Params;
 
 use crate::frame::Frame;
@@ -58,7 +58,7 @@ impl<Pair: Copy> Links<Pair> {
 
     /// Finds the links of `frame`, and fills its levels, degrees and number of links.
     //= paper eq:connectivity
-    pub(crate) fn find<const D: usize, C: Control<D, Pair = Pair>>(
+    pub(crate) fn find<const D: usize, C: AtOnce<D, Pair = Pair>>(
         &mut self,
         params: &Params<D>,
         controller: &C,
@@ -111,7 +111,7 @@ impl<Pair: Copy> Scales<Pair> {
     }
 
     /// Weighs the links that wait, adds them to levels and degrees of both ends, and makes pairs of them.
-    fn weigh<const D: usize, C: Control<D, Pair = Pair>>(
+    fn weigh<const D: usize, C: AtOnce<D, Pair = Pair>>(
         &mut self,
         params: &Params<D>,
         controller: &C,

@@ -1,6 +1,6 @@
 //! What every engine does: compute all robots of a tick.
 
-use closeranks_core::controller::Control;
+use closeranks_core::controller::AtOnce;
 use closeranks_core::num::Vector;
 
 use crate::attack::liars::Liars;
@@ -52,7 +52,7 @@ where
     }
 }
 
-impl<const D: usize, C: Control<D> + Copy> Robots<D> for Team<D, C>
+impl<const D: usize, C: AtOnce<D> + Copy> Robots<D> for Team<D, C>
 where
     Self: Send + Sync,
 {

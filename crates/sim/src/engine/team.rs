@@ -4,7 +4,7 @@
 //! both ends. Sums are taken in order of robot numbers, as a robot takes them, and every robot decides by the same
 //! function of its controller.
 
-use closeranks_core::controller::{Control, Decision, Glimpse, Low, Motion, Neighbor, Own, Standing};
+use closeranks_core::controller::{AtOnce, Decision, Glimpse, Low, Motion, Neighbor, Own, Standing};
 use closeranks_core::equations::barrier::degree_barrier;
 use closeranks_core::num::{Vector, dot, sqrt, subtract};
 use closeranks_core::robot::neighbor::RobotId;
@@ -24,7 +24,7 @@ use crate::scenario::Scenario;
 
 /// A team in a perfect network.
 #[derive(Clone, Debug)]
-pub struct Team<const D: usize, C: Control<D>> {
+pub struct Team<const D: usize, C: AtOnce<D>> {
     robots: Robots<D, C>,
     consensus: Consensus,
     /// φ_i of a controller that does not use it, from what all told; `None` where that is of another weight than φ.
@@ -35,7 +35,7 @@ pub struct Team<const D: usize, C: Control<D>> {
 
 /// What its robots sense, hear and know in a tick.
 #[derive(Clone, Debug)]
-struct Robots<const D: usize, C: Control<D>> {
+struct Robots<const D: usize, C: AtOnce<D>> {
     params: Params<D>,
     controller: C,
     links: Links<C::Pair>,
@@ -69,7 +69,7 @@ struct Looker<const D: usize> {
     unseen: usize,
 }
 
-impl<const D: usize, C: Control<D> + Copy> Team<D, C> {
+impl<const D: usize, C: AtOnce<D> + Copy> Team<D, C> {
     /// The team of `scenario` under `controller`, that of `params`, with initial `values`.
     #[must_use]
     pub fn new(scenario: &Scenario, params: Params<D>, controller: C, values: &[f64]) -> Self {
@@ -115,7 +115,7 @@ impl<const D: usize, C: Control<D> + Copy> Team<D, C> {
     }
 }
 
-impl<const D: usize, C: Control<D> + Copy> Robots<D, C> {
+impl<const D: usize, C: AtOnce<D> + Copy> Robots<D, C> {
     /// Levels, as they are and as they are told, and what others make of them.
     fn tell(&mut self, frame: &mut Frame<D>, liars: &mut Liars) {
         self.told.clear();

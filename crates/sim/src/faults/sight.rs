@@ -1,5 +1,7 @@
 //! Robots that others do not sense although they are within R: what is wrong, and whether anybody can know.
 
+use core::time::Duration;
+
 use closeranks_core::num::{Vector, length, subtract};
 use closeranks_core::settings::params::Params;
 
@@ -48,7 +50,9 @@ impl<const D: usize> Sight<D> {
     #[must_use]
     pub fn new(scenario: &Scenario, params: &Params<D>) -> Self {
         let (dropouts, robots) = (scenario.faults.sensing.dropouts, usize::from(scenario.team.robots));
-        let drift = 1.0 + scenario.faults.clocks.drift_max;
+        // A fast clock shows more time than has passed, and robots reckon with the drift that is stated on top.
+        let stretched_s = params.settings().clock.stretched(Duration::from_secs(1)).as_secs_f64();
+        let stretch = (1.0 + scenario.faults.clocks.drift_max) * stretched_s;
         // Only some controllers reckon with everybody whom they do not sense.
         let reckons = params.controller().reckons();
         let sight_m = params.link().radius_m * (1.0 - HAIR) - 2.0 * params.kept().errors.offset_m;
@@ -58,7 +62,7 @@ impl<const D: usize> Sight<D> {
             random: Random::new(scenario.seed, Stream::Dropouts),
             robots,
             radius_m: if reckons { sight_m } else { 0.0 },
-            move_m: params.reach().longest_m() * drift,
+            move_m: params.reach().longest_m() * stretch,
             time_s: 0.0,
             tick: 0,
             last: if whole { Vec::new() } else { vec![None; robots * robots] },

@@ -82,7 +82,10 @@ impl<const D: usize> ModeWatch<D> {
         let safe = (0..truth.h_own.len()).all(|robot| truth.h_own[robot] >= ROUNDING)
             && !self.crowd(truth, true).contains(&true);
         let crowded = self.crowd(truth, false);
-        let well = safe && !stopped && !frame.assumptions.broken;
+        // Who senses a robot where it is not may reckon with it long after it has left.
+        let reckons =
+            frame.missing.iter().zip(&self.malicious).any(|(missing, malicious)| *missing && !malicious);
+        let well = safe && !stopped && !frame.assumptions.broken && !reckons;
         if !well {
             self.unwell = Some(tick);
         }

@@ -1,6 +1,7 @@
 //! Every field of a scenario text, with its default and range.
 
-use closeranks_core::controller::budget::settings::{Assume, Trust};
+use closeranks_core::controller::assume::Assume;
+use closeranks_core::controller::budget::settings::Trust;
 use closeranks_core::equations::composition::PhiSplit;
 use closeranks_core::need::Listen;
 use closeranks_core::settings::field::TABLE;

@@ -13,6 +13,7 @@ const PROTOCOL: &str = "core/src/controller/links/protocol.rs";
 const POLICY: &str = "core/src/controller/links/policy.rs";
 const ROWS: &str = "core/src/controller/links/rows.rs";
 const LINKS: &str = "core/src/controller/links/control.rs";
+const SHARED: &str = "core/src/controller/rows.rs";
 const INEQUALITY: &str = "core/src/controller/budget/inequality.rs";
 
 pub(crate) const MUTANTS: [Mutant; 36] = [
@@ -91,9 +92,9 @@ pub(crate) const MUTANTS: [Mutant; 36] = [
         name: "near rows give too much",
         law: "path",
         lines: &[(
-            INEQUALITY,
-            "0.5 * self.gamma_c * larger(spare_m2, 0.0)",
-            "2.0 * self.gamma_c * larger(spare_m2, 0.0) + 0.05",
+            SHARED,
+            "0.5 * gamma_c * larger(spare_m2, 0.0)",
+            "2.0 * gamma_c * larger(spare_m2, 0.0) + 0.05",
         )],
     },
     Mutant {
@@ -208,7 +209,7 @@ pub(crate) const MUTANTS: [Mutant; 36] = [
         name: "budgets below 0 taken as they are",
         law: "feasible",
         lines: &[
-            (INEQUALITY, "0.5 * self.gamma_c * larger(spare_m2, 0.0)", "0.5 * self.gamma_c * spare_m2"),
+            (SHARED, "0.5 * gamma_c * larger(spare_m2, 0.0)", "0.5 * gamma_c * spare_m2"),
             ("core/src/program/balls/row.rs", "bound: (scale * bound).max(0.0),", "bound: scale * bound,"),
         ],
     },

@@ -2,14 +2,17 @@
 
 use core::time::Duration;
 
-use crate::controller::budget::Move;
+use crate::controller::assume::Assume;
+use crate::controller::budget::Memory;
 use crate::controller::budget::curvature::Curvature;
 use crate::controller::budget::inequality::{self, Pair};
 use crate::controller::budget::knowledge::{Claim, KnownMargin, Sighting};
 use crate::controller::budget::recovery::H_ROUNDING;
-use crate::controller::budget::rows::{Memory, Rows};
-use crate::controller::budget::settings::{Assume, Budget, Form};
-use crate::controller::{Batch, Control, Decision, Glimpse, Kept, Motion, Neighbor, Own, Standing, View};
+use crate::controller::budget::settings::{Budget, Form};
+use crate::controller::rows::{Move, Rows};
+use crate::controller::{
+    AtOnce, Batch, Control, Decision, Glimpse, Kept, Motion, Neighbor, Own, Standing, View,
+};
 use crate::equations::link::{Link, LinkShape};
 use crate::need::Need;
 use crate::num::{Vector, sqrt};
@@ -105,16 +108,6 @@ impl<const D: usize> BudgetController<D> {
 }
 
 impl<const D: usize> Control<D> for BudgetController<D> {
-    type Pair = Pair;
-    /// What is left of the claim above what is needed.
-    type Told = f64;
-    type Sums = ();
-    type Known = KnownMargin;
-
-    const ADDS: bool = false;
-    const LOOKS: bool = true;
-    const USES_PHI: bool = false;
-
     fn need(&self) -> &Need {
         &self.budget.need
     }
@@ -159,6 +152,36 @@ impl<const D: usize> Control<D> for BudgetController<D> {
         self.budget.level(view.id, &scratch.sightings[..count], scratch.values)
     }
 
+    fn alone(&self, view: &View<'_, D>, desired: &Vector<D>, scratch: &mut Scratch<'_, D>) -> Decision<D> {
+        let count = self.see(view, scratch.sightings);
+        let memory = Memory { rows: scratch.rows, weights: scratch.values };
+        let desired_m = self.desired_m(desired);
+        let mut rows = self.budget.rows(view.id, &scratch.sightings[..count], &desired_m, self.reach, memory);
+        self.decision(&mut rows, &view.before_m_s)
+    }
+
+    /// The answer is guaranteed as long as nothing that the robot can check speaks against it.
+    fn mode(&self, standing: &Standing) -> Mode {
+        let degree_low = standing.degree < standing.need;
+        let exact = self.budget.is_exact() && standing.missing == 0;
+        match standing.reason {
+            _ if degree_low => Mode::Degraded(Reason::Degree),
+            Some(reason) => Mode::Degraded(reason),
+            None if exact && standing.h < -H_ROUNDING => Mode::Degraded(Reason::OutsideSafeSet),
+            None => Mode::Guaranteed,
+        }
+    }
+}
+
+impl<const D: usize> AtOnce<D> for BudgetController<D> {
+    type Pair = Pair;
+    /// What is left of the claim above what is needed.
+    type Told = f64;
+    type Sums = ();
+    type Known = KnownMargin;
+
+    const LOOKS: bool = true;
+
     #[inline]
     fn pair(&self, offset_m: &Vector<D>, link: &Link<f64>) -> Option<Pair> {
         Some(self.budget.pair(offset_m, link.slope, &self.reach))
@@ -182,12 +205,6 @@ impl<const D: usize> Control<D> for BudgetController<D> {
         self.budget.discounted_claim(robot, claim)
     }
 
-    fn sums(&self, _own: &f64) {}
-
-    fn hear(&self, (): &mut (), _told: &f64) {}
-
-    fn add(&self, (): &mut (), _offset_m: &Vector<D>, _pair: &Pair, _told: [&f64; 2]) {}
-
     #[inline]
     fn know(&self, glimpse: &Glimpse<'_, f64>) -> KnownMargin {
         self.budget.known_of(glimpse)
@@ -210,26 +227,6 @@ impl<const D: usize> Control<D> for BudgetController<D> {
         let own = (own.id, own.level, own.degree);
         let mut rows = self.budget.rows_between(own, neighbors, &desired_m, self.reach, scratch.rows);
         self.decision(&mut rows, &motion.before_m_s)
-    }
-
-    fn alone(&self, view: &View<'_, D>, desired: &Vector<D>, scratch: &mut Scratch<'_, D>) -> Decision<D> {
-        let count = self.see(view, scratch.sightings);
-        let memory = Memory { rows: scratch.rows, weights: scratch.values };
-        let desired_m = self.desired_m(desired);
-        let mut rows = self.budget.rows(view.id, &scratch.sightings[..count], &desired_m, self.reach, memory);
-        self.decision(&mut rows, &view.before_m_s)
-    }
-
-    /// The answer is guaranteed as long as nothing that the robot can check speaks against it.
-    fn mode(&self, standing: &Standing) -> Mode {
-        let degree_low = standing.degree < standing.need;
-        let exact = self.budget.is_exact() && standing.missing == 0;
-        match standing.reason {
-            _ if degree_low => Mode::Degraded(Reason::Degree),
-            Some(reason) => Mode::Degraded(reason),
-            None if exact && standing.h < -H_ROUNDING => Mode::Degraded(Reason::OutsideSafeSet),
-            None => Mode::Guaranteed,
-        }
     }
 }
 

@@ -1,10 +1,12 @@
 //! Both sides of the inequalities (far), (far′) and (near): their rows, their left-hand sides as far as both ends of a pair
 //! share them, what their right-hand sides let a robot spend, and when one of them needs no row.
 
+use crate::controller::assume::Assume;
 use crate::controller::budget::Own;
 use crate::controller::budget::knowledge::KnownMargin;
-use crate::controller::budget::settings::{Assume, Budget, Form};
-use crate::num::{Vector, dot, larger, length, sqrt};
+use crate::controller::budget::settings::{Budget, Form};
+use crate::controller::rows::give_m2;
+use crate::num::{Vector, dot, length, sqrt};
 use crate::program::balls::reach::Reach;
 use crate::program::balls::row::Row;
 use crate::robot::neighbor::RobotId;
@@ -42,25 +44,11 @@ pub struct Neighbor<'a, const D: usize> {
 }
 
 impl<const D: usize> Row<D> {
-    /// (far) for `offset` r, m, and β, m²: `r·v + |v|² ≤ β`.
-    //= theory eq:far
-    #[must_use]
-    pub fn far(offset: &Vector<D>, beta_m2: f64) -> Self {
-        Self::new(*offset, 1.0, beta_m2)
-    }
-
     /// (far′) for the gradient g, 1/m, and κ, 1/m²: `−g·v + κ|v|² ≤ spend`.
     //= theory eq:far-prime
     #[must_use]
     pub fn far_level(gradient: &Vector<D>, bend: f64, spend: f64) -> Self {
         Self::new(gradient.map(|component| -component), bend, spend)
-    }
-
-    /// (near) for `offset` r, m: `−2 r·v ≤ give`, m².
-    //= theory eq:near
-    #[must_use]
-    pub fn near(offset: &Vector<D>, give_m2: f64) -> Self {
-        Self::new(offset.map(|component| -2.0 * component), 0.0, give_m2)
     }
 }
 
@@ -111,7 +99,7 @@ impl Budget {
         pair.lhs_max = reach.lhs_max(&pair.gradient(offset), gradient_error, bend);
         let spare_m2 = self.spare_m2(&pair, -error_m);
         pair.near_is_slack =
-            spare_m2 >= 0.0 && reach.lhs_max(offset, error_m, 0.0) <= 0.5 * self.give_m2(spare_m2);
+            spare_m2 >= 0.0 && reach.lhs_max(offset, error_m, 0.0) <= 0.5 * give_m2(self.gamma_c, spare_m2);
         pair
     }
 
@@ -182,12 +170,6 @@ impl Budget {
         let distance_m = (pair.distance_m + more_m).max(0.0);
         distance_m * distance_m - least_m2
     }
-
-    /// What (near) lets one of two robots take of `D − Δ_d²`, m².
-    //= theory eq:near
-    pub(super) fn give_m2(&self, spare_m2: f64) -> f64 {
-        0.5 * self.gamma_c * larger(spare_m2, 0.0)
-    }
 }
 
 impl Pair {
@@ -210,25 +192,13 @@ impl Pair {
     }
 }
 
-/// True where a row is needed: unless its left-hand side is never more than its bound, and where either is NaN.
-pub(crate) fn may_bind(lhs_max: f64, bound: f64) -> bool {
-    lhs_max > bound || lhs_max.is_nan() || bound.is_nan()
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
 
-    //= theory eq:far type=test
-    //= theory eq:near type=test
     //= theory eq:far-prime type=test
     #[test]
-    fn rows_by_hand() {
-        let far = Row::far(&[0.5, 0.0], 0.75);
-        assert!(far.holds(&[0.65, 0.0]) && !far.holds(&[0.66, 0.0]) && far.holds(&[-1.15, 0.0]));
-        assert!(!far.holds(&[-1.16, 0.0]));
-        let near = Row::near(&[0.5, 0.0], 0.1);
-        assert!(near.holds(&[-0.1, 9.0]) && !near.holds(&[-0.1 - 1e-15, 9.0]));
+    fn a_row_by_hand() {
         let level = Row::far_level(&[2.0, 0.0], 1.0, 0.0);
         assert!(level.holds(&[2.0, 0.0]) && !level.holds(&[2.01, 0.0]) && !level.holds(&[-0.01, 0.0]));
     }

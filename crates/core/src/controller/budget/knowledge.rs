@@ -3,7 +3,8 @@
 //! It has two sources. What it *sees*, positions alone, bounds the level of the neighbour from below and from above. What it
 //! is *told* is a claim, which may be a lie; it counts only up to the upper bound.
 
-use crate::controller::budget::settings::{Assume, Budget, Trust};
+use crate::controller::assume::Assume;
+use crate::controller::budget::settings::{Budget, Trust};
 use crate::controller::{Glimpse, Low};
 use crate::num::{Vector, larger};
 use crate::robot::neighbor::RobotId;
@@ -64,7 +65,7 @@ pub struct Seen<'a> {
 }
 
 /// What robot i knows of h_j.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct KnownMargin {
     /// b_ij ≥ 0: for an honest robot that the theorem covers, never more than h_j⁺.
     pub budget: f64,

@@ -1,8 +1,9 @@
 //! Room for wrong positions: what a robot still knows of a link, and of a row, when positions are known only to some error.
 
-use crate::controller::budget::errors::ErrorBounds;
+use crate::controller::assume::Assume;
 use crate::controller::budget::knowledge::Sighting;
-use crate::controller::budget::settings::{Assume, Budget};
+use crate::controller::budget::settings::Budget;
+use crate::controller::errors::ErrorBounds;
 use crate::equations::link::Link;
 use crate::num::{Vector, dot, length};
 

@@ -23,7 +23,7 @@
 //! | eq:far, eq:far-prime, eq:near: both sides, and when a row is slack | [`inequality`] |
 //! | eq:known, eq:interval, thm:any-claim, thm:free | [`knowledge`] |
 //! | the sums behind them | [`survey`] |
-//! | the program of a tick and its memory | [`rows`] |
+//! | the program of a tick, and what comes of it | [`crate::controller::rows`] |
 //! | eq:loss, eq:decayed and the settings | [`settings`] |
 //! | eq:slope-bound, eq:curvature-bound | [`curvature`] |
 //! | sec:margins | [`margin`] |
@@ -33,37 +33,31 @@
 
 pub mod control;
 pub mod curvature;
-pub mod errors;
 pub mod inequality;
 pub mod knowledge;
 pub mod margin;
 mod recovery;
-pub mod rows;
 pub mod settings;
 pub mod survey;
 pub mod weight;
 
-use crate::controller::budget::inequality::{Neighbor, may_bind};
+use crate::controller::budget::inequality::Neighbor;
 use crate::controller::budget::knowledge::{Sighting, count};
-use crate::controller::budget::rows::{Memory, Rows};
 use crate::controller::budget::settings::{Budget, Form};
 use crate::controller::budget::survey::Survey;
+use crate::controller::rows::{Rows, give_m2, may_bind};
 use crate::num::{Vector, add_scaled};
-use crate::program::Outcome;
 use crate::program::balls::reach::Reach;
 use crate::program::balls::row::Row;
 use crate::robot::neighbor::RobotId;
-use crate::robot::report::Reason;
 
-/// What the rows of a tick come to.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Move<const D: usize> {
-    /// v, m: inside the box, and every row holds.
-    pub displacement_m: Vector<D>,
-    /// How the program found it.
-    pub outcome: Outcome,
-    /// What in this tick speaks against the state.
-    pub doubt: Option<Reason>,
+/// Memory that the caller lends for one tick.
+#[derive(Debug)]
+pub struct Memory<'memory, const D: usize> {
+    /// `2·D + 2·N + 1` rows are always enough for N neighbours. If positions have errors, `2·D + 2ᴰ (2·N + 1)` are.
+    pub rows: &'memory mut [Row<D>],
+    /// Numbers for [`Budget::survey`](Budget::survey).
+    pub weights: &'memory mut [f64],
 }
 
 /// What a robot adds up over its neighbours for its own rows.
@@ -250,28 +244,12 @@ impl Budget {
     fn push_near<const D: usize>(&self, neighbor: &Neighbor<'_, D>, rows: &mut Rows<'_, D>) {
         let (offset, error_m) = (&neighbor.offset_m, self.errors.offset_m);
         let spare_m2 = self.spare_m2(neighbor.pair, -error_m);
-        let give_m2 = self.give_m2(spare_m2);
+        let give_m2 = give_m2(self.gamma_c, spare_m2);
         if may_bind(rows.program.reach.lhs_max(offset, error_m, 0.0), 0.5 * give_m2) {
             rows.push(offset, error_m, |offset| Row::near(offset, give_m2));
         }
         if spare_m2 < 0.0 {
             self.recover_distance(offset, neighbor.pair, rows);
         }
-    }
-}
-
-impl<const D: usize> Rows<'_, D> {
-    /// The closest point and what it means. `before_m` is the displacement of the tick before: where the closest point is near
-    /// to it, it is found faster, and changes by no more than rounding.
-    #[must_use]
-    pub fn decide(&mut self, before_m: &Vector<D>) -> Move<D> {
-        let closest = self.closest_from(before_m);
-        let doubt = match (self.broken, self.doubtful) {
-            (0, 0) => None,
-            (0, _) => Some(Reason::Uncertain),
-            _ => Some(Reason::OutsideSafeSet),
-        };
-        let outcome = if self.broken > 0 { Outcome::Recovering } else { closest.outcome };
-        Move { displacement_m: closest.displacement_m, outcome, doubt }
     }
 }

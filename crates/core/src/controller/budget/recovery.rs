@@ -9,9 +9,9 @@
 
 use crate::controller::budget::Own;
 use crate::controller::budget::inequality::Pair;
-use crate::controller::budget::rows::Rows;
 use crate::controller::budget::settings::Budget;
-use crate::num::{Vector, add_scaled, dot, length};
+use crate::controller::rows::Rows;
+use crate::num::{Vector, length};
 
 /// h is a sum of weights near 1: it is rounded by less than this. What is missing by no more is mended, but nothing is said.
 pub(super) const H_ROUNDING: f64 = 1e-11;
@@ -53,25 +53,5 @@ impl Budget {
     /// How far to go along `gradient` (1/m) to make up for `deficit`, m, at most ρ.
     fn mend_m<const D: usize>(&self, deficit: f64, gradient: &Vector<D>) -> f64 {
         (deficit / length(gradient)).min(self.move_max_m)
-    }
-}
-
-impl<const D: usize> Rows<'_, D> {
-    /// Counts a violation that is possible, and `certain` or not.
-    pub(crate) fn count_violation(&mut self, certain: bool) {
-        self.doubtful += 1;
-        self.broken += usize::from(certain);
-    }
-
-    /// Raises the desired displacement along `direction` to at least `wanted_m`.
-    pub(crate) fn raise(&mut self, direction: &Vector<D>, wanted_m: f64) {
-        let size = length(direction);
-        if size > 0.0 && size.is_finite() && wanted_m > 0.0 {
-            let unit = direction.map(|component| component / size);
-            let missing = wanted_m - dot(&unit, &self.desired_m);
-            if missing > 0.0 {
-                self.desired_m = add_scaled(&self.desired_m, missing, &unit);
-            }
-        }
     }
 }

@@ -1,8 +1,9 @@
 //! What the controller `budget` is told once.
 
+use crate::controller::assume::Assume;
 use crate::controller::budget::curvature::Curvature;
-use crate::controller::budget::errors::ErrorBounds;
-use crate::need::{Keep, Need};
+use crate::controller::errors::ErrorBounds;
+use crate::need::Need;
 use crate::num::exp;
 
 /// What a robot believes about the levels of its neighbours.
@@ -14,27 +15,6 @@ pub enum Trust {
     ToldOrSeen,
     /// What is seen alone. No level need be sent, so there is nothing to lie about.
     Seen,
-}
-
-/// What malicious robots are assumed to do.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Assume {
-    /// They lie but move by the rows (Assumption 1): `h_k = Σ_j a_kj − F′`, `F′ = F + ⌊n/2⌋`.
-    Obedient,
-    /// They move as they like and tell every neighbour another value: `h_k = T_k − θ`, `θ = F + ⌊(n−F)/2⌋`, with T_k the
-    /// sum of the a_kj without its F largest terms.
-    Free,
-}
-
-impl Assume {
-    /// Which neighbours every robot must then keep enough of.
-    #[must_use]
-    pub fn keep(self) -> Keep {
-        match self {
-            Self::Obedient => Keep::Neighbors,
-            Self::Free => Keep::NormalNeighbors,
-        }
-    }
 }
 
 /// What bounds the loss of connectivity.
@@ -138,6 +118,7 @@ pub fn fraction_of_rate(rate_per_s: f64, period_s: f64) -> f64 {
 mod tests {
     use super::*;
     use crate::equations::link::LinkShape;
+    use crate::need::Keep;
 
     fn paper() -> Budget {
         Budget {

@@ -2,8 +2,9 @@
 
 use core::ops::Range;
 
+use crate::controller::assume::Assume;
 use crate::controller::budget::knowledge::{Seen, Sighting, count};
-use crate::controller::budget::settings::{Assume, Budget};
+use crate::controller::budget::settings::Budget;
 use crate::num::{is_finite, subtract};
 use crate::robot::neighbor::RobotId;
 

@@ -95,7 +95,7 @@ impl Conditions {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::controller::budget::settings::Assume;
+    use crate::controller::assume::Assume;
     use crate::equations::link::{Link, LinkShape};
     use crate::settings::params::Params;
     use crate::settings::{BudgetSettings, Clock, Controller, Errors, Settings, Team};

@@ -1,18 +1,16 @@
 //! The controller `links` as a robot runs it: its lists, its rows, the closest velocity, and its worth.
 
-use core::time::Duration;
-
-use crate::controller::budget::settings::Assume;
+use crate::controller::assume::Assume;
 use crate::controller::links::Links;
 use crate::controller::links::peer::{Ledger, Peer};
-use crate::controller::{Control, Decision, Glimpse, Kept, Motion, Neighbor, Own, Standing, View};
-use crate::equations::link::{Link, LinkShape};
+use crate::controller::{Control, Decision, Kept, Standing, View};
+use crate::equations::link::LinkShape;
 use crate::need::{Keep, Need};
 use crate::num::Vector;
+use crate::program::InputBox;
 use crate::program::balls::reach::Reach;
-use crate::program::{InputBox, Outcome};
 use crate::robot::id::Member;
-use crate::robot::neighbor::{RobotId, Slot};
+use crate::robot::neighbor::Slot;
 use crate::robot::report::{Mode, Reason};
 use crate::robot::scratch::{Needs, Scratch};
 use crate::settings::{LinksSettings, Settings};
@@ -26,7 +24,6 @@ pub struct LinksController<const D: usize> {
     reach: Reach<D>,
     input: InputBox<D>,
     hold_s: f64,
-    told_max: Duration,
     /// A neighbour that is not sensed for more ticks than this is given up.
     unseen_max: u32,
     /// The links of the team; their weights are of no use here.
@@ -57,17 +54,18 @@ impl<const D: usize> LinksController<D> {
             errors,
             horizon_s: parameters.horizon_s,
             pass_right: parameters.pass_right,
+            told_max: settings.clock.told_max,
         };
-        let (input, told_max) = (settings.limits.input, settings.clock.told_max);
-        let ticks = told_max.as_nanos() / period.as_nanos().max(1);
+        let input = settings.limits.input;
+        let ticks = settings.clock.told_max.as_nanos() / period.as_nanos().max(1);
         let unseen_max = u32::try_from(ticks).unwrap_or(u32::MAX);
-        Self { links, reach, input, hold_s, told_max, unseen_max, shape }
+        Self { links, reach, input, hold_s, unseen_max, shape }
     }
 
     /// The desired velocity as the robot tells and follows it.
     fn wish(&self, view: &View<'_, D>, desired: &Vector<D>) -> Vector<D> {
         let heard = view.sensed().filter_map(|slot| {
-            let told = slot.peer.told_within(view.now, self.told_max)?;
+            let told = slot.peer.told_within(view.now, self.links.told_max)?;
             Some((slot.offset_m, told.head.wish_m_s))
         });
         self.links.turned(desired, heard)
@@ -90,15 +88,6 @@ impl<const D: usize> LinksController<D> {
 }
 
 impl<const D: usize> Control<D> for LinksController<D> {
-    type Pair = ();
-    type Told = ();
-    type Sums = ();
-    type Known = ();
-
-    const ADDS: bool = false;
-    const LOOKS: bool = false;
-    const USES_PHI: bool = false;
-
     fn need(&self) -> &Need {
         &self.links.need
     }
@@ -126,10 +115,6 @@ impl<const D: usize> Control<D> for LinksController<D> {
         let corners = 1_usize << D.min(8);
         let rows = neighbors.saturating_mul(2).saturating_mul(corners).saturating_add(2 * D);
         Needs { values: neighbors, sightings: 0, rows }
-    }
-
-    fn can_be_computed_at_once(&self) -> bool {
-        false
     }
 
     fn tells_lists(&self) -> bool {
@@ -160,33 +145,6 @@ impl<const D: usize> Control<D> for LinksController<D> {
     /// How many neighbours the robot counts on.
     fn level(&self, view: &View<'_, D>, _scratch: &mut Scratch<'_, D>) -> f64 {
         view.slots.iter().filter(|slot| slot.peer.is_counted()).fold(0.0, |level, _| level + 1.0)
-    }
-
-    fn pair(&self, _offset_m: &Vector<D>, _link: &Link<f64>) -> Option<()> {
-        None
-    }
-
-    fn told(&self, _robot: RobotId, _level: Option<f64>) {}
-
-    fn sums(&self, (): &()) {}
-
-    fn hear(&self, (): &mut (), (): &()) {}
-
-    fn add(&self, (): &mut (), _offset_m: &Vector<D>, (): &(), _told: [&(); 2]) {}
-
-    fn know(&self, _glimpse: &Glimpse<'_, ()>) {}
-
-    /// Never called: a team of `links` is not computed at once by this seam. The robot would stand still.
-    fn decide<'a>(
-        &self,
-        _own: &Own,
-        (): &(),
-        _neighbors: impl Iterator<Item = Neighbor<'a, D, (), ()>> + Clone,
-        _motion: &Motion<D>,
-        _scratch: &mut Scratch<'_, D>,
-    ) -> Decision<D> {
-        let doubt = Some(Reason::Uncounted);
-        Decision { velocity_m_s: [0.0; D], outcome: Outcome::Active, phi: None, doubt }
     }
 
     fn alone(&self, view: &View<'_, D>, desired: &Vector<D>, scratch: &mut Scratch<'_, D>) -> Decision<D> {

@@ -33,12 +33,15 @@ pub mod protocol;
 mod rows;
 pub mod wire;
 
-use crate::controller::budget::errors::ErrorBounds;
-use crate::controller::budget::settings::Assume;
+use core::time::Duration;
+
+use crate::controller::assume::Assume;
+use crate::controller::errors::ErrorBounds;
 use crate::need::Need;
 use crate::num::length;
 use crate::robot::id::Member;
 use crate::robot::neighbor::Slot;
+use crate::time::Instant;
 
 /// Links are held so much below R, and distances so much above Δ_d, as fractions: far more than rounding, far less than anybody
 /// can see.
@@ -75,6 +78,8 @@ pub struct Links {
     pub horizon_s: f64,
     /// Whether robots pass each other on the right.
     pub pass_right: bool,
+    /// A neighbour is counted on no longer than this after it was sensed last.
+    pub told_max: Duration,
 }
 
 impl Links {
@@ -103,14 +108,16 @@ impl Links {
 
     /// Notes whether a neighbour that is counted on has been within R_h. Once it certainly was, it is for as long as it is
     /// counted on (thm:held), unless it is certainly beyond: then some assumption was broken. One that is not sensed may have
-    /// broken one: it is held only as long as it cannot be beyond. Gives the distance, m.
-    fn settle<const D: usize>(&self, slot: &mut Slot<D>) -> f64 {
+    /// broken one: it is held only as long as it cannot be beyond, and not for long, because the last sighting may have been
+    /// wrong. Gives the distance, m.
+    fn settle<const D: usize>(&self, slot: &mut Slot<D>, now: Instant) -> f64 {
+        let recent = now.since(slot.sensed_at) <= self.told_max;
         let error_m = self.error_m(slot);
         let (distance_m, peer) = (length(&slot.offset_m), &mut slot.peer);
         let certainly_within = distance_m + error_m <= self.radius_m;
         let certainly_beyond = distance_m - error_m > self.radius_m * (1.0 + HAIR);
         let carried = peer.held && peer.unseen_ticks == 0 && !certainly_beyond;
-        peer.held = peer.hold.counts() && (carried || certainly_within);
+        peer.held = peer.hold.counts() && recent && (carried || certainly_within);
         distance_m
     }
 }

@@ -55,7 +55,7 @@ impl Links {
         let (last, first) = (ledger.numbers.last(), ledger.looked_at.is_none());
         let (mut counted, mut in_range) = (0, 0);
         for slot in &mut *slots {
-            let distance_m = self.settle(slot);
+            let distance_m = self.settle(slot, now);
             self.look(own, slot, distance_m, &ledger.wish_m_s, now);
             slot.peer.deal.pass(elapsed_s);
             counted += usize::from(slot.peer.is_counted());

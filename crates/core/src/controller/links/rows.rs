@@ -1,8 +1,7 @@
 //! The rows of a tick: (held) for neighbours that keep each other, (near) for all.
 
-use crate::controller::budget::inequality::may_bind;
-use crate::controller::budget::rows::Rows;
 use crate::controller::links::Links;
+use crate::controller::rows::{Rows, give_m2, may_bind};
 use crate::num::{Vector, dot, length};
 use crate::program::balls::reach::Reach;
 use crate::program::balls::row::Row;
@@ -49,7 +48,7 @@ impl Links {
         let nearest_m2 =
             if error_m == 0.0 { square_m2 } else { squared((length(offset_m) - error_m).max(0.0)) };
         let spare_m2 = nearest_m2 - squared(self.distance_held_m);
-        let give_m2 = 0.5 * self.gamma_c * spare_m2.max(0.0);
+        let give_m2 = give_m2(self.gamma_c, spare_m2);
         if may_bind(rows.program.reach.lhs_max(offset_m, error_m, 0.0), 0.5 * give_m2) {
             rows.push(offset_m, error_m, |offset| Row::near(offset, give_m2));
         }
@@ -68,9 +67,11 @@ fn squared(x: f64) -> f64 {
 
 #[cfg(test)]
 mod tests {
+    use core::time::Duration;
+
     use super::*;
-    use crate::controller::budget::errors::ErrorBounds;
-    use crate::controller::budget::settings::Assume;
+    use crate::controller::assume::Assume;
+    use crate::controller::errors::ErrorBounds;
     use crate::need::{Keep, Need};
     use crate::num::{add_scaled, subtract};
     use crate::program::InputBox;
@@ -91,6 +92,7 @@ mod tests {
             errors,
             horizon_s: 4.0,
             pass_right: false,
+            told_max: Duration::ZERO,
         }
     }
 
