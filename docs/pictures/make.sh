@@ -43,6 +43,7 @@ cp elemental/graph.svg made/elemental.svg
 answer "$program" run scenarios/unfiltered.toml -q -o run
 answer "$program" check run/run.parquet -q -o unfiltered
 cp unfiltered/robustness.svg made/unfiltered-robustness.svg
+(cd "$root" && cargo run --release --locked --quiet -p closeranks-report --example ranks) > made/ranks.svg
 
 stale=0
 for picture in made/*; do

@@ -131,11 +131,10 @@ mod tests {
             assert_eq!(network.edge_count(), graph.edge_count());
             assert!(network.degrees().eq((0..12).map(|node| graph.in_degree(node))));
             let back = network.transposed();
-            assert!((0..12).all(|to| {
-                (0..12).all(|from| {
-                    back.has_edge(to, from as usize) == graph.has_edge(from as usize, to as usize)
-                })
-            }));
+            for (from, to) in (0..12_u8).flat_map(|from| (0..12_u8).map(move |to| (from, to))) {
+                let turned = back.has_edge(u32::from(to), usize::from(from));
+                assert_eq!(turned, graph.has_edge(usize::from(from), usize::from(to)));
+            }
         }
     }
 

@@ -93,7 +93,9 @@ impl<'a> Search<'a> {
                     return Some(Order { f, core, rest });
                 }
                 // What this core reaches, a core within it does not leave.
-                core.iter().chain(&rest).for_each(|node| tried[*node as usize] = true);
+                for node in core.iter().chain(&rest) {
+                    tried[*node as usize] = true;
+                }
             }
         }
         None
@@ -153,7 +155,9 @@ impl<'a> Search<'a> {
     fn grow(&self, core: &[u32], need: usize, looks: &mut usize) -> Vec<u32> {
         let mut heard = vec![0; self.network.node_count()];
         let mut inside = vec![false; heard.len()];
-        core.iter().for_each(|node| inside[*node as usize] = true);
+        for node in core {
+            inside[*node as usize] = true;
+        }
         let (mut rest, mut next) = (Vec::new(), 0);
         let mut queue = core.to_vec();
         while let Some(&node) = queue.get(next) {

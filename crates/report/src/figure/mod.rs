@@ -10,6 +10,7 @@ pub(crate) mod panel;
 mod paper;
 mod paths;
 mod series;
+mod swarm;
 mod thinned;
 pub(crate) mod trace;
 
@@ -18,6 +19,7 @@ use closeranks_sim::scenario::Scenario;
 
 pub use self::overview::overview;
 pub use self::paper::{figure1, figure2, figure3};
+pub use self::swarm::{MANY, swarm};
 pub use self::thinned::Thinned;
 
 use self::formation::view::{View, views};
