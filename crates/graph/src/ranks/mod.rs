@@ -188,7 +188,7 @@ mod tests {
         assert!(matches!(wrong(|order| order.core.truncate(4)), Wrong::Core { nodes: 4, least: 5 }));
         assert!(matches!(wrong(|order| order.f = 3), Wrong::Core { least: 7, .. } | Wrong::InCore { .. }));
         assert!(matches!(wrong(|order| order.rest.truncate(3)), Wrong::Missing(_)));
-        assert!(matches!(wrong(|order| order.rest[0] = order.core[0]), Wrong::Node(_)));
+        assert!(matches!(wrong(|order| order.rest[3] = order.core[0]), Wrong::Node(_)));
         assert_eq!(wrong(|order| order.rest[0] = 9), Wrong::Before { node: 9, heard: 0, least: 5 });
         let sparse = Network::from(&petersen().unwrap());
         assert!(matches!(
