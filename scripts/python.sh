@@ -5,16 +5,18 @@
 #     scripts/python.sh [PYTHON]
 set -euo pipefail
 cd "$(dirname "$0")/.."
-step() { printf '\n== %s\n' "$1"; }
+step() { printf '\n== %s (%s s)\n' "$1" "$SECONDS"; }
 
 out=$(mktemp -d)
 trap 'rm -rf "$out"' EXIT
-"${1:-python3}" -m venv "$out/venv"
+interpreter=$(command -v "${1:-python3}")
+"$interpreter" -m venv "$out/venv"
 python="$out/venv/bin/python"
 "$python" -m pip install --quiet --disable-pip-version-check --upgrade pip
 
 step "format and lints of the bindings"
-(cd bindings/python && cargo fmt --check && PYO3_PYTHON=$python cargo clippy --locked --features pyo3/extension-module -- -D warnings)
+# Always with the same interpreter, not the new one: else half of what was compiled is compiled again.
+(cd bindings/python && cargo fmt --check && PYO3_PYTHON=$interpreter cargo clippy --locked --quiet --features pyo3/extension-module -- -D warnings)
 
 step "the wheel"
 "$python" -m pip wheel --quiet --no-deps --wheel-dir "$out/wheels" ./bindings/python
@@ -35,3 +37,5 @@ step "stubs and types"
 
 step "the wheel uses the stable interface of CPython alone"
 "$python" -m abi3audit --strict "$out"/wheels/closeranks-*.whl
+
+step "all is well"

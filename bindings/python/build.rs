@@ -3,11 +3,12 @@
 use std::process::Command;
 
 /// What is built.
-const SOURCES: [&str; 5] = [
+const SOURCES: [&str; 6] = [
     "../../crates/core/src",
     "../../crates/graph/src",
     "../../crates/sim/src",
     "../../crates/report/src",
+    "../../crates/sweep/src",
     "src",
 ];
 

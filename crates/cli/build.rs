@@ -3,7 +3,8 @@
 use std::process::Command;
 
 /// What the program is made of.
-const SOURCES: [&str; 5] = ["../core/src", "../graph/src", "../sim/src", "../report/src", "src"];
+const SOURCES: [&str; 6] =
+    ["../core/src", "../graph/src", "../sim/src", "../report/src", "../sweep/src", "src"];
 
 fn main() {
     println!("cargo:rerun-if-changed=../../.git/HEAD");

@@ -1,7 +1,8 @@
 //! Robustness of graphs.
 
 use core::ops::ControlFlow;
-use std::time::{Duration, Instant};
+use core::time::Duration;
+use std::time::Instant;
 
 use closeranks_graph::analysis::{self, Analysis};
 use closeranks_graph::decide::Robustness;

@@ -12,6 +12,7 @@ mod paper;
 mod robot;
 mod run;
 mod scenario;
+mod sweep;
 mod values;
 mod wmsr;
 mod world;
@@ -28,7 +29,10 @@ fn native(module: &Bound<'_, PyModule>) -> PyResult<()> {
     errors::add(module)?;
     module.add_class::<scenario::Scenario>()?;
     module.add_class::<world::World>()?;
+    module.add_class::<world::batch::Batch>()?;
     module.add_class::<run::Run>()?;
+    module.add_class::<sweep::Sweep>()?;
+    module.add_class::<sweep::SweepFolder>()?;
     module.add_class::<robot::Robot>()?;
     module.add_class::<output::Output>()?;
     module.add_function(wrap_pyfunction!(scenario::named, module)?)?;

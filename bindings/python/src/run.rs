@@ -26,6 +26,9 @@ use crate::{errors, values};
 const PROGRAM: Program<'_> =
     Program { version: env!("CARGO_PKG_VERSION"), commit: env!("CLOSERANKS_COMMIT") };
 
+/// What is said where every tick is asked for.
+const UNRECORDED: &str = "this run was not recorded, allowed is a run with record=True";
+
 /// What a run left behind. It never changes, so arrays may look into it.
 #[pyclass(frozen, module = "closeranks._native")]
 pub(crate) struct Run {
@@ -47,7 +50,7 @@ impl Run {
 
     fn record(&self) -> PyResult<&Record> {
         let record = self.run.record.as_ref();
-        record.ok_or_else(|| errors::refused("this run was not recorded, allowed is a run with record=True"))
+        record.ok_or_else(|| errors::refused(UNRECORDED))
     }
 
     fn metadata(&self) -> Metadata<'_> {
@@ -88,6 +91,9 @@ impl Run {
             "h" => &record.h,
             "phi" => &record.phi,
             "value" => &record.value,
+            "value_told" => &record.value_told,
+            "degree_sensed" => &record.degree_sensed,
+            "level_sensed" => &record.level_sensed,
             _ => return Err(errors::refused(format!("no column is called \"{name}\""))),
         };
         view(column, usize::from(record.robots), slf.clone().into_any())
@@ -116,7 +122,6 @@ impl Run {
     }
 
     /// Pairs of robots that are linked at a tick, by index, and the weights of their links.
-    #[expect(clippy::type_complexity, reason = "two arrays")]
     fn edges<'py>(&self, py: Python<'py>, tick: usize) -> PyResult<(Bound<'py, PyArray2<i64>>, Vec<f64>)> {
         let record = self.record()?;
         if tick > record.last_tick() {
@@ -165,9 +170,10 @@ impl Run {
         self.run.rounds.iter().map(row).collect()
     }
 
-    /// FNV-1a of every bit of every column.
+    /// The digest that the command line prints.
     fn digest(&self) -> PyResult<String> {
-        Ok(format!("{:016x}", self.record()?.digest()))
+        let digest = self.run.digest.ok_or_else(|| errors::refused(UNRECORDED))?;
+        Ok(format!("{digest:016x}"))
     }
 
     /// Writes every tick as the command line does.

@@ -8,7 +8,6 @@ use crate::errors;
 
 /// One robot, one round: new value, discarded below and above, least and greatest value kept, how many kept.
 #[pyfunction]
-#[expect(clippy::type_complexity, reason = "a row")]
 pub(crate) fn wmsr_update(
     own: f64,
     told: PyReadonlyArray1<'_, f64>,

@@ -27,9 +27,11 @@ def mixed() -> cr.Scenario:
     )
 
 
-def test_the_mixed_run_has_the_digest_that_rust_has() -> None:
-    committed = (ROOT / "crates/sim/tests/digest.rs").read_text()
-    digest = re.search(r'digest\(&mixed\(\)\)\), "([0-9a-f]{16})"', committed)
+def test_the_mixed_run_has_the_digest_of_the_command_line(program: Path, tmp_path: Path) -> None:
+    (tmp_path / "mixed.toml").write_text(mixed().text)
+    command = [program, "run", tmp_path / "mixed.toml"]
+    told = subprocess.run(command, capture_output=True, text=True, check=False).stdout
+    digest = re.search(r"^digest: ([0-9a-f]{16})$", told, re.MULTILINE)
     assert digest is not None
     assert mixed().run(progress=False).digest == digest[1]
 

@@ -13,7 +13,8 @@ import closeranks as cr
 
 def test_arrays_have_their_shapes_and_agree(nominal: cr.Run) -> None:
     assert nominal.positions.shape == nominal.velocities.shape == (2001, 11, 2)
-    for array in (nominal.h, nominal.levels, nominal.told, nominal.phi, nominal.values, nominal.degree, nominal.outcome):
+    for array in (nominal.h, nominal.levels, nominal.told, nominal.phi, nominal.values, nominal.degree, nominal.outcome,
+                  nominal.values_told, nominal.degree_sensed, nominal.levels_sensed):
         assert array.shape == (2001, 11)
     assert nominal.time_s[-1] == pytest.approx(10.0)
     assert np.array_equal(nominal.positions[0], nominal.scenario.positions)

@@ -30,6 +30,7 @@ def test_what_a_world_shows_belongs_to_the_tick_that_comes() -> None:
         assert np.array_equal(world.degree, run.degree[tick])
         assert np.array_equal(world.levels, run.levels[tick]) and np.array_equal(world.told, run.told[tick])
         assert np.array_equal(world.values, run.values[tick]) and np.array_equal(world.h, run.h[tick])
+        assert np.array_equal(world.values_told, run.values_told[tick])
         assert set(world.outcomes) <= set(run.outcome_names) and len(world.modes) == 11
     assert world.violations == [] and world.scenario == scenario
     assert repr(world) == "<World of 'scenario' before tick 20 of 20>"

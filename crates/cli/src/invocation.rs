@@ -5,6 +5,7 @@ use std::sync::OnceLock;
 
 use clap::parser::ValueSource;
 use clap::{Arg, ArgAction, ArgMatches, Command};
+pub(crate) use closeranks_sweep::outcome::quoted;
 
 /// What runs, and whether it may replace what another command wrote.
 #[derive(Debug)]
@@ -70,12 +71,6 @@ fn whole_path(value: &str) -> String {
         return value.to_owned();
     }
     std::path::absolute(Path::new(value)).map_or(value.to_owned(), |path| path.to_string_lossy().into_owned())
-}
-
-/// A word as a shell takes it.
-pub(crate) fn quoted(word: &str) -> String {
-    let is_plain = |c: char| c.is_ascii_alphanumeric() || "._-/+:@%,=".contains(c);
-    if word.chars().all(is_plain) { word.to_owned() } else { format!("'{}'", word.replace('\'', "'\\''")) }
 }
 
 /// The largest seed: what TOML can say, so that a seed is one number in files, on the command line and in JSON.

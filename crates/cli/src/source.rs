@@ -101,13 +101,16 @@ fn whole(file: &Path, text: &str, files: &Files) -> Result<String> {
 
 /// Run `run` of a sweep with `seed`.
 pub(crate) fn draw(file: &Path, text: &str, plan: &Plan, seed: u64, run: u64) -> Result<Drawn> {
-    plan.draw(seed, run).map_err(|problems| {
-        let Refused(picture) = refused(file, text, &problems);
-        let note = format!(
-            "note: none of {TRIES} draws of run {run} can be run; this is what the last was refused for\n"
-        );
-        Refused(picture + &note).into()
-    })
+    plan.draw(seed, run).map_err(|problems| undrawable(file, text, run, &problems))
+}
+
+/// What is said of a run that cannot be drawn.
+pub(crate) fn undrawable(file: &Path, text: &str, run: u64, problems: &[Problem]) -> anyhow::Error {
+    let Refused(picture) = refused(file, text, problems);
+    let note = format!(
+        "note: none of {TRIES} draws of run {run} can be run; this is what the last was refused for\n"
+    );
+    Refused(picture + &note).into()
 }
 
 fn refused(file: &Path, text: &str, problems: &[Problem]) -> Refused {

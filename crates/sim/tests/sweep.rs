@@ -192,7 +192,8 @@ fn malformed_draws_are_refused_with_place_value_and_what_is_allowed() {
 
 #[test]
 fn the_table_sweep_is_checked() {
-    let names = "a list of `budget`, `composed`, `links`, `none`, `orca`, each at most once";
+    let all: Vec<String> = Controller::ALL.iter().map(|one| format!("`{}`", one.name())).collect();
+    let names = &format!("a list of {}, each at most once", all.join(", "));
     for list in ["[]", "[\"brakes\"]", "[\"none\", \"none\"]"] {
         let text = format!("[sweep]\ncontrollers = {list}");
         refused(&text, list, &format!("`sweep.controllers` is {list}, allowed is {names}"));

@@ -1,8 +1,8 @@
 """Closeranks: software that keeps a team of robots agreeing while some of them lie.
 
-What to run is a `Scenario`, what it came to a `Run`; a `World` is stepped tick by tick from outside. `Robot` is the filter alone,
+What to run is a `Scenario`, what it came to a `Run`; a `World` is stepped tick by tick from outside, a `Batch` is many of those. `Robot` is the filter alone,
 for people with their own simulator or robots. `WMSR` is the consensus rule on arrays. `robustness` says how many liars a network
-survives, exactly, and `graphs` makes networks by name. `plots` draws the paper's figures.
+survives, exactly, and `graphs` makes networks by name. `sweep` runs thousands of scenarios drawn from one file. `plots` draws the paper's figures.
 
 Robots are numbered from 1, as in the paper: index 0 of an array is robot 1. Lengths are in m, speeds in m/s, times in s; units end
 the names of numbers. Whatever is refused is refused with an `Error` (a ValueError) that names the place, the value and what is allowed.
@@ -14,6 +14,7 @@ the names of numbers. Whatever is refused is refused with an `Error` (a ValueErr
 """
 
 from closeranks import graphs, plots
+from closeranks._batch import Batch
 from closeranks._native import COMMIT as __commit__
 from closeranks._native import VERSION as __version__
 from closeranks._native import Error, GraphError, MessageError, Output, RobotError, ScenarioError
@@ -21,11 +22,13 @@ from closeranks._robot import Robot
 from closeranks._robustness import Robustness, Verdict, Witness, is_robust, robustness
 from closeranks._run import Round, Run, Violation
 from closeranks._scenario import Scenario, controllers
+from closeranks._sweep import Sweep, sweep
 from closeranks._wmsr import WMSR, WMSRRound
 from closeranks._world import World
 
 __all__ = [
     "WMSR",
+    "Batch",
     "Error",
     "GraphError",
     "MessageError",
@@ -37,6 +40,7 @@ __all__ = [
     "Run",
     "Scenario",
     "ScenarioError",
+    "Sweep",
     "Verdict",
     "Violation",
     "WMSRRound",
@@ -49,4 +53,5 @@ __all__ = [
     "is_robust",
     "plots",
     "robustness",
+    "sweep",
 ]

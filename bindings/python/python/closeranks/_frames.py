@@ -32,6 +32,7 @@ def columns(run: Run) -> dict[str, Any]:
     table |= {f"u{axis}_m_s": np.ascontiguousarray(inputs[:, :, d]).reshape(-1) for d, axis in enumerate(axes)}
     table["degree"] = run.degree.reshape(-1)
     numbers = {"level": run.levels, "told": run.told, "h": run.h, "phi_i": run.phi, "value": run.values}
+    numbers |= {"value_told": run.values_told, "degree_sensed": run.degree_sensed, "level_sensed": run.levels_sensed}
     return table | {name: column.reshape(-1) for name, column in numbers.items()}
 
 
@@ -45,6 +46,7 @@ def polars_frame(run: Run) -> pl.DataFrame:
     names = pl.Series("outcome", list(run.outcome_names), dtype=pl.String)
     outcome = names.gather(pl.Series(run.outcome.reshape(-1).astype(np.uint32)))
     frame = frame.with_columns(pl.when(last).then(None).otherwise(pl.col(inputs)).name.keep())
+    frame = frame.with_columns(pl.col("told", "value_told", "degree_sensed", "level_sensed").fill_nan(None))
     return frame.with_columns(outcome.alias("outcome"))
 
 

@@ -101,8 +101,13 @@ class Run:
 
     @property
     def degree(self) -> npt.NDArray[np.uint16]:
-        """delta_i, (T, n)."""
+        """delta_i as it is, (T, n)."""
         return self._native.degree()
+
+    @property
+    def degree_sensed(self) -> Floats:
+        """delta_i as robots sense it, (T, n); NaN of a robot that is down."""
+        return self._native.numbers("degree_sensed")
 
     @property
     def levels(self) -> Floats:
@@ -110,8 +115,13 @@ class Run:
         return self._native.numbers("level")
 
     @property
+    def levels_sensed(self) -> Floats:
+        """Levels c_i as robots sense them, (T, n); NaN of a robot that is down."""
+        return self._native.numbers("level_sensed")
+
+    @property
     def told(self) -> Floats:
-        """Levels as told, (T, n)."""
+        """Levels as told, (T, n); NaN of a robot that is down, and of one that does not tell all the same."""
         return self._native.numbers("told")
 
     @property
@@ -126,8 +136,13 @@ class Run:
 
     @property
     def values(self) -> Floats:
-        """y_i, (T, n); of malicious robots what they tell."""
+        """y_i as robots hold it, (T, n), malicious or not."""
         return self._native.numbers("value")
+
+    @property
+    def values_told(self) -> Floats:
+        """y_i as told, (T, n); NaN of a robot that is down, and of one that does not tell all the same."""
+        return self._native.numbers("value_told")
 
     @property
     def outcome(self) -> npt.NDArray[np.uint8]:
@@ -192,7 +207,8 @@ class Run:
 
     def to_polars(self) -> pl.DataFrame:
         """One row a tick and robot, with the columns of `run.parquet`: `tick, time_s, robot, malicious, x_m, y_m, (z_m,) ux_m_s,
-        uy_m_s, (uz_m_s,) degree, level, told, h, phi_i, value, outcome`; inputs are null at the last tick."""
+        uy_m_s, (uz_m_s,) degree, level, told, h, phi_i, value, value_told, degree_sensed,
+        level_sensed, outcome`; inputs are null at the last tick, and what was not told or sensed is."""
         return polars_frame(self)
 
     def to_pandas(self) -> pd.DataFrame:

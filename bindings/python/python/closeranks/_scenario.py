@@ -12,6 +12,7 @@ import numpy.typing as npt
 
 from closeranks import _native
 from closeranks._native import Scenario as NativeScenario
+from closeranks._files import scenario_with_files
 from closeranks._progress import bar
 from closeranks._types import Attack, Floats, Law, Progress, Start
 from closeranks._world import World
@@ -19,8 +20,6 @@ from closeranks._world import World
 if TYPE_CHECKING:
     from closeranks._run import Run
 
-_TEXT_MAX = 1 << 20
-_FILE_MAX = 1 << 18
 _SLICE_S = 0.05
 
 
@@ -83,14 +82,7 @@ class Scenario:
         ScenarioError
             If it is too long, no text, or wrong.
         """
-        path = Path(path)
-        text = _text(path, "scenario", _TEXT_MAX)
-        files: list[tuple[str, str | None, str]] = []
-        for name in _native.named(text):
-            try:
-                files.append((name, _text(path.parent / name, "file", _FILE_MAX), ""))
-            except (OSError, _native.ScenarioError) as error:
-                files.append((name, None, str(error)))
+        text, files = scenario_with_files(Path(path))
         return cls._of(_native.Scenario.from_toml(text, str(path), files))
 
     @classmethod
@@ -286,15 +278,3 @@ class Scenario:
     def __repr__(self) -> str:
         team = f"{self.robots} robots, F = {self.faults}, {len(self.malicious)} malicious"
         return f"<Scenario {self.name!r}: {team}, {self.controller}, {self.duration_s:g} s, seed {self.seed}>"
-
-
-def _text(path: Path, what: str, most: int) -> str:
-    """The text of a file of at most so many bytes, refused in the words of the command line."""
-    with path.open("rb") as file:
-        data = file.read(most + 1)
-    if len(data) > most:
-        raise _native.ScenarioError(f"the {what} `{path}` is too long: allowed is at most {most} bytes")
-    try:
-        return data.decode()
-    except UnicodeDecodeError as error:
-        raise _native.ScenarioError(f"the {what} `{path}` is not text: byte {error.start} is not UTF-8") from None

@@ -1,4 +1,4 @@
-"""Types that several files name."""
+"""Types that several files name, and arrays that are checked for their shape."""
 
 from __future__ import annotations
 
@@ -7,6 +7,8 @@ from typing import Any, Literal, TypeAlias, Union
 
 import numpy as np
 import numpy.typing as npt
+
+from closeranks._native import Error
 
 Floats: TypeAlias = npt.NDArray[np.float64]
 """An array of numbers."""
@@ -23,3 +25,13 @@ Attack: TypeAlias = Literal["nominal", "understating", "overstating"]
 
 Start: TypeAlias = Literal["inside", "published"]
 """The paper's start as published, which lies outside of its safe set, and ours, which lies inside."""
+
+
+def flat(name: str, numbers: npt.ArrayLike | None, shape: tuple[int, ...]) -> Floats | None:
+    """The numbers, one after another, if they have this shape."""
+    if numbers is None:
+        return None
+    array = np.ascontiguousarray(numbers, dtype=np.float64)
+    if array.shape != shape:
+        raise Error(f"`{name}` has the shape {array.shape}, must have {shape}")
+    return array.reshape(-1)

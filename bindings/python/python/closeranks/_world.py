@@ -10,7 +10,7 @@ import numpy.typing as npt
 from closeranks import _native
 from closeranks._native import World as NativeWorld
 from closeranks._run import Run, Violation, violations
-from closeranks._types import Floats
+from closeranks._types import Floats, flat
 
 if TYPE_CHECKING:
     from closeranks._scenario import Scenario
@@ -20,7 +20,7 @@ class World:
     """A team in its world, one tick after another.
 
     `positions` and `desired` are those of the tick that `step` computes next: where robots are now, and where they want to go.
-    `velocities`, `degree`, `h`, `levels`, `told`, `values`, `outcomes` and `modes` are what the last tick came to. Arrays are
+    `velocities`, `degree`, `h`, `levels`, `told`, `values`, `values_told`, `outcomes` and `modes` are what the last tick came to. Arrays are
     copies: a world goes on, and what was read stays.
 
     Parameters
@@ -78,9 +78,8 @@ class World:
             If an array has another shape or numbers that are not finite; nothing moves then.
         """
         native, (robots, dimension) = self._native, (self._scenario.robots, self._scenario.dimension)
-        want = None if desired is None else _array("desired", desired, (robots, dimension))
-        told = None if levels is None else _array("levels", levels, (robots,))
-        said = None if values is None else _array("values", values, (robots,))
+        want = flat("desired", desired, (robots, dimension))
+        told, said = flat("levels", levels, (robots,)), flat("values", values, (robots,))
         native.step(want, told, said)
         self._wanted = None
         if not native.is_over:
@@ -99,7 +98,8 @@ class World:
     def _want(self, desired: npt.ArrayLike | None) -> None:
         """What `desired` says until the next tick."""
         shape = (self._scenario.robots, self._scenario.dimension)
-        self._wanted = None if desired is None else _array("desired", desired, shape).reshape(shape)
+        wanted = flat("desired", desired, shape)
+        self._wanted = None if wanted is None else wanted.reshape(shape)
 
     @property
     def scenario(self) -> Scenario:
@@ -138,7 +138,7 @@ class World:
 
     @property
     def degree(self) -> npt.NDArray[np.uint16]:
-        """delta_i in the last tick, (n,)."""
+        """delta_i as robots sense it in the last tick, (n,)."""
         return self._native.degree()
 
     @property
@@ -148,7 +148,7 @@ class World:
 
     @property
     def levels(self) -> Floats:
-        """True levels c_i in the last tick, (n,)."""
+        """Levels c_i as robots sense them in the last tick, (n,), before any lie."""
         return self._native.levels()
 
     @property
@@ -168,8 +168,13 @@ class World:
 
     @property
     def values(self) -> Floats:
-        """y_i, (n,); of malicious robots what they tell."""
+        """y_i as robots hold it, (n,), malicious or not."""
         return self._native.values()
+
+    @property
+    def values_told(self) -> Floats:
+        """y_i as told, (n,)."""
+        return self._native.values_told()
 
     @property
     def outcomes(self) -> list[str]:
@@ -188,11 +193,3 @@ class World:
 
     def __repr__(self) -> str:
         return f"<World of {self._scenario.name!r} before tick {self.tick} of {self._scenario.ticks}>"
-
-
-def _array(name: str, numbers: npt.ArrayLike, shape: tuple[int, ...]) -> Floats:
-    """The numbers, flat, if they have this shape."""
-    array = np.ascontiguousarray(numbers, dtype=np.float64)
-    if array.shape != shape:
-        raise _native.Error(f"`{name}` has the shape {array.shape}, must have {shape}")
-    return array.reshape(-1)

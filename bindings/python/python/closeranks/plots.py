@@ -76,8 +76,8 @@ def draw_values(axes: Axes, run: Run) -> None:
     """Draws the values y_i over time at consensus rounds; what malicious robots say is behind."""
     rounds = slice(None, None, run.scenario.ticks_per_round)
     liars = run.scenario.is_malicious
-    time, values = run.time_s[rounds], run.values[rounds]
-    axes.step(time, values[:, liars], where="post", color=_MALICIOUS, linewidth=0.6, alpha=0.5)
+    time, values, told = run.time_s[rounds], run.values[rounds], run.values_told[rounds]
+    axes.step(time, told[:, liars], where="post", color=_MALICIOUS, linewidth=0.6, alpha=0.5)
     axes.step(time, values[:, ~liars], where="post", color=_NORMAL, linewidth=1.0)
     axes.set_xlabel("time, s")
     axes.set_ylabel("$y_i$")

@@ -7,6 +7,7 @@ use std::fs::{self, File};
 use std::path::{Path, PathBuf};
 
 use anyhow::{Context, Result, bail};
+use closeranks_sweep::store::SWEEP;
 use tempfile::TempDir;
 
 use crate::invocation;
@@ -16,9 +17,6 @@ const MANIFEST: &str = ".closeranks";
 
 /// What the first line of the manifest begins with.
 const WRITTEN_BY: &str = "# ";
-
-/// Says which sweep a folder holds.
-pub(crate) const SWEEP: &str = "sweep.json";
 
 /// Files to be written together.
 #[derive(Debug)]

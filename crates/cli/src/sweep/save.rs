@@ -9,11 +9,14 @@ use closeranks_report::sweep::figure::{gyrations, shares};
 use closeranks_report::sweep::spread::Spread;
 use closeranks_report::sweep::tables::{controllers, values};
 
-use super::report::Outcome;
-use super::store::Store;
+use closeranks_sweep::outcome::Outcome;
+use closeranks_sweep::store::Store;
+
 use crate::pages;
 
-/// Writes [`super::store::PAGES`].
+pub(super) use closeranks_sweep::store::PAGES;
+
+/// Writes [`PAGES`].
 pub(crate) fn save(store: &Store, outcome: &Outcome<'_>, spread: &Spread) -> Result<()> {
     let laws = shares(outcome.tally, outcome.laws);
     let gyration = gyrations(outcome.tally, spread);
@@ -27,12 +30,12 @@ pub(crate) fn save(store: &Store, outcome: &Outcome<'_>, spread: &Spread) -> Res
 fn page(outcome: &Outcome<'_>, rows: &str, laws: String, gyration: String) -> Page {
     let text = Section {
         title: "Sweep file and data".to_owned(),
-        listings: vec![pages::scenario("What was drawn from:", outcome.manifest.text)],
+        listings: vec![pages::scenario("What was drawn from:", &outcome.manifest.text)],
         files: files(rows),
         ..Section::default()
     };
     Page {
-        title: format!("Sweep of {}", outcome.file.rsplit('/').next().unwrap_or(outcome.file)),
+        title: format!("Sweep of {}", outcome.manifest.file.rsplit('/').next().unwrap_or_default()),
         lead: format!("{}.", outcome.head()),
         sections: vec![came_to(outcome, laws, gyration), by_value(outcome), violations(outcome), text],
         footer: pages::footer("sweep"),

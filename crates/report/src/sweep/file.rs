@@ -10,6 +10,7 @@ use ::parquet::data_type::{ByteArray, ByteArrayType, DataType, DoubleType, Int64
 use ::parquet::errors::ParquetError;
 use ::parquet::file::metadata::KeyValue;
 use ::parquet::file::properties::WriterProperties;
+pub use ::parquet::file::reader::ChunkReader as Source;
 use ::parquet::file::reader::{ChunkReader, FileReader, RowGroupReader, SerializedFileReader};
 use ::parquet::file::writer::{SerializedColumnWriter, SerializedFileWriter};
 use ::parquet::schema::types::{ColumnDescriptor, Type, TypePtr};
@@ -138,20 +139,55 @@ fn decode<R: ChunkReader + 'static>(
     each: &mut dyn FnMut(Rows),
 ) -> Result<(), ParquetError> {
     let reader = SerializedFileReader::new(source)?;
+    (0..reader.num_row_groups()).try_for_each(|group| {
+        each(rows_of(&reader, group, names)?);
+        Ok(())
+    })
+}
+
+/// The rows of a file, a group at a time: what [`read`] gives to its function, to be asked for. Panics of the library are errors, too.
+pub struct Groups<R: ChunkReader + 'static> {
+    reader: SerializedFileReader<R>,
+    next: usize,
+}
+
+impl<R: ChunkReader + 'static> Groups<R> {
+    /// Those of a file.
+    pub fn of(source: R) -> Result<Self, ParquetError> {
+        let reader = std::panic::catch_unwind(AssertUnwindSafe(|| SerializedFileReader::new(source)));
+        Ok(Self { reader: reader.unwrap_or_else(broken)?, next: 0 })
+    }
+}
+
+impl<R: ChunkReader + 'static> Iterator for Groups<R> {
+    type Item = Result<Rows, ParquetError>;
+
+    fn next(&mut self) -> Option<Self::Item> {
+        let group = self.next;
+        self.next += 1;
+        let decode = || rows_of(&self.reader, group, &[]);
+        (group < self.reader.num_row_groups())
+            .then(|| std::panic::catch_unwind(AssertUnwindSafe(decode)).unwrap_or_else(broken))
+    }
+}
+
+/// A group of rows, with the columns `names`, or all if there are none of these.
+fn rows_of<R: ChunkReader + 'static>(
+    reader: &SerializedFileReader<R>,
+    group: usize,
+    names: &[&str],
+) -> Result<Rows, ParquetError> {
     let schema = reader.metadata().file_metadata().schema_descr_ptr();
     let wanted = |column: &ColumnDescriptor| names.is_empty() || names.contains(&column.name());
     let places = schema.columns().iter().enumerate().filter(|(_, column)| wanted(column));
     let places: Vec<(usize, Head)> =
         places.map(|(place, column)| (place, Head::new(column.name(), kind(column)))).collect();
-    for group in 0..reader.num_row_groups() {
-        let group = reader.get_row_group(group)?;
-        let columns = places.iter().map(|(place, _)| column(group.as_ref(), *place));
-        let columns = columns.collect::<Result<Vec<Values>, ParquetError>>()?;
-        let heads = places.iter().map(|(_, head)| head.clone()).collect();
-        let ragged = || ParquetError::General("its columns differ in length".to_owned());
-        each(Rows::of(heads, columns).ok_or_else(ragged)?);
-    }
-    Ok(())
+    let group = reader.get_row_group(group)?;
+    let columns = places.iter().map(|(place, _)| column(group.as_ref(), *place));
+    let columns = columns.collect::<Result<Vec<Values>, ParquetError>>()?;
+    let heads = places.iter().map(|(_, head)| head.clone()).collect();
+    let ragged = || ParquetError::General("its columns differ in length".to_owned());
+    Rows::of(heads, columns).ok_or_else(ragged)
 }
 
 fn kind(column: &ColumnDescriptor) -> Kind {

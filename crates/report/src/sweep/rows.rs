@@ -1,5 +1,7 @@
 //! Rows of a sweep in memory, column by column; every cell may be missing.
 
+use core::ops::Range;
+
 /// What a column holds.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Kind {
@@ -93,6 +95,14 @@ impl Values {
         }
     }
 
+    fn range(&self, rows: Range<usize>) -> Self {
+        match self {
+            Self::Whole(column) => Self::Whole(column.get(rows).unwrap_or_default().to_vec()),
+            Self::Number(column) => Self::Number(column.get(rows).unwrap_or_default().to_vec()),
+            Self::Text(column) => Self::Text(column.get(rows).unwrap_or_default().to_vec()),
+        }
+    }
+
     fn len(&self) -> usize {
         match self {
             Self::Whole(column) => column.len(),
@@ -134,6 +144,14 @@ impl Rows {
             self.columns.iter_mut().zip(other.columns).for_each(|(column, more)| column.append(more));
         }
         same
+    }
+
+    /// Some of the rows; empty if they are not all there.
+    #[must_use]
+    pub fn range(&self, rows: Range<usize>) -> Self {
+        let columns: Vec<Values> = self.columns.iter().map(|column| column.range(rows.clone())).collect();
+        let count = columns.first().map_or(0, Values::len);
+        Self { heads: self.heads.clone(), columns, count }
     }
 
     /// How many rows.

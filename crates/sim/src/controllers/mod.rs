@@ -5,119 +5,24 @@
 //! implements [`Velocities`] in a file beside this one; robots then run without a controller of their own and are asked
 //! for the velocities that it finds, while links, levels, consensus, liars and monitors are those of the engine.
 
+pub mod central_composed;
+pub mod central_robustness;
+pub mod fixed_topology;
+pub mod k_connectivity;
+pub mod lambda2;
+pub mod min_composition;
 pub mod orca;
+pub mod p_choose_r;
+pub mod pairwise;
+mod row;
+mod shared;
 
-use closeranks_core::num::Vector;
-use closeranks_core::program::Outcome;
-use closeranks_core::settings::params::Params;
-use closeranks_core::settings::{self, BudgetSettings, ComposedSettings, LinksSettings};
+use closeranks_core::settings;
+
+use row::of_others;
+pub use row::{Answer, Counted, Inside, Knows, Make, Parameters, Row, TeamView, Velocities};
 
 use crate::law::Law;
-
-/// What a controller with global state is given in a tick.
-#[derive(Clone, Copy, Debug)]
-pub struct TeamView<'a, const D: usize> {
-    /// Parameters of the team; their controller is none.
-    pub params: &'a Params<D>,
-    /// x_i, m.
-    pub positions_m: &'a [Vector<D>],
-    /// Velocities of the tick before, m/s; 0 at first.
-    pub velocities_m_s: &'a [Vector<D>],
-    /// u_{i,des}, m/s.
-    pub desired_m_s: &'a [Vector<D>],
-}
-
-/// What such a controller answers for one robot.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Answer<const D: usize> {
-    /// What the robot is asked for, m/s. It is cut to the input box.
-    pub velocity_m_s: Vector<D>,
-    /// How it came about.
-    pub outcome: Outcome,
-}
-
-/// A controller with global state.
-pub trait Velocities {
-    /// Fills `answers`, one a robot, in order of their numbers.
-    fn velocities<const D: usize>(&mut self, view: &TeamView<'_, D>, answers: &mut [Answer<D>]);
-}
-
-/// How much a controller needs to know.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Knows {
-    /// What a robot senses and hears itself.
-    Local,
-    /// The state of the whole team.
-    Global,
-}
-
-/// When a start is inside the safe set of a controller.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Inside {
-    /// Every φ_i is not negative at some time (thm:cbf-qp).
-    Shares,
-    /// Every h_i of a normal robot is not negative, and no two robots are closer than Δ_d.
-    Margins,
-    /// Every normal robot has as many neighbours as it must count on, and no two robots are closer than Δ_d.
-    Degrees,
-}
-
-/// Which violations of what a controller promises count against it.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Counted {
-    /// Those in which everything held that the promise rests on.
-    Covered,
-    /// All: nothing is promised, so nothing excuses.
-    All,
-}
-
-/// Parameters of all controllers that have any. They are there whichever controller is run.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Parameters {
-    /// Parameters of `composed`.
-    pub composed: ComposedSettings,
-    /// Parameters of `budget`.
-    pub budget: BudgetSettings,
-    /// Parameters of `links`.
-    pub links: LinksSettings,
-}
-
-/// How a controller is made.
-#[derive(Clone, Copy, Debug)]
-pub enum Make {
-    /// Every robot runs it.
-    Local(fn(&Parameters) -> settings::Controller),
-    /// It is made for the whole team.
-    Global(fn(&Parameters) -> Global),
-}
-
-/// What is to be known of a controller.
-#[derive(Clone, Copy, Debug)]
-pub struct Row {
-    /// Its name in scenario files.
-    pub name: &'static str,
-    /// What it is, in one line.
-    pub about: &'static str,
-    /// How much it needs to know.
-    pub knows: Knows,
-    /// Whether it guarantees in discrete time what it promises. Robots then watch what that rests on: their clocks, and
-    /// whether they are where their moves should have taken them.
-    pub guarantees: bool,
-    /// Whether ranks may tell who counts for whom.
-    pub ranks: bool,
-    /// Whether φ_i is part of its decisions.
-    pub uses_phi: bool,
-    /// The laws that sweeps hold it to.
-    pub promises: &'static [Law],
-    /// Which violations of them count.
-    pub counted: Counted,
-    /// The laws that a scenario expects if it says nothing.
-    pub expects: &'static [Law],
-    /// When a start is inside its safe set.
-    pub inside: Inside,
-    /// How it is made.
-    pub make: Make,
-}
 
 /// Makes the closed enums of all controllers and of those with global state out of the table.
 macro_rules! controllers {
@@ -176,6 +81,12 @@ controllers! {
             inside: Inside::Margins,
             make: Make::Local(|of| settings::Controller::Budget(of.budget)),
         },
+        /// The paper's composed constraint for all robots at once ([`central_composed`]).
+        CentralComposed: of_others("central-composed", "the paper's constraint before it is split: one row for the whole team",
+            |of| Global::CentralComposed(central_composed::CentralComposed::new(of.composed))),
+        /// Robustness by percolation ([`central_robustness`]).
+        CentralRobustness: of_others("central-robustness", "robustness kept by bootstrap percolation from a core",
+            |_| Global::CentralRobustness(central_robustness::CentralRobustness::default())),
         /// The paper's (eq:split, seq:qp).
         Composed: Row {
             name: "composed",
@@ -190,6 +101,15 @@ controllers! {
             inside: Inside::Shares,
             make: Make::Local(|of| settings::Controller::Composed(of.composed)),
         },
+        /// The links of the start ([`fixed_topology`]).
+        FixedTopology: of_others("fixed-topology", "the links of the start are kept",
+            |_| Global::FixedTopology(fixed_topology::FixedTopology::default())),
+        /// Node connectivity ([`k_connectivity`]).
+        KConnectivity: of_others("k-connectivity", "a sparse subgraph is kept that 2F robots cannot cut",
+            |_| Global::KConnectivity(k_connectivity::KConnectivity::default())),
+        /// Algebraic connectivity ([`lambda2`]).
+        Lambda2: of_others("lambda2", "algebraic connectivity is kept above 4F",
+            |_| Global::Lambda2(lambda2::Lambda2::default())),
         /// Ours without weights (docs/links.md).
         Links: Row {
             name: "links",
@@ -204,6 +124,9 @@ controllers! {
             inside: Inside::Degrees,
             make: Make::Local(|scenario| settings::Controller::Links(scenario.links)),
         },
+        /// The least of all barriers ([`min_composition`]).
+        MinComposition: of_others("min-composition", "the least of all degrees and distances is kept",
+            |_| Global::MinComposition(min_composition::MinComposition::default())),
         /// None: the desired velocity, cut to the box. What the paper's robots would do unfiltered.
         None: Row {
             name: "none",
@@ -219,21 +142,26 @@ controllers! {
             make: Make::Local(|_| settings::Controller::None),
         },
         /// Collision avoidance alone ([`orca`]).
-        Orca: Row {
-            name: "orca",
-            about: "collision avoidance alone, by reciprocal half-planes",
-            knows: Knows::Global,
-            guarantees: false,
-            ranks: false,
-            uses_phi: false,
-            promises: &[Law::Interval, Law::Input],
-            counted: Counted::Covered,
-            expects: &[Law::Interval, Law::Input],
-            inside: Inside::Margins,
-            make: Make::Global(|_| Global::Orca(orca::Orca::default())),
-        },
+        Orca: of_others("orca", "collision avoidance alone, by reciprocal half-planes",
+            |_| Global::Orca(orca::Orca::default())),
+        /// The F′ nearest links of each robot ([`p_choose_r`]).
+        PChooseR: of_others("p-choose-r", "each robot keeps its F' shortest links, whichever these are",
+            |_| Global::PChooseR(p_choose_r::PChooseR::default())),
+        /// Every link that there is ([`pairwise`]).
+        Pairwise: of_others("pairwise", "every link is kept, each robot does half of it",
+            |_| Global::Pairwise(pairwise::Pairwise::default())),
     }
-    global { Orca: orca::Orca, }
+    global {
+        CentralComposed: central_composed::CentralComposed,
+        CentralRobustness: central_robustness::CentralRobustness,
+        FixedTopology: fixed_topology::FixedTopology,
+        KConnectivity: k_connectivity::KConnectivity,
+        Lambda2: lambda2::Lambda2,
+        MinComposition: min_composition::MinComposition,
+        Orca: orca::Orca,
+        PChooseR: p_choose_r::PChooseR,
+        Pairwise: pairwise::Pairwise,
+    }
 }
 
 impl Controller {

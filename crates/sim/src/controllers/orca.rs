@@ -14,39 +14,25 @@
 //! are broken are moved until they no longer are, and the outcome is `Infeasible`.
 
 use closeranks_core::num::{Vector, add_scaled, dot, length, sqrt, subtract};
-use closeranks_core::program::balls::Program;
-use closeranks_core::program::balls::reach::Reach;
-use closeranks_core::program::balls::row::Row;
-use closeranks_core::program::{InputBox, Outcome};
 
+use crate::controllers::shared::half_spaces::HalfSpaces;
 use crate::controllers::{Answer, TeamView, Velocities};
 
 /// τ, s: collisions later than this are not avoided yet.
 const HORIZON_S: f64 = 2.0;
-/// So often a velocity that all constraints allow is looked for.
-const STEPS: usize = 200;
-/// A velocity counts as allowed if it breaks no constraint by more than this, m/s.
-const ROUNDING_M_S: f64 = 1e-9;
 
 /// The controller, with scratch for the constraints of one robot.
 #[derive(Clone, Debug, Default)]
 pub struct Orca {
-    planes: Vec<Plane>,
-}
-
-/// The half-space `normal·w ≥ bound` of velocities; only the first components of `normal` are used.
-#[derive(Clone, Copy, Debug)]
-struct Plane {
-    normal: [f64; 3],
-    bound: f64,
+    planes: HalfSpaces,
 }
 
 impl Velocities for Orca {
     fn velocities<const D: usize>(&mut self, view: &TeamView<'_, D>, answers: &mut [Answer<D>]) {
-        let mut rows = vec![Row::default(); 2 * D + view.positions_m.len()];
+        let input = &view.params.settings().limits.input;
         for (robot, answer) in answers.iter_mut().enumerate() {
             self.constrain(robot, view);
-            *answer = self.closest(robot, view, &mut rows);
+            *answer = self.planes.closest(&view.desired_m_s[robot], &view.velocities_m_s[robot], input);
         }
     }
 }
@@ -61,54 +47,9 @@ impl Orca {
             let p = subtract(&view.positions_m[other], own);
             if dot(&p, &p) <= radius_m * radius_m {
                 let (n, u) = way_out(&p, &subtract(velocity, &view.velocities_m_s[other]), view);
-                let mut normal = [0.0; 3];
-                normal.iter_mut().zip(&n).for_each(|(component, n)| *component = *n);
-                self.planes.push(Plane { normal, bound: dot(&n, &add_scaled(velocity, 0.5, &u)) });
+                self.planes.push(&n, dot(&n, &add_scaled(velocity, 0.5, &u)));
             }
         }
-    }
-
-    /// The velocity closest to the desired one that all constraints allow.
-    fn closest<const D: usize>(
-        &self,
-        robot: usize,
-        view: &TeamView<'_, D>,
-        rows: &mut [Row<D>],
-    ) -> Answer<D> {
-        let input = &view.params.settings().limits.input;
-        let (start, missing) = self.allowed(&view.velocities_m_s[robot], input);
-        // Seen from `start`, the box and every half-space contain 0, as the program wants it.
-        let around =
-            InputBox { min_m_s: subtract(&input.min_m_s, &start), max_m_s: subtract(&input.max_m_s, &start) };
-        let mut program = Program::new(rows, Reach::new(&around, 1.0));
-        for plane in &self.planes {
-            let normal: Vector<D> = core::array::from_fn(|d| -plane.normal[d]);
-            program.push(Row::new(normal, 0.0, -dot(&normal, &start) - plane.bound));
-        }
-        let closest = program.closest(&subtract(&view.desired_m_s[robot], &start));
-        let velocity_m_s = add_scaled(&start, 1.0, &closest.displacement_m);
-        let outcome = if missing > ROUNDING_M_S { Outcome::Infeasible } else { closest.outcome };
-        Answer { velocity_m_s, outcome }
-    }
-
-    /// A velocity in the box that breaks no constraint, and 0, or one that breaks some, and by how much, m/s.
-    ///
-    /// Each step goes to the boundary of the constraint that is broken most.
-    fn allowed<const D: usize>(&self, from: &Vector<D>, input: &InputBox<D>) -> (Vector<D>, f64) {
-        let broken = |velocity: &Vector<D>, plane: &Plane| {
-            let along: f64 = (0..D).map(|d| plane.normal[d] * velocity[d]).sum();
-            plane.bound - along
-        };
-        let mut velocity = input.clip(from);
-        for _ in 0..STEPS {
-            let worst = self.planes.iter().map(|plane| (broken(&velocity, plane), plane));
-            let worst = worst
-                .fold((0.0, None), |most, (by, plane)| if by > most.0 { (by, Some(plane)) } else { most });
-            let (by, Some(plane)) = worst else { return (velocity, 0.0) };
-            velocity = input.clip(&core::array::from_fn(|d| velocity[d] + by * plane.normal[d]));
-        }
-        let missing = self.planes.iter().map(|plane| broken(&velocity, plane)).fold(0.0, f64::max);
-        (velocity, missing)
     }
 }
 

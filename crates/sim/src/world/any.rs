@@ -155,7 +155,13 @@ impl AnyWorld {
         dispatch!(self, world => &world.frame().degrees)
     }
 
-    /// y_i; of malicious robots what they tell.
+    /// y_i as each robot holds it, malicious or not.
+    #[must_use]
+    pub fn held(&self) -> &[f64] {
+        dispatch!(self, world => &world.frame().held)
+    }
+
+    /// y_i; of malicious robots what they tell, if they tell all the same.
     #[must_use]
     pub fn values(&self) -> &[f64] {
         dispatch!(self, world => &world.frame().values)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import TypeAlias
+from typing import TypeAlias, TypedDict
 
 import numpy as np
 import numpy.typing as npt
@@ -18,6 +18,14 @@ Observations: TypeAlias = npt.NDArray[np.float32]
 
 BOUND = 10.0
 """No number of an observation is larger than this."""
+
+
+class Options(TypedDict, total=False):
+    """What an `Episode` takes besides its scenario; environments hand it on."""
+
+    ticks_per_step: int
+    goal_radius_m: float | None
+    reward: Callable[[Episode], npt.ArrayLike] | None
 
 
 class Episode:

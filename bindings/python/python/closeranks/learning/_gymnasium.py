@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
-from typing import Any
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Any
 
 import gymnasium
 import numpy as np
@@ -13,7 +13,10 @@ from gymnasium.vector.utils import batch_space
 
 from closeranks._native import Error
 from closeranks._scenario import Scenario
-from closeranks.learning._episode import BOUND, Episode, Observations
+from closeranks.learning._episode import BOUND, Episode, Observations, Options
+
+if TYPE_CHECKING:
+    from typing_extensions import Unpack
 
 
 def _spaces(episode: Episode) -> tuple[Any, Any]:
@@ -28,16 +31,8 @@ class Team(gymnasium.Env[Observations, npt.NDArray[np.float32]]):
 
     metadata: dict[str, Any] = {"render_modes": []}
 
-    def __init__(
-        self,
-        scenario: Scenario,
-        *,
-        ticks_per_step: int = 10,
-        goal_radius_m: float | None = None,
-        reward: Callable[[Episode], npt.ArrayLike] | None = None,
-        render_mode: None = None,
-    ) -> None:
-        self.episode = Episode(scenario, ticks_per_step=ticks_per_step, goal_radius_m=goal_radius_m, reward=reward)
+    def __init__(self, scenario: Scenario, *, render_mode: None = None, **options: Unpack[Options]) -> None:
+        self.episode = Episode(scenario, **options)
         self.observation_space, self.action_space = _spaces(self.episode)
         self.render_mode = render_mode
 
@@ -63,7 +58,7 @@ class VectorTeam(VectorEnv[Observations, npt.NDArray[np.float32], npt.NDArray[An
 
     metadata: dict[str, Any] = {"autoreset_mode": AutoresetMode.NEXT_STEP, "render_modes": []}
 
-    def __init__(self, scenario: Scenario, num_envs: int, **options: Any) -> None:
+    def __init__(self, scenario: Scenario, num_envs: int, **options: Unpack[Options]) -> None:
         if num_envs < 1:
             raise Error(f"num_envs is {num_envs}, allowed is 1 or more")
         self.teams = [Team(scenario, **options) for _ in range(num_envs)]

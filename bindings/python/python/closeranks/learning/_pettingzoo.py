@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import gymnasium
 import numpy as np
@@ -12,7 +11,10 @@ from pettingzoo import ParallelEnv
 
 from closeranks._native import Error
 from closeranks._scenario import Scenario
-from closeranks.learning._episode import BOUND, Episode, Observations
+from closeranks.learning._episode import BOUND, Episode, Observations, Options
+
+if TYPE_CHECKING:
+    from typing_extensions import Unpack
 
 
 class ParallelTeam(ParallelEnv[str, Observations, npt.NDArray[np.float32]]):
@@ -25,15 +27,8 @@ class ParallelTeam(ParallelEnv[str, Observations, npt.NDArray[np.float32]]):
 
     metadata: dict[str, Any] = {"name": "closeranks_v0", "render_modes": []}
 
-    def __init__(
-        self,
-        scenario: Scenario,
-        *,
-        ticks_per_step: int = 10,
-        goal_radius_m: float | None = None,
-        reward: Callable[[Episode], npt.ArrayLike] | None = None,
-    ) -> None:
-        self.episode = Episode(scenario, ticks_per_step=ticks_per_step, goal_radius_m=goal_radius_m, reward=reward)
+    def __init__(self, scenario: Scenario, **options: Unpack[Options]) -> None:
+        self.episode = Episode(scenario, **options)
         self.possible_agents = [f"robot_{robot}" for robot in self.episode.robots]
         self.agents: list[str] = []
         self.render_mode = None

@@ -1,6 +1,9 @@
 //! A team in its world, one tick after another.
 
-use std::time::{Duration, Instant};
+pub(crate) mod batch;
+
+use core::time::Duration;
+use std::time::Instant;
 
 use closeranks_core::robot::report::Mode;
 use closeranks_sim::output::record::outcome_name;
@@ -57,7 +60,7 @@ impl World {
     #[pyo3(signature = (scenario, record, robustness, one_by_one))]
     fn new(scenario: &Scenario, record: bool, robustness: bool, one_by_one: bool) -> PyResult<Self> {
         let engine = if one_by_one { Engine::Robots } else { Engine::Team };
-        let options = Options { record, robustness, engine, ..Options::default() };
+        let options = Options { record, robustness, engine, digest: record, ..Options::default() };
         let Scenario { scenario, text } = scenario.clone();
         let world = AnyWorld::new(&scenario, options).map_err(errors::scenario)?;
         Ok(Self { scenario, text, world: Some(world) })
@@ -160,6 +163,10 @@ impl World {
     }
 
     fn values<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray1<f64>>> {
+        Ok(PyArray1::from_slice(py, self.open()?.held()))
+    }
+
+    fn values_told<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray1<f64>>> {
         Ok(PyArray1::from_slice(py, self.open()?.values()))
     }
 

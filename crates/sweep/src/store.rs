@@ -7,8 +7,11 @@ use std::path::{Path, PathBuf};
 
 use anyhow::{Context, Result, bail};
 
-use super::manifest::Manifest;
-use crate::folder::{SWEEP, exists};
+use crate::manifest::Manifest;
+use crate::shard::Shard;
+
+/// Says which sweep a folder holds.
+pub const SWEEP: &str = "sweep.json";
 
 /// Held locked while a program works in the folder; the system lets go of it when the program ends in any way.
 const LOCK: &str = "sweep.lock";
@@ -17,11 +20,11 @@ const UNFINISHED: &str = ".closeranks-";
 /// Blocks of rows.
 const PART: &str = "part-";
 /// What a finished sweep has besides its rows.
-pub(crate) const PAGES: [&str; 5] = ["report.html", "laws.svg", "laws.png", "gyration.svg", "gyration.png"];
+pub const PAGES: [&str; 5] = ["report.html", "laws.svg", "laws.png", "gyration.svg", "gyration.png"];
 
 /// A folder that is ours as long as this lives.
 #[derive(Debug)]
-pub(crate) struct Store {
+pub struct Store {
     folder: PathBuf,
     rows: String,
     _lock: File,
@@ -29,10 +32,10 @@ pub(crate) struct Store {
 
 impl Store {
     /// Makes the folder, or goes on in it; refuses folders of others, of other sweeps, and those where another program works.
-    pub(crate) fn open(folder: &Path, manifest: &Manifest<'_>) -> Result<Self> {
+    pub fn open(folder: &Path, manifest: &Manifest) -> Result<Self> {
         let shown = folder.display();
         let cannot = || format!("cannot write to the folder `{shown}`");
-        if exists(folder)? {
+        if folder.exists() {
             check_names(folder)?;
         } else if let Err(error) = fs::create_dir_all(folder)
             && !folder.is_dir()
@@ -40,19 +43,13 @@ impl Store {
             return Err(error).with_context(cannot);
         }
         let lock = lock(folder)?;
-        let shard = manifest.shard;
-        let rows = if shard.is_whole() {
-            "runs.parquet".to_owned()
-        } else {
-            format!("runs-{}-of-{}.parquet", shard.index, shard.count)
-        };
-        let store = Self { folder: folder.to_path_buf(), rows, _lock: lock };
+        let store = Self { folder: folder.to_path_buf(), rows: rows(manifest.shard), _lock: lock };
         store.sweep_up()?;
         store.check_manifest(manifest)?;
         Ok(store)
     }
 
-    fn check_manifest(&self, manifest: &Manifest<'_>) -> Result<()> {
+    fn check_manifest(&self, manifest: &Manifest) -> Result<()> {
         let path = self.path(SWEEP);
         let found = match fs::read(&path) {
             Ok(bytes) => bytes,
@@ -81,48 +78,52 @@ impl Store {
     }
 
     /// Path of a file in the folder.
-    pub(crate) fn path(&self, name: &str) -> PathBuf {
+    #[must_use]
+    pub fn path(&self, name: &str) -> PathBuf {
         self.folder.join(name)
     }
 
     /// Name of the file with all rows.
-    pub(crate) fn rows(&self) -> &str {
+    #[must_use]
+    pub fn rows(&self) -> &str {
         &self.rows
     }
 
     /// True if all rows are there.
-    pub(crate) fn is_finished(&self) -> bool {
+    #[must_use]
+    pub fn is_finished(&self) -> bool {
         self.path(&self.rows).is_file()
     }
 
     /// Blocks that are there.
-    pub(crate) fn parts(&self) -> Result<BTreeSet<u64>> {
+    pub fn parts(&self) -> Result<BTreeSet<u64>> {
         Ok(names(&self.folder)?.iter().filter_map(|name| block(name)).collect())
     }
 
     /// Name of the file of a block.
-    pub(crate) fn part(block: u64) -> String {
+    #[must_use]
+    pub fn part(block: u64) -> String {
         format!("{PART}{block:07}.parquet")
     }
 
     /// Removes a block.
-    pub(crate) fn remove_part(&self, block: u64) -> Result<()> {
+    pub fn remove_part(&self, block: u64) -> Result<()> {
         let name = Self::part(block);
         fs::remove_file(self.path(&name)).with_context(|| format!("cannot remove `{name}`"))
     }
 
     /// Removes all blocks.
-    pub(crate) fn remove_parts(&self) -> Result<()> {
+    pub fn remove_parts(&self) -> Result<()> {
         self.parts()?.into_iter().try_for_each(|block| self.remove_part(block))
     }
 
     /// Writes a file: it is there whole or not at all.
-    pub(crate) fn put(&self, name: &str, bytes: &[u8]) -> Result<()> {
+    pub fn put(&self, name: &str, bytes: &[u8]) -> Result<()> {
         self.write(name, |file| Ok(file.write_all(bytes)?))
     }
 
     /// Writes a file with `fill`: beside, to the disk, then renamed.
-    pub(crate) fn write(&self, name: &str, fill: impl FnOnce(&mut File) -> Result<()>) -> Result<()> {
+    pub fn write(&self, name: &str, fill: impl FnOnce(&mut File) -> Result<()>) -> Result<()> {
         let path = self.path(name);
         let cannot = || format!("cannot write `{}`", path.display());
         let mut file = builder().tempfile_in(&self.folder).with_context(cannot)?;
@@ -130,6 +131,15 @@ impl Store {
         file.as_file().sync_all().with_context(cannot)?;
         file.persist(&path).with_context(cannot)?;
         sync(&self.folder).with_context(cannot)
+    }
+}
+
+/// Name of the file with all rows of a shard.
+#[must_use]
+pub fn rows(shard: Shard) -> String {
+    match shard {
+        Shard::WHOLE => "runs.parquet".to_owned(),
+        Shard { index, count } => format!("runs-{index}-of-{count}.parquet"),
     }
 }
 
@@ -176,7 +186,14 @@ fn lock(folder: &Path) -> Result<File> {
     }
 }
 
-fn names(folder: &Path) -> Result<Vec<String>> {
+/// True if a program is at work in the folder.
+pub(crate) fn is_locked(folder: &Path) -> bool {
+    let Ok(file) = File::open(folder.join(LOCK)) else { return false };
+    matches!(file.try_lock_shared(), Err(TryLockError::WouldBlock))
+}
+
+/// Names of everything in a folder.
+pub(crate) fn names(folder: &Path) -> Result<Vec<String>> {
     let cannot = || format!("cannot read the folder `{}`", folder.display());
     let entries = fs::read_dir(folder).with_context(cannot)?;
     let names = entries.map(|entry| Ok(entry?.file_name().to_string_lossy().into_owned()));
@@ -205,7 +222,7 @@ fn is_result(name: &str) -> bool {
 }
 
 /// Number of the block whose file `name` is.
-fn block(name: &str) -> Option<u64> {
+pub(crate) fn block(name: &str) -> Option<u64> {
     let block = name.strip_prefix(PART)?.strip_suffix(".parquet")?.parse().ok()?;
     (Store::part(block) == name).then_some(block)
 }

@@ -11,31 +11,31 @@ use closeranks_sim::controllers::Controller;
 use closeranks_sim::law::Law;
 use serde_json::{Map, Value, json};
 
-use super::manifest::Manifest;
-use crate::invocation::quoted;
+use crate::PROGRAM;
+use crate::manifest::Manifest;
 
 /// A counted sweep.
-#[derive(Clone, Copy)]
-pub(crate) struct Outcome<'a> {
-    /// Name of its file.
-    pub(crate) file: &'a str,
+#[derive(Clone, Copy, Debug)]
+pub struct Outcome<'a> {
     /// What decided it.
-    pub(crate) manifest: &'a Manifest<'a>,
+    pub manifest: &'a Manifest,
     /// Its counts.
-    pub(crate) tally: &'a Tally,
+    pub tally: &'a Tally,
     /// Laws that count.
-    pub(crate) laws: &'a [&'a str],
+    pub laws: &'a [&'a str],
 }
 
 /// Laws that some controller promises, in the order of reports.
-pub(crate) fn laws(tally: &Tally) -> Vec<&'static str> {
+#[must_use]
+pub fn laws(tally: &Tally) -> Vec<&'static str> {
     let promised = |law: &&str| tally.controllers.keys().any(|name| promises(name, law));
     Law::ALL.into_iter().map(Law::name).filter(promised).collect()
 }
 
 impl Outcome<'_> {
     /// False if a promised law was violated under a controller that guarantees its promises, or, where there is none, under any.
-    pub(crate) fn is_good(&self) -> bool {
+    #[must_use]
+    pub fn is_good(&self) -> bool {
         let shares = &self.tally.controllers;
         let guarantees =
             |name: &str| Controller::named(name).is_some_and(|controller| controller.row().guarantees);
@@ -50,7 +50,8 @@ impl Outcome<'_> {
     }
 
     /// How many runs of what.
-    pub(crate) fn head(&self) -> String {
+    #[must_use]
+    pub fn head(&self) -> String {
         let Manifest { seed, shard, runs, .. } = self.manifest;
         let part = if shard.is_whole() { String::new() } else { format!(", shard {shard} of {runs} runs") };
         let redraws = match self.tally.redraws {
@@ -61,10 +62,11 @@ impl Outcome<'_> {
     }
 
     /// The command that repeats a run.
-    pub(crate) fn command(&self, one: &Violating) -> String {
+    #[must_use]
+    pub fn command(&self, one: &Violating) -> String {
         format!(
             "closeranks run {} --draw {} --sweep-seed {} --controller {}",
-            quoted(self.file),
+            quoted(&self.manifest.file),
             one.run,
             self.manifest.seed,
             one.controller
@@ -72,7 +74,8 @@ impl Outcome<'_> {
     }
 
     /// The first violating runs: what happened, and the command that repeats it.
-    pub(crate) fn violating(&self) -> Vec<(String, String)> {
+    #[must_use]
+    pub fn violating(&self) -> Vec<(String, String)> {
         let told = |one: &Violating| {
             let of = |value: Option<f64>| telling(value.unwrap_or(f64::NAN), 4);
             let what = format!(
@@ -91,7 +94,8 @@ impl Outcome<'_> {
     }
 
     /// For people.
-    pub(crate) fn text(&self) -> String {
+    #[must_use]
+    pub fn text(&self) -> String {
         let mut out = format!("{}\n\n{}", self.head(), text(&controllers(self.tally, self.laws)));
         let _ = write!(out, "\n{}\n{}", broken::CAPTION, text(&broken::table(self.tally)));
         let by_value = values(self.tally);
@@ -109,7 +113,8 @@ impl Outcome<'_> {
     }
 
     /// For machines.
-    pub(crate) fn json(&self) -> Value {
+    #[must_use]
+    pub fn json(&self) -> Value {
         let controllers =
             self.tally.controllers.iter().map(|(name, share)| (name.clone(), self.share(name, share)));
         let violating = self.tally.violating.iter().map(|one| {
@@ -124,8 +129,8 @@ impl Outcome<'_> {
             "seed": self.manifest.seed,
             "shard": self.manifest.shard.to_string(),
             "redraws": self.tally.redraws,
-            "version": env!("CARGO_PKG_VERSION"),
-            "commit": env!("CLOSERANKS_COMMIT"),
+            "version": PROGRAM.version,
+            "commit": PROGRAM.commit,
             "controllers": controllers.collect::<Map<_, _>>(),
             "by_value": self.by_value(),
             "first_violations": violating.collect::<Vec<_>>(),
@@ -168,4 +173,11 @@ fn who(robots: &[i64]) -> String {
         [robot] => format!(", robot {robot}"),
         [robot, other, ..] => format!(", robots {robot} and {other}"),
     }
+}
+
+/// A word as a shell takes it.
+#[must_use]
+pub fn quoted(word: &str) -> String {
+    let is_plain = |c: char| c.is_ascii_alphanumeric() || "._-/+:@%,=".contains(c);
+    if word.chars().all(is_plain) { word.to_owned() } else { format!("'{}'", word.replace('\'', "'\\''")) }
 }

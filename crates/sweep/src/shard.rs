@@ -10,12 +10,12 @@ const BLOCKS: u64 = 128;
 const BLOCK_MAX: u64 = 2_048;
 
 /// Part `index` of `count`, from 1: runs k with k % count == index − 1.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) struct Shard {
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub struct Shard {
     /// Which, from 1.
-    pub(crate) index: u64,
+    pub index: u64,
     /// Of how many.
-    pub(crate) count: u64,
+    pub count: u64,
 }
 
 impl FromStr for Shard {
@@ -24,12 +24,8 @@ impl FromStr for Shard {
     fn from_str(text: &str) -> Result<Self, String> {
         let parts =
             text.split_once('/').and_then(|(index, count)| Some((index.parse().ok()?, count.parse().ok()?)));
-        match parts {
-            Some((index, count)) if (1..=count).contains(&index) && count <= 1_000_000 => {
-                Ok(Self { index, count })
-            }
-            _ => Err("allowed is I/M with 1 <= I <= M <= 1000000, such as 2/8".to_owned()),
-        }
+        let shard = parts.and_then(|(index, count)| Self::new(index, count));
+        shard.ok_or_else(|| "allowed is I/M with 1 <= I <= M <= 1000000, such as 2/8".to_owned())
     }
 }
 
@@ -41,17 +37,28 @@ impl core::fmt::Display for Shard {
 
 impl Shard {
     /// True if there is only one.
-    pub(crate) fn is_whole(self) -> bool {
+    #[must_use]
+    pub fn is_whole(self) -> bool {
         self.count == 1
     }
 
+    /// The only one.
+    pub const WHOLE: Self = Self { index: 1, count: 1 };
+
+    /// Part `index` of `count`, from 1; none if there is no such part.
+    #[must_use]
+    pub fn new(index: u64, count: u64) -> Option<Self> {
+        ((1..=count).contains(&index) && count <= 1_000_000).then_some(Self { index, count })
+    }
+
     /// How many of `runs` are ours.
-    pub(crate) fn runs(self, runs: u64) -> u64 {
+    #[must_use]
+    pub fn runs(self, runs: u64) -> u64 {
         (runs + self.count - self.index) / self.count
     }
 
     /// Numbers of the runs in block `block` of a sweep of `runs`.
-    pub(crate) fn block(self, runs: u64, block: u64) -> impl Iterator<Item = u64> {
+    pub fn block(self, runs: u64, block: u64) -> impl Iterator<Item = u64> {
         self.places(runs, block).map(move |place| place * self.count + self.index - 1)
     }
 
@@ -62,7 +69,8 @@ impl Shard {
     }
 
     /// How many blocks a sweep of `runs` has.
-    pub(crate) fn blocks(self, runs: u64) -> u64 {
+    #[must_use]
+    pub fn blocks(self, runs: u64) -> u64 {
         self.runs(runs).div_ceil(self.block_runs(runs))
     }
 

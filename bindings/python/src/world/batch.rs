@@ -1,0 +1,175 @@
+//! Many worlds of one scenario, stepped together on all cores.
+
+use closeranks_core::message::VALUE_MAX;
+use closeranks_sim::scenario as sim;
+use closeranks_sim::world::any::{AnyGiven, AnyWorld};
+use closeranks_sim::world::given::GivenError;
+use closeranks_sim::world::{Engine, Options};
+use numpy::{PyArray1, PyReadonlyArray1};
+use pyo3::prelude::*;
+use pyo3::types::PyDict;
+use rayon::prelude::*;
+use rayon::{ThreadPool, ThreadPoolBuilder};
+
+use crate::errors;
+use crate::run::laws;
+use crate::scenario::Scenario;
+use crate::world::numbers;
+
+/// Worlds that differ in their seeds alone.
+#[pyclass(module = "closeranks._native")]
+pub(crate) struct Batch {
+    scenario: sim::Scenario,
+    worlds: Vec<AnyWorld>,
+    pool: ThreadPool,
+}
+
+/// The part of an array that is about world `index` of `worlds`.
+fn part(array: Option<&[f64]>, index: usize, worlds: usize) -> Option<&[f64]> {
+    array.map(|array| {
+        let size = array.len() / worlds.max(1);
+        &array[index * size..(index + 1) * size]
+    })
+}
+
+/// Refuses an array with a number that is not `good`, before any world is stepped.
+fn check(
+    name: &str,
+    array: Option<&[f64]>,
+    worlds: usize,
+    robots: usize,
+    good: fn(f64) -> bool,
+) -> PyResult<()> {
+    let Some(array) = array else { return Ok(()) };
+    let Some(bad) = array.iter().position(|number| !good(*number)) else { return Ok(()) };
+    let size = (array.len() / worlds.max(1)).max(1);
+    let (world, robot) = (bad / size, bad % size / (size / robots.max(1)).max(1) + 1);
+    Err(errors::refused(format!(
+        "`{name}` of robot {robot} in world {world} is {:e}, which is not a finite number that can be told",
+        array[bad]
+    )))
+}
+
+/// Computes so many ticks, all with what is given, but none after the last; leaves robots where the next tick finds them.
+fn advance(world: &mut AnyWorld, given: &AnyGiven<'_>, ticks: u32) -> Result<(), GivenError> {
+    for _ in 0..ticks {
+        if world.is_over() {
+            break;
+        }
+        world.step_with(given)?;
+        if !world.is_over() {
+            world.prepare();
+        }
+    }
+    Ok(())
+}
+
+impl Batch {
+    /// What `of` says of every world, one after another.
+    fn all<'py, T: numpy::Element + Copy>(
+        &self,
+        py: Python<'py>,
+        of: impl Fn(&AnyWorld) -> &[T],
+    ) -> Bound<'py, PyArray1<T>> {
+        let flat: Vec<T> = self.worlds.iter().flat_map(|world| of(world).iter().copied()).collect();
+        PyArray1::from_vec(py, flat)
+    }
+}
+
+#[pymethods]
+impl Batch {
+    /// A world for each seed; `jobs` threads, 0 for one a core.
+    #[new]
+    fn new(py: Python<'_>, scenario: &Scenario, seeds: Vec<u64>, jobs: usize) -> PyResult<Self> {
+        let scenario = scenario.scenario.clone();
+        let pool = ThreadPoolBuilder::new().num_threads(jobs).build().map_err(errors::refused)?;
+        let options =
+            Options { record: false, robustness: false, engine: Engine::Team, ..Options::default() };
+        let of = |seed: &u64| {
+            let mut world = AnyWorld::new(&sim::Scenario { seed: *seed, ..scenario.clone() }, options)?;
+            world.prepare();
+            Ok(world)
+        };
+        let worlds = py.detach(|| pool.install(|| seeds.par_iter().map(of).collect::<Result<Vec<_>, _>>()));
+        let worlds = worlds.map_err(|error: closeranks_sim::world::RunError| errors::scenario(error))?;
+        Ok(Self { scenario, worlds, pool })
+    }
+
+    /// Computes `ticks` ticks of every world with what is given, flat, held for as long.
+    fn step(
+        &mut self,
+        py: Python<'_>,
+        desired: Option<PyReadonlyArray1<'_, f64>>,
+        levels: Option<PyReadonlyArray1<'_, f64>>,
+        values: Option<PyReadonlyArray1<'_, f64>>,
+        ticks: u32,
+    ) -> PyResult<()> {
+        let (desired, levels, values) =
+            (numbers(desired.as_ref())?, numbers(levels.as_ref())?, numbers(values.as_ref())?);
+        let (count, robots) = (self.worlds.len(), usize::from(self.scenario.team.robots));
+        check("desired", desired, count, robots, f64::is_finite)?;
+        check("levels", levels, count, robots, f64::is_finite)?;
+        check("values", values, count, robots, |value| value.abs() <= VALUE_MAX)?;
+        let (worlds, pool) = (&mut self.worlds, &self.pool);
+        let one = |(index, world): (usize, &mut AnyWorld)| {
+            let part = |array| part(array, index, count);
+            let given = AnyGiven { desired_m_s: part(desired), levels: part(levels), values: part(values) };
+            advance(world, &given, ticks)
+        };
+        let done = py.detach(|| pool.install(|| worlds.par_iter_mut().enumerate().try_for_each(one)));
+        done.map_err(errors::refused)
+    }
+
+    #[getter]
+    fn ticks_done(&self) -> u32 {
+        self.worlds.first().map_or(0, AnyWorld::ticks_done)
+    }
+
+    #[getter]
+    fn is_over(&self) -> bool {
+        self.worlds.first().is_none_or(AnyWorld::is_over)
+    }
+
+    fn positions<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<f64>> {
+        self.all(py, AnyWorld::positions_m)
+    }
+
+    fn velocities<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<f64>> {
+        self.all(py, AnyWorld::velocities_m_s)
+    }
+
+    fn desired<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<f64>> {
+        self.all(py, AnyWorld::desired_m_s)
+    }
+
+    fn h<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<f64>> {
+        self.all(py, AnyWorld::h)
+    }
+
+    fn levels<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<f64>> {
+        self.all(py, AnyWorld::levels)
+    }
+
+    fn phi<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<f64>> {
+        self.all(py, AnyWorld::phis)
+    }
+
+    fn values<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<f64>> {
+        self.all(py, AnyWorld::held)
+    }
+
+    fn values_told<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<f64>> {
+        self.all(py, AnyWorld::values)
+    }
+
+    fn degree<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<u16>> {
+        self.all(py, AnyWorld::degrees)
+    }
+
+    /// What became of each law in a world.
+    fn laws<'py>(&self, py: Python<'py>, world: usize) -> PyResult<Bound<'py, PyDict>> {
+        let found =
+            self.worlds.get(world).ok_or_else(|| errors::refused(format!("there is no world {world}")))?;
+        laws(py, &self.scenario, found.verdicts())
+    }
+}

@@ -1,0 +1,136 @@
+//! What the table of controllers says of each, and what a controller with global state is given and answers.
+
+use closeranks_core::num::Vector;
+use closeranks_core::program::Outcome;
+use closeranks_core::settings::params::Params;
+use closeranks_core::settings::{self, BudgetSettings, ComposedSettings, LinksSettings};
+
+use crate::controllers::Global;
+use crate::law::Law;
+
+/// What a controller with global state is given in a tick.
+#[derive(Clone, Copy, Debug)]
+pub struct TeamView<'a, const D: usize> {
+    /// Parameters of the team; their controller is none.
+    pub params: &'a Params<D>,
+    /// x_i, m.
+    pub positions_m: &'a [Vector<D>],
+    /// Velocities of the tick before, m/s; 0 at first.
+    pub velocities_m_s: &'a [Vector<D>],
+    /// u_{i,des}, m/s.
+    pub desired_m_s: &'a [Vector<D>],
+}
+
+/// What such a controller answers for one robot.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Answer<const D: usize> {
+    /// What the robot is asked for, m/s. It is cut to the input box.
+    pub velocity_m_s: Vector<D>,
+    /// How it came about.
+    pub outcome: Outcome,
+}
+
+/// A controller with global state.
+pub trait Velocities {
+    /// Fills `answers`, one a robot, in order of their numbers.
+    fn velocities<const D: usize>(&mut self, view: &TeamView<'_, D>, answers: &mut [Answer<D>]);
+}
+
+/// How much a controller needs to know.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Knows {
+    /// What a robot senses and hears itself.
+    Local,
+    /// The state of the whole team.
+    Global,
+}
+
+/// When a start is inside the safe set of a controller.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Inside {
+    /// Every φ_i is not negative at some time (thm:cbf-qp).
+    Shares,
+    /// Every h_i of a normal robot is not negative, and no two robots are closer than Δ_d.
+    Margins,
+    /// Every normal robot has as many neighbours as it must count on, and no two robots are closer than Δ_d.
+    Degrees,
+}
+
+/// Which violations of what a controller promises count against it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Counted {
+    /// Those in which everything held that the promise rests on.
+    Covered,
+    /// All: nothing is promised, so nothing excuses.
+    All,
+}
+
+/// Parameters of all controllers that have any. They are there whichever controller is run.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Parameters {
+    /// Parameters of `composed`.
+    pub composed: ComposedSettings,
+    /// Parameters of `budget`.
+    pub budget: BudgetSettings,
+    /// Parameters of `links`.
+    pub links: LinksSettings,
+}
+
+/// How a controller is made.
+#[derive(Clone, Copy, Debug)]
+pub enum Make {
+    /// Every robot runs it.
+    Local(fn(&Parameters) -> settings::Controller),
+    /// It is made for the whole team.
+    Global(fn(&Parameters) -> Global),
+}
+
+/// What is to be known of a controller.
+#[derive(Clone, Copy, Debug)]
+pub struct Row {
+    /// Its name in scenario files.
+    pub name: &'static str,
+    /// What it is, in one line.
+    pub about: &'static str,
+    /// How much it needs to know.
+    pub knows: Knows,
+    /// Whether it guarantees in discrete time what it promises. Robots then watch what that rests on: their clocks, and
+    /// whether they are where their moves should have taken them.
+    pub guarantees: bool,
+    /// Whether ranks may tell who counts for whom.
+    pub ranks: bool,
+    /// Whether φ_i is part of its decisions.
+    pub uses_phi: bool,
+    /// The laws that sweeps hold it to.
+    pub promises: &'static [Law],
+    /// Which violations of them count.
+    pub counted: Counted,
+    /// The laws that a scenario expects if it says nothing.
+    pub expects: &'static [Law],
+    /// When a start is inside its safe set.
+    pub inside: Inside,
+    /// How it is made.
+    pub make: Make,
+}
+
+/// The row of a controller of others that looks at the whole team. It is held to what holds whatever the velocities are: what
+/// its source claims of links and distances holds in continuous time, and is measured, not promised.
+pub(crate) const fn of_others(
+    name: &'static str,
+    about: &'static str,
+    make: fn(&Parameters) -> Global,
+) -> Row {
+    Row {
+        name,
+        about,
+        knows: Knows::Global,
+        guarantees: false,
+        ranks: false,
+        uses_phi: false,
+        promises: &[Law::Interval, Law::Input],
+        counted: Counted::Covered,
+        expects: &[Law::Interval, Law::Input],
+        inside: Inside::Margins,
+        make: Make::Global(make),
+    }
+}
