@@ -181,7 +181,13 @@ fn draw_legend(svg: &mut Svg, [middle, height]: [f64; 2], cases: &[Case<'_>]) {
         entries.push((NORMAL, "normal"));
     }
     entries.push((MALICIOUS, "malicious"));
-    let wide = |word: &str| if word.is_empty() { 14.0 } else { 22.0 + 6.2 * word.len() as f64 };
+    let wide = |word: &str| {
+        if word.is_empty() {
+            14.0
+        } else {
+            22.0 + 6.2 * f64::from(u8::try_from(word.len()).unwrap_or(u8::MAX))
+        }
+    };
     let mut left = middle - 0.5 * entries.iter().map(|(_, word)| wide(word)).sum::<f64>();
     for (colour, word) in entries {
         draw_dots(svg, [[left + 5.0, height - 0.35 * LABEL]].into_iter(), colour, 8.0);
@@ -246,7 +252,9 @@ impl Band {
             }
         }
         let mut path = PathData::default();
-        bands.iter().for_each(|(time_s, five)| path.continue_to(axes.at_cut([*time_s, five[2]])));
+        for (time_s, five) in &bands {
+            path.continue_to(axes.at_cut([*time_s, five[2]]));
+        }
         if !path.is_empty() {
             let line = path.element().text("fill", "none").text("stroke", NORMAL);
             svg.add(line.number("stroke-width", 1.3));

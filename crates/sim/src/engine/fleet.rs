@@ -355,7 +355,7 @@ fn make_room<const D: usize>(robot: &mut Robot<D, Vec<Slot<D>>>, others: usize, 
     let needed = (robot.neighbors().len() + others).min(most);
     if robot.slot_count() < needed {
         robot.change_slots(|slots| {
-            slots.resize(needed.next_multiple_of(SLOTS_FIRST).min(most), Slot::default())
+            slots.resize(needed.next_multiple_of(SLOTS_FIRST).min(most), Slot::default());
         });
     }
 }

@@ -208,10 +208,7 @@ impl Scenario {
     /// The rank of each robot, listed or chosen from the start; `None` without ranks.
     pub fn ranks<const D: usize>(&self) -> Result<Option<Vec<u16>>, RanksError> {
         let Some(ranking) = self.ranking() else { return Ok(None) };
-        let params = match self.params::<D>() {
-            Ok(params) => params,
-            Err(_) => return Ok(None),
-        };
+        let Ok(params) = self.params::<D>() else { return Ok(None) };
         let keep = |rank| params.links().map_or(0, |links| links.keep(Member { id: RobotId(0), rank }));
         let (core, above) = (keep(0), keep(1));
         let Ok(positions_m) = self.positions::<D>() else { return Ok(None) };

@@ -1,6 +1,6 @@
 //! Ranks of a team: listed, or chosen from where robots start.
 
-use std::cmp::Ordering;
+use core::cmp::Ordering;
 use std::collections::BinaryHeap;
 
 use closeranks_core::need::Listen;
@@ -336,10 +336,11 @@ mod tests {
 
     #[test]
     fn a_ring_has_its_core_on_the_ring() {
-        let ring: Vec<Vector<2>> = (0..60)
+        // A square ring, 15 robots a side.
+        let ring: Vec<Vector<2>> = (0..60_u8)
             .map(|k| {
-                let angle = core::f64::consts::TAU * f64::from(k) / 60.0;
-                [6.0 * angle.cos(), 6.0 * angle.sin()]
+                let along = -5.0 + 10.0 * f64::from(k % 15) / 15.0;
+                [[along, -5.0], [5.0, along], [-along, 5.0], [-5.0, -along]][usize::from(k / 15)]
             })
             .collect();
         let own = ranks(How::Own { core: 7 }, &ring, 4.0).unwrap();
