@@ -25,7 +25,7 @@ const RUNS: &str = "2000";
 const SEED: &str = "7";
 /// Where mutants are hunted; those of ranks in teams that have ranks.
 const CAMPAIGN: &str = "campaign.toml";
-const RANKS: &str = "campaign-ranks.toml";
+const RANKED: &str = "campaign-ranks.toml";
 
 fn root() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../..")
@@ -106,7 +106,7 @@ fn hunt(workspace: &Path, campaign: &str, law: &str) -> String {
 fn every_broken_controller_is_caught_by_its_law() {
     let workspace = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join("oracle");
     copy(&workspace);
-    for campaign in [CAMPAIGN, RANKS] {
+    for campaign in [CAMPAIGN, RANKED] {
         assert_eq!(hunt(&workspace, campaign, ""), format!("nothing {RUNS}"), "the controller as it is");
     }
     let mut missed = Vec::new();
@@ -120,7 +120,7 @@ fn every_broken_controller_is_caught_by_its_law() {
             assert_eq!(text.matches(line).count(), 1, "{name}: `{line}` in {file}");
             put(&path, text.replace(line, broken).as_bytes());
         }
-        let campaign = if name.starts_with("ranks:") { RANKS } else { CAMPAIGN };
+        let campaign = if name.starts_with("ranks:") { RANKED } else { CAMPAIGN };
         let found = hunt(&workspace, campaign, law);
         eprintln!("{name}: {found}");
         if !found.starts_with("found") {

@@ -374,24 +374,6 @@ impl<const D: usize, S: Slots<D>> Robot<D, S> {
         self.id
     }
 
-    /// The robot as the roster has it.
-    #[must_use]
-    pub fn member(&self) -> Member {
-        Member { id: self.id, rank: self.rank }
-    }
-
-    /// True if this neighbour counts for the robot.
-    #[must_use]
-    pub fn counts(&self, slot: &Slot<D>) -> bool {
-        self.params.need().counts(self.member(), slot.member())
-    }
-
-    /// True if the robot takes the value of this neighbour in a consensus round.
-    #[must_use]
-    pub fn listens_to(&self, slot: &Slot<D>) -> bool {
-        self.params.listens_to_all() || self.counts(slot)
-    }
-
     /// y_i, held since the last round began.
     #[must_use]
     pub fn value(&self) -> f64 {
@@ -407,19 +389,6 @@ impl<const D: usize, S: Slots<D>> Robot<D, S> {
     /// Whom the robot counts on, under `links`: neighbours that keep the link to it as it keeps the link to them.
     pub fn counted(&self) -> impl Iterator<Item = RobotId> + Clone {
         self.neighbors().iter().filter(|slot| slot.peer.is_counted()).map(|slot| slot.id)
-    }
-
-    /// How many neighbours the robot can have.
-    #[must_use]
-    pub fn slot_count(&self) -> usize {
-        self.slots.as_ref().len()
-    }
-
-    /// Gives the robot another number of slots, for whoever can. Those at the front stay as they are; neighbours whose slots are taken
-    /// away are forgotten.
-    pub fn change_slots(&mut self, change: impl FnOnce(&mut S)) {
-        change(&mut self.slots);
-        self.count = self.count.min(self.slots.as_ref().len());
     }
 
     /// The neighbours in order of their number.

@@ -23,7 +23,7 @@ const LINKED_MAX: u16 = 400;
 /// Points of a band over time at most.
 const TIMES_MAX: usize = 300;
 /// From the core outwards, and normal robots without ranks: lightness falls with the rank, so that it can be told in grey.
-const RANKS: [&str; 6] = ["#0B1E3F", "#17507F", "#1F83A0", "#3DB39E", "#8FD67F", "#E3E36A"];
+const COLOURS: [&str; 6] = ["#0B1E3F", "#17507F", "#1F83A0", "#3DB39E", "#8FD67F", "#E3E36A"];
 
 /// A start and the ends of runs that have it, all to one scale, with robots coloured by rank; below, the values and the degrees of
 /// normal robots over time.
@@ -109,7 +109,7 @@ fn classes(case: &Case<'_>) -> Option<Vec<usize>> {
     };
     let ranks = ranks.ok().flatten()?;
     let highest = usize::from(ranks.iter().copied().max().unwrap_or(0)).max(1);
-    let others = RANKS.len() - 1;
+    let others = COLOURS.len() - 1;
     let class = |rank: &u16| match usize::from(*rank) {
         0 => 0,
         rank => 1 + (others * (rank - 1) / highest).min(others - 1),
@@ -124,7 +124,7 @@ fn draw_robots(svg: &mut Svg, axes: &Axes, moment: &Moment<'_>, view: View) {
     let classes = classes(&moment.case);
     let area = axes.place.width * axes.place.height / f64::from(record.robots).max(1.0);
     let size = (0.55 * area.sqrt()).clamp(1.2, 9.0);
-    for (class, colour) in RANKS.iter().enumerate().rev() {
+    for (class, colour) in COLOURS.iter().enumerate().rev() {
         let is_in = |index: usize| classes.as_ref().map_or(class == 0, |classes| classes[index] == class);
         let normal = |index: &usize| !record.malicious[*index] && is_in(*index);
         let colour = if classes.is_some() { colour } else { NORMAL };
@@ -174,9 +174,9 @@ fn draw_legend(svg: &mut Svg, [middle, height]: [f64; 2], cases: &[Case<'_>]) {
     let ranked = cases.iter().any(|case| case.scenario.ranking().is_some());
     let mut entries: Vec<(&str, &str)> = Vec::new();
     if ranked {
-        entries.push((RANKS[0], "core"));
+        entries.push((COLOURS[0], "core"));
         let words = ["lowest ranks", "", "", "", "highest ranks"];
-        entries.extend(RANKS[1..].iter().copied().zip(words));
+        entries.extend(COLOURS[1..].iter().copied().zip(words));
     } else {
         entries.push((NORMAL, "normal"));
     }
