@@ -12,6 +12,7 @@ use closeranks_core::program::box_row::{Row, closest};
 use closeranks_core::robot::neighbor::RobotId;
 use closeranks_core::robot::sized::SizedRobot;
 use closeranks_core::settings::params::{Params, Settings};
+use closeranks_core::settings::{Controller, LinksSettings};
 use closeranks_core::time::Instant;
 use closeranks_core::wmsr;
 use divan::{Bencher, black_box};
@@ -103,6 +104,38 @@ fn tick_of_a_robot_with_ten_neighbours(bencher: Bencher<'_, '_>) {
             }
         }
         robot.tick([1.0, 0.0])
+    });
+}
+
+/// Eleven robots of `links` with ten neighbours each, who hand over what they tell: a step of one is an eleventh of it.
+#[divan::bench]
+fn tick_of_eleven_robots_of_links(bencher: Bencher<'_, '_>) {
+    let controller = Controller::Links(LinksSettings::default());
+    let params = Params::<2>::new(Settings { controller, ..Settings::default() }).expect("valid");
+    let positions: Vec<_> = (1..).map(RobotId).zip(offsets().into_iter().chain([[0.0; 2]])).collect();
+    let robot =
+        |(id, _): &(RobotId, _)| SizedRobot::<2, 10>::new(params, *id, 0.0).expect("memory is enough");
+    let mut robots: Vec<_> = positions.iter().map(robot).collect();
+    let mut nanos = 0;
+    bencher.bench_local(|| {
+        nanos += 5_000_000;
+        for (robot, (own, position)) in robots.iter_mut().zip(&positions) {
+            let _ = robot.sense(Instant::from_nanos(nanos), *position);
+            for (id, other) in positions.iter().filter(|(id, _)| id != own) {
+                let _ = robot.observe(*id, black_box(*other));
+            }
+        }
+        for sender in 0..robots.len() {
+            let Some(message) = robots[sender].share() else { continue };
+            for receiver in (0..robots.len()).filter(|receiver| *receiver != sender) {
+                if let Some(notice) = robots[sender].notice(&message, positions[receiver].0) {
+                    let _ = robots[receiver].receive_notice(positions[sender].0, &notice);
+                }
+            }
+        }
+        for robot in &mut robots {
+            black_box(robot.tick([1.0, 0.0]));
+        }
     });
 }
 

@@ -9,11 +9,11 @@
 
 #![expect(clippy::float_cmp, reason = "a stuck network keeps its bits")]
 
+use network::{Network, ROBOTS_MAX, check_round, graph_of, join, join_all, two_cliques};
 use seeded::Seeded;
-use team::{ROBOTS_MAX, Team, check_round, graph_of, join, join_all, two_cliques};
 
+mod network;
 mod seeded;
-mod team;
 
 /// Normal values in the exhaustive check.
 const TRUTHS: [f64; 4] = [0.0, 1.0, 2.0, 3.0];
@@ -32,9 +32,9 @@ fn every_small_network_with_enough_links_contracts_in_one_round() {
     for (robots, faults) in [(3, 1), (4, 1), (5, 1), (5, 2), (6, 1), (6, 2)] {
         for malicious in 0..=usize::from(faults) {
             for graph in 0..1_u32 << (robots * (robots - 1) / 2) {
-                let team = Team { links: graph_of(robots, graph), normal: robots - malicious, faults };
-                if team.normal_degree() >= team.required() {
-                    worst = worst.max(check_all_assignments(&team, &mut rounds));
+                let network = Network { links: graph_of(robots, graph), normal: robots - malicious, faults };
+                if network.normal_degree() >= network.required() {
+                    worst = worst.max(check_all_assignments(&network, &mut rounds));
                 }
             }
         }
@@ -57,10 +57,10 @@ fn a_changing_network_with_a_greedy_liar_contracts_in_every_round() {
         values[..normal].fill_with(|| random.between(-500.0, 500.0));
         for _ in 0..10 {
             let links = tight_links(robots, normal, faults + robots / 2, &mut random);
-            let team = Team { links, normal, faults: u16::try_from(faults).unwrap() };
-            team.lie_greedily(&mut values);
-            worst = worst.max(check_round(&team, &values));
-            values = team.step(&values, |sender, _| values[sender]);
+            let network = Network { links, normal, faults: u16::try_from(faults).unwrap() };
+            network.lie_greedily(&mut values);
+            worst = worst.max(check_round(&network, &values));
+            values = network.step(&values, |sender, _| values[sender]);
         }
     }
     assert!(worst > 0.82, "the liar is not harmless: {worst}");
@@ -96,41 +96,41 @@ fn one_neighbour_fewer_is_stuck_for_every_size_and_one_more_link_each_frees_it()
 //= theory thm:two-faced type=test
 #[test]
 fn liars_with_two_faces_split_a_network_that_one_voice_cannot() {
-    let team = two_cliques_and_two_liars();
-    assert_eq!((team.normal_degree(), team.required()), (7, 7));
+    let network = two_cliques_and_two_liars();
+    assert_eq!((network.normal_degree(), network.required()), (7, 7));
     let mut start = [0.0; ROBOTS_MAX];
     start[..4].fill(1.0);
 
     let two_faced = |_, receiver: usize| if receiver < 4 { 1.0 } else { 0.0 };
     let mut values = start;
     for _ in 0..1_000 {
-        values =
-            team.step(&values, |sender, to| if sender < 9 { values[sender] } else { two_faced(sender, to) });
+        values = network
+            .step(&values, |sender, to| if sender < 9 { values[sender] } else { two_faced(sender, to) });
     }
     assert_eq!(values[..9], start[..9], "no normal robot has moved in 1000 rounds");
 
     let mut values = start;
     for _ in 0..200 {
-        team.lie_greedily(&mut values);
-        check_round(&team, &values);
-        values = team.step(&values, |sender, _| values[sender]);
+        network.lie_greedily(&mut values);
+        check_round(&network, &values);
+        values = network.step(&values, |sender, _| values[sender]);
     }
-    assert!(team.spread(&values) < 1e-3, "{:e} after 200 rounds of (1 - 1/22)", team.spread(&values));
+    assert!(network.spread(&values) < 1e-3, "{:e} after 200 rounds of (1 - 1/22)", network.spread(&values));
 }
 
 /// All truths for normal robots, all lies for malicious ones.
-fn check_all_assignments(team: &Team, rounds: &mut u64) -> f64 {
-    let robots = team.links.len();
-    let choices = |robot: usize| if robot < team.normal { &TRUTHS[..] } else { &LIES[..] };
+fn check_all_assignments(network: &Network, rounds: &mut u64) -> f64 {
+    let robots = network.links.len();
+    let choices = |robot: usize| if robot < network.normal { &TRUTHS[..] } else { &LIES[..] };
     let (mut digits, mut worst): ([usize; 6], f64) = ([0; 6], 0.0);
     loop {
         let mut values = [0.0; ROBOTS_MAX];
         for robot in 0..robots {
             values[robot] = choices(robot)[digits[robot]];
         }
-        if team.hull(&values) == (0.0, 3.0) {
+        if network.hull(&values) == (0.0, 3.0) {
             *rounds += 1;
-            worst = worst.max(check_round(team, &values));
+            worst = worst.max(check_round(network, &values));
         }
         let Some(next) = (0..robots).find(|&robot| digits[robot] + 1 < choices(robot).len()) else {
             return worst;
@@ -162,7 +162,7 @@ fn tight_links(robots: usize, normal: usize, required: usize, random: &mut Seede
 }
 
 /// Normal cliques 0..4 and 4..9 with 8 links across, at most 2 at each robot; robots 9 and 10 are malicious, linked to all.
-fn two_cliques_and_two_liars() -> Team {
+fn two_cliques_and_two_liars() -> Network {
     let mut links = vec![0; 11];
     join_all(&mut links, 0..4);
     join_all(&mut links, 4..9);
@@ -174,5 +174,5 @@ fn two_cliques_and_two_liars() -> Team {
             join(&mut links, robot, liar);
         }
     }
-    Team { links, normal: 9, faults: 2 }
+    Network { links, normal: 9, faults: 2 }
 }

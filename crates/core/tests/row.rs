@@ -5,10 +5,10 @@
 
 use closeranks_core::equations::composition::{Composition, PhiSplit};
 use closeranks_core::num::Vector;
-use cluster::Cluster;
+use team::Team;
 
-mod cluster;
 mod seeded;
+mod team;
 
 const STEP_M: f64 = 1e-4;
 const CLUSTERS: u64 = 60;
@@ -19,8 +19,8 @@ const CLUSTERS: u64 = 60;
 fn with_honest_levels_the_row_is_the_gradient_of_the_global_composition() {
     for seed in 0..CLUSTERS {
         for share in [PhiSplit::Neighbors, PhiSplit::Own] {
-            check_gradient(&Cluster::<2>::random(seed, share));
-            check_gradient(&Cluster::<3>::random(seed, share));
+            check_gradient(&Team::<2>::random(seed, share));
+            check_gradient(&Team::<3>::random(seed, share));
         }
     }
 }
@@ -30,42 +30,42 @@ fn with_honest_levels_the_row_is_the_gradient_of_the_global_composition() {
 fn phi_i_is_what_is_printed() {
     for seed in 0..CLUSTERS {
         for share in [PhiSplit::Neighbors, PhiSplit::Own] {
-            check_phi(&mut Cluster::<2>::random(seed, share));
-            check_phi(&mut Cluster::<3>::random(seed, share));
+            check_phi(&mut Team::<2>::random(seed, share));
+            check_phi(&mut Team::<3>::random(seed, share));
         }
     }
 }
 
-fn check_gradient<const D: usize>(cluster: &Cluster<D>) {
-    for i in 0..cluster.count() {
-        let row = unscaled(cluster, &cluster.composition(i));
+fn check_gradient<const D: usize>(team: &Team<D>) {
+    for i in 0..team.count() {
+        let row = unscaled(team, &team.composition(i));
         for (d, component) in row.into_iter().enumerate() {
-            let slope = slope_of_phi(cluster, i, d);
+            let slope = slope_of_phi(team, i, d);
             // fifth derivatives of the terms times STEP⁴, and the rounding of φ over STEP: both far below 1e-8 of the terms
-            let terms = 2.0 - cluster.phi();
+            let terms = 2.0 - team.phi();
             assert!(
                 (component - slope).abs() <= 1e-8 * terms,
                 "robot {i}, axis {d}: {component} and {slope} in {:?}",
-                cluster.positions
+                team.positions
             );
         }
     }
 }
 
 /// H_i: the row times the power of two that its bound was divided by.
-fn unscaled<const D: usize>(cluster: &Cluster<D>, composition: &Composition<D>) -> Vector<D> {
+fn unscaled<const D: usize>(team: &Team<D>, composition: &Composition<D>) -> Vector<D> {
     let row = composition.row;
     let largest = row.normal.iter().fold(0.0, |most: f64, component| most.max(component.abs()));
     assert!((1.0..2.0).contains(&largest), "{row:?}");
-    let scale = row.bound / (-cluster.composed.alpha * composition.phi);
+    let scale = row.bound / (-team.composed.alpha * composition.phi);
     assert!(scale > 0.0 && scale.to_bits() << 12 == 0, "{scale} is no power of two");
     row.normal.map(|component| component / scale)
 }
 
 /// ∂φ/∂x_i along an axis, all levels following the positions: five points, error of order `STEP_M⁴`.
-fn slope_of_phi<const D: usize>(cluster: &Cluster<D>, i: usize, axis: usize) -> f64 {
+fn slope_of_phi<const D: usize>(team: &Team<D>, i: usize, axis: usize) -> f64 {
     let phi = |steps: f64| {
-        let mut moved = cluster.clone();
+        let mut moved = team.clone();
         moved.positions[i][axis] += steps * STEP_M;
         moved.claims = moved.levels();
         moved.phi()
@@ -74,11 +74,11 @@ fn slope_of_phi<const D: usize>(cluster: &Cluster<D>, i: usize, axis: usize) -> 
 }
 
 /// With honest claims and with false ones.
-fn check_phi<const D: usize>(cluster: &mut Cluster<D>) {
+fn check_phi<const D: usize>(team: &mut Team<D>) {
     for lie in [0.0, -2.5, 3.5, 20.0, -30.0] {
-        cluster.claims[0] += lie;
-        for i in 0..cluster.count() {
-            let (phi, printed) = (cluster.composition(i).phi, printed(cluster, i));
+        team.claims[0] += lie;
+        for i in 0..team.count() {
+            let (phi, printed) = (team.composition(i).phi, printed(team, i));
             // φ_i is 1/n minus its terms; 14 additions, and exponentials of arguments below 100 known to 1e-16 each
             let terms = 1.0 - printed;
             assert!(
@@ -90,15 +90,15 @@ fn check_phi<const D: usize>(cluster: &mut Cluster<D>) {
 }
 
 /// eq:phi_i, or the own share of docs/theory.
-fn printed<const D: usize>(cluster: &Cluster<D>, i: usize) -> f64 {
-    let own = cluster.told_term(i);
-    let degrees = match cluster.composed.split {
+fn printed<const D: usize>(team: &Team<D>, i: usize) -> f64 {
+    let own = team.told_term(i);
+    let degrees = match team.composed.split {
         PhiSplit::Neighbors => {
-            let others: f64 = cluster.neighbors(i).map(|k| cluster.told_term(k)).sum();
-            (own + others) / (f64::from(cluster.composed.required) + 1.0)
+            let others: f64 = team.neighbors(i).map(|k| team.told_term(k)).sum();
+            (own + others) / (f64::from(team.composed.required) + 1.0)
         }
         PhiSplit::Own => own,
     };
-    let collisions: f64 = cluster.neighbors(i).map(|j| cluster.collision_term(i, j)).sum();
-    1.0 / f64::from(cluster.composed.robots) - degrees - collisions / 2.0
+    let collisions: f64 = team.neighbors(i).map(|j| team.collision_term(i, j)).sum();
+    1.0 / f64::from(team.composed.robots) - degrees - collisions / 2.0
 }

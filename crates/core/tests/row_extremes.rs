@@ -7,11 +7,11 @@ use closeranks_core::equations::composition::{Composition, PhiSplit};
 use closeranks_core::equations::link::LinkShape;
 use closeranks_core::num::number::Number;
 use closeranks_core::num::{Vector, dot, subtract};
-use cluster::Cluster;
 use seeded::Seeded;
+use team::Team;
 
-mod cluster;
 mod seeded;
+mod team;
 
 /// Exponents saturate at this (`num::exponential::exp_scaled`).
 const EXPONENT_LIMIT: f64 = 1e8;
@@ -35,18 +35,18 @@ fn the_direction_survives_any_level_and_any_cluster() {
 #[test]
 fn a_cluster_far_inside_the_radius_has_a_row() {
     for seed in 0..100 {
-        let mut cluster = Cluster::<3>::random(seed, PhiSplit::Own);
-        cluster.shape = LinkShape { radius_m: 30.0, q1: 2.099, q2: 0.3 };
-        cluster.composed.w_c = 1e8;
-        for position in &mut cluster.positions {
+        let mut team = Team::<3>::random(seed, PhiSplit::Own);
+        team.shape = LinkShape { radius_m: 30.0, q1: 2.099, q2: 0.3 };
+        team.composed.w_c = 1e8;
+        for position in &mut team.positions {
             *position = position.map(|component| 0.32 + 0.02 * component);
         }
-        cluster.positions[0] = [0.0; 3];
-        cluster.claims = cluster.levels();
-        let term = cluster.term(0, 1);
+        team.positions[0] = [0.0; 3];
+        team.claims = team.levels();
+        let term = team.term(0, 1);
         assert!(term.link.slope.exponent < -340_000 && term.link.slope.value() == 0.0);
         assert!(f64::from_scaled(term.collision) == 0.0);
-        assert!(check_row(&cluster, 0));
+        assert!(check_row(&team, 0));
     }
 }
 
@@ -56,23 +56,23 @@ fn a_cluster_far_inside_the_radius_has_a_row() {
 /// the direction of a neighbour that hardly matters. One liar and R = 10 m are enough.
 #[test]
 fn a_slope_that_vanishes_is_not_lost_beside_a_huge_term() {
-    let mut cluster = Cluster::<2>::random(0, PhiSplit::Neighbors);
-    cluster.shape = LinkShape { radius_m: 10.0, q1: 2.099, q2: 0.3 };
-    (cluster.composed.w_r, cluster.composed.w_c, cluster.composed.required) = (15.0, 25.0, 7);
-    cluster.positions = vec![[0.0, 0.0], [7.142, 0.0], [0.0, 9.9]];
-    cluster.claims = vec![10.0, -40.0, 10.0];
-    let normal = cluster.composition(0).row.normal;
+    let mut team = Team::<2>::random(0, PhiSplit::Neighbors);
+    team.shape = LinkShape { radius_m: 10.0, q1: 2.099, q2: 0.3 };
+    (team.composed.w_r, team.composed.w_c, team.composed.required) = (15.0, 25.0, 7);
+    team.positions = vec![[0.0, 0.0], [7.142, 0.0], [0.0, 9.9]];
+    team.claims = vec![10.0, -40.0, 10.0];
+    let normal = team.composition(0).row.normal;
     assert!(normal[0] >= 1.0 && normal[1].abs() < 1e-6, "towards the robot that claims −40, not {normal:?}");
-    assert!(check_row(&cluster, 0));
+    assert!(check_row(&team, 0));
 }
 
 /// True if the row had a direction to compare, false if there was none or the terms cancel.
-fn check_row<const D: usize>(cluster: &Cluster<D>, i: usize) -> bool {
-    let Composition { row, phi } = cluster.composition(i);
+fn check_row<const D: usize>(team: &Team<D>, i: usize) -> bool {
+    let Composition { row, phi } = team.composition(i);
     assert!(phi.is_finite() && row.bound.is_finite(), "{phi}, {row:?}");
-    assert!(phi <= 1.0 / f64::from(cluster.composed.robots));
+    assert!(phi <= 1.0 / f64::from(team.composed.robots));
     let largest = row.normal.iter().fold(0.0, |most: f64, component| most.max(component.abs()));
-    let axes: Vec<Vec<(f64, f64)>> = (0..D).map(|d| logarithms(cluster, i, d)).collect();
+    let axes: Vec<Vec<(f64, f64)>> = (0..D).map(|d| logarithms(team, i, d)).collect();
     let top = axes.iter().flatten().fold(f64::NEG_INFINITY, |top: f64, &(_, log)| top.max(log));
     if top == f64::NEG_INFINITY {
         assert_eq!(largest.to_bits(), 0, "no terms, no row");
@@ -93,20 +93,20 @@ fn check_row<const D: usize>(cluster: &Cluster<D>, i: usize) -> bool {
         assert!(
             error <= 4.0 * ROUNDING * size / length,
             "axis {d}: {row:?}, {expected:?}, {:?}",
-            cluster.claims
+            team.claims
         );
     }
     true
 }
 
 /// Sign and logarithm of every term of H_i along one axis.
-fn logarithms<const D: usize>(cluster: &Cluster<D>, i: usize, axis: usize) -> Vec<(f64, f64)> {
-    let (shape, composed) = (cluster.shape, cluster.composed);
+fn logarithms<const D: usize>(team: &Team<D>, i: usize, axis: usize) -> Vec<(f64, f64)> {
+    let (shape, composed) = (team.shape, team.composed);
     let limited = |exponent: f64| exponent.clamp(-EXPONENT_LIMIT, EXPONENT_LIMIT);
-    let told = |k: usize| limited(-composed.w_r * (cluster.claims[k] - f64::from(composed.required)));
+    let told = |k: usize| limited(-composed.w_r * (team.claims[k] - f64::from(composed.required)));
     let mut terms = Vec::new();
-    for j in cluster.neighbors(i) {
-        let offset = subtract(&cluster.positions[i], &cluster.positions[j]);
+    for j in team.neighbors(i) {
+        let offset = subtract(&team.positions[i], &team.positions[j]);
         let (sign, part) = (offset[axis].signum(), libm::log(offset[axis].abs()));
         let square = dot(&offset, &offset);
         let slack = shape.radius_m * shape.radius_m - square;
@@ -121,23 +121,23 @@ fn logarithms<const D: usize>(cluster: &Cluster<D>, i: usize, axis: usize) -> Ve
     terms
 }
 
-/// A cluster with another radius, another size and claims of every magnitude.
-fn extreme<const D: usize>(seed: u64) -> Cluster<D> {
+/// A team with another radius, another size and claims of every magnitude.
+fn extreme<const D: usize>(seed: u64) -> Team<D> {
     let mut random = Seeded(seed ^ 0xfeed);
     let share = if random.below(2) == 0 { PhiSplit::Neighbors } else { PhiSplit::Own };
-    let mut cluster = Cluster::<D>::random(seed, share);
-    cluster.shape.radius_m = [3.0, 7.0, 10.0, 30.0][random.below(4)];
-    cluster.composed.w_r = [1.0, 15.0][random.below(2)];
-    cluster.composed.w_c = [1.0, 25.0, 1e4][random.below(3)];
-    let size = [1.0, 0.2 * cluster.shape.radius_m][random.below(2)];
-    for position in &mut cluster.positions {
+    let mut team = Team::<D>::random(seed, share);
+    team.shape.radius_m = [3.0, 7.0, 10.0, 30.0][random.below(4)];
+    team.composed.w_r = [1.0, 15.0][random.below(2)];
+    team.composed.w_c = [1.0, 25.0, 1e4][random.below(3)];
+    let size = [1.0, 0.2 * team.shape.radius_m][random.below(2)];
+    for position in &mut team.positions {
         *position = position.map(|component| size * component);
     }
-    cluster.claims = cluster.levels();
-    for claim in &mut cluster.claims {
+    team.claims = team.levels();
+    for claim in &mut team.claims {
         let honest = *claim;
         let lies = [-1e6, 1e6, 1e300, -1e300, 0.0, -37.0, -1e9, random.between(-41.0, -30.0)];
         *claim = if random.below(2) == 0 { honest } else { lies[random.below(lies.len())] };
     }
-    cluster
+    team
 }

@@ -9,11 +9,11 @@ use closeranks_core::equations::link::Link;
 use closeranks_core::num::dot;
 use closeranks_core::num::number::Number;
 use closeranks_core::num::scaled::Scaled;
-use cluster::Cluster;
 use seeded::Seeded;
+use team::Team;
 
-mod cluster;
 mod seeded;
+mod team;
 
 /// All offsets are multiplied with this, 2⁻⁷⁴⁰.
 const SHRINK: f64 = f64::from_bits((1023 - 740) << 52);
@@ -24,8 +24,8 @@ const SHRINK: f64 = f64::from_bits((1023 - 740) << 52);
 fn a_row_has_the_same_bits_both_ways() {
     for seed in 0..300 {
         for share in [PhiSplit::Neighbors, PhiSplit::Own] {
-            check_rows(Cluster::<2>::random(seed, share));
-            check_rows(Cluster::<3>::random(seed, share));
+            check_rows(Team::<2>::random(seed, share));
+            check_rows(Team::<3>::random(seed, share));
         }
     }
 }
@@ -34,20 +34,20 @@ fn a_row_has_the_same_bits_both_ways() {
 #[test]
 fn a_team_computed_at_once_has_the_bits_of_each_robot() {
     for seed in 0..300 {
-        let cluster = Cluster::<3>::random(seed, PhiSplit::Neighbors);
-        let composed = &cluster.composed;
-        let told = |k: usize| composed.degree_term::<f64>(cluster.claims[k]);
-        for i in 0..cluster.count() {
+        let team = Team::<3>::random(seed, PhiSplit::Neighbors);
+        let composed = &team.composed;
+        let told = |k: usize| composed.degree_term::<f64>(team.claims[k]);
+        for i in 0..team.count() {
             let mut sum = Sum::new(told(i));
-            for j in cluster.neighbors(i) {
-                let offset = cluster.term(i, j).offset_m;
-                let Some(link): Option<Link<f64>> = cluster.shape.link(&offset) else { continue };
+            for j in team.neighbors(i) {
+                let offset = team.term(i, j).offset_m;
+                let Some(link): Option<Link<f64>> = team.shape.link(&offset) else { continue };
                 let collision = composed.collision_term(dot(&offset, &offset));
                 let coefficient = composed.coefficient(told(i), told(j), link.slope, collision);
                 sum.add_told(composed.shared(told(j)));
                 sum.add_link(&offset, coefficient, collision);
             }
-            assert_eq!(sum.finish(composed), Some(cluster.composition(i)), "robot {i}, seed {seed}");
+            assert_eq!(sum.finish(composed), Some(team.composition(i)), "robot {i}, seed {seed}");
         }
     }
 }
@@ -68,16 +68,16 @@ fn each_operation_has_the_same_bits_both_ways() {
     }
 }
 
-fn check_rows<const D: usize>(mut cluster: Cluster<D>) {
-    cluster.composed = Composed { alpha: 1e-40, ..cluster.composed };
-    for i in 0..cluster.count() {
-        let own: Scaled = cluster.composed.degree_term(cluster.claims[i]);
-        let shrunk = cluster.neighbors(i).map(|j| {
-            let mut term = cluster.term(i, j);
+fn check_rows<const D: usize>(mut team: Team<D>) {
+    team.composed = Composed { alpha: 1e-40, ..team.composed };
+    for i in 0..team.count() {
+        let own: Scaled = team.composed.degree_term(team.claims[i]);
+        let shrunk = team.neighbors(i).map(|j| {
+            let mut term = team.term(i, j);
             term.offset_m = term.offset_m.map(|component| component * SHRINK);
             term
         });
-        let (plain, free) = (cluster.composition(i), cluster.composed.compose(own, shrunk));
+        let (plain, free) = (team.composition(i), team.composed.compose(own, shrunk));
         assert_eq!(free.row.normal.map(f64::to_bits), plain.row.normal.map(f64::to_bits), "robot {i}");
         assert_eq!(free.phi.to_bits(), plain.phi.to_bits(), "robot {i}");
         assert_eq!((free.row.bound * SHRINK).to_bits(), plain.row.bound.to_bits(), "robot {i}");

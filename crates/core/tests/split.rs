@@ -7,11 +7,11 @@
 use closeranks_core::equations::composition::{Composed, PhiSplit};
 use closeranks_core::equations::link::LinkShape;
 use closeranks_core::num::Vector;
-use cluster::Cluster;
 use seeded::Seeded;
+use team::Team;
 
-mod cluster;
 mod seeded;
+mod team;
 
 const SHAPE: LinkShape = LinkShape { radius_m: 3.0, q1: 2.099, q2: 0.3 };
 const PAPER: Composed = Composed {
@@ -87,46 +87,45 @@ fn the_split_is_exact_only_at_degree_f_prime_and_the_own_share_always() {
 //= theory sec:split type=test
 #[test]
 fn a_robot_that_overstates_makes_the_sum_of_the_phi_i_exceed_phi() {
-    let mut cluster =
-        Cluster { positions: patch_and_outsider(), claims: vec![], shape: SHAPE, composed: PAPER };
-    cluster.claims = cluster.levels();
-    assert_eq!(cluster.neighbors(10).count(), 4);
-    assert!((0..10).all(|i| cluster.neighbors(i).count() >= 9));
-    cluster.claims[10] = 7.1;
-    let gap = cluster.phi() - sum_of_phi(&cluster);
+    let mut team = Team { positions: patch_and_outsider(), claims: vec![], shape: SHAPE, composed: PAPER };
+    team.claims = team.levels();
+    assert_eq!(team.neighbors(10).count(), 4);
+    assert!((0..10).all(|i| team.neighbors(i).count() >= 9));
+    team.claims[10] = 7.1;
+    let gap = team.phi() - sum_of_phi(&team);
     assert!((gap + 0.084).abs() < 5e-4, "{gap}");
 
-    cluster.composed.split = PhiSplit::Own;
-    assert!((cluster.phi() - sum_of_phi(&cluster)).abs() <= ROUNDING * 11.0);
+    team.composed.split = PhiSplit::Own;
+    assert!((team.phi() - sum_of_phi(&team)).abs() <= ROUNDING * 11.0);
 }
 
 fn check_identity<const D: usize>(seed: u64) {
     let mut random = Seeded(seed);
-    let mut cluster = Cluster::<D>::random(seed, PhiSplit::Neighbors);
-    for claim in &mut cluster.claims {
+    let mut team = Team::<D>::random(seed, PhiSplit::Neighbors);
+    for claim in &mut team.claims {
         *claim += [0.0, 0.0, -2.5, 3.5, 8.0][random.below(5)];
     }
-    let required = f64::from(cluster.composed.required);
-    let degree = |k: usize| f64::from(u32::try_from(cluster.neighbors(k).count()).unwrap_or(0));
+    let required = f64::from(team.composed.required);
+    let degree = |k: usize| f64::from(u32::try_from(team.neighbors(k).count()).unwrap_or(0));
     let expected: f64 =
-        (0..cluster.count()).map(|k| cluster.told_term(k) * (degree(k) - required) / (required + 1.0)).sum();
+        (0..team.count()).map(|k| team.told_term(k) * (degree(k) - required) / (required + 1.0)).sum();
     // every Ê is added up to n times, every E^c twice
-    let rounding = 16.0 * ROUNDING * (2.0 - cluster.phi());
-    let gap = cluster.phi() - sum_of_phi(&cluster);
+    let rounding = 16.0 * ROUNDING * (2.0 - team.phi());
+    let gap = team.phi() - sum_of_phi(&team);
     assert!((gap - expected).abs() <= rounding, "{gap} is not {expected}, seed {seed}");
-    cluster.composed.split = PhiSplit::Own;
-    let gap = cluster.phi() - sum_of_phi(&cluster);
+    team.composed.split = PhiSplit::Own;
+    let gap = team.phi() - sum_of_phi(&team);
     assert!(gap.abs() <= rounding, "{gap} is not 0, seed {seed}");
 }
 
-fn sum_of_phi<const D: usize>(cluster: &Cluster<D>) -> f64 {
-    (0..cluster.count()).map(|i| cluster.composition(i).phi).sum()
+fn sum_of_phi<const D: usize>(team: &Team<D>) -> f64 {
+    (0..team.count()).map(|i| team.composition(i).phi).sum()
 }
 
 /// Robot 0 with three neighbours 1 m away and a newcomer, just out of range and just in range.
-fn meeting<const D: usize>(split: PhiSplit, claims: &[f64]) -> (Cluster<D>, Cluster<D>) {
+fn meeting<const D: usize>(split: PhiSplit, claims: &[f64]) -> (Team<D>, Team<D>) {
     let at = |x: f64, y: f64| core::array::from_fn(|d| [x, y, 0.0][d]);
-    let with = |x: f64| Cluster {
+    let with = |x: f64| Team {
         positions: vec![at(0.0, 0.0), at(1.0, 0.0), at(0.0, 1.0), at(0.0, -1.0), at(x, 0.0)],
         claims: claims.to_vec(),
         shape: SHAPE,

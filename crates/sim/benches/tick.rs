@@ -60,6 +60,47 @@ fn tick_of_a_team(bencher: Bencher<'_, '_>, robots: u16) {
     assert!(frame.links * 10 > links * 9, "nearly all in range: {} of {links}", frame.links);
 }
 
+/// A tick of a thousand robots of `budget` of which each sees about 0.7 of the others.
+#[divan::bench]
+fn tick_of_a_team_of_budget_in_part(bencher: Bencher<'_, '_>) {
+    let scenario = in_part(Controller::Budget);
+    let (params, frame, values) = world(&scenario);
+    let AnyController::Budget(budget) = *params.controller() else { return };
+    let mut team = Team::new(&scenario, params, budget, &values);
+    tick_in_part(bencher, &scenario, frame, |frame, liars| team.step(frame, liars));
+}
+
+/// The same under `links`.
+#[divan::bench]
+fn tick_of_a_team_of_links_in_part(bencher: Bencher<'_, '_>) {
+    let scenario = in_part(Controller::Links);
+    let (params, frame, values) = world(&scenario);
+    let mut fleet = Fleet::at_once(&scenario, params, &values).expect("robots of a valid scenario");
+    tick_in_part(bencher, &scenario, frame, |frame, liars| fleet.step(frame, liars));
+}
+
+fn in_part(controller: Controller) -> Scenario {
+    let link = LinkSettings { radius_m: 11.5, ..LinkSettings::default() };
+    Scenario { controller, link, ..scenario(1_000) }
+}
+
+fn tick_in_part(
+    bencher: Bencher<'_, '_>,
+    scenario: &Scenario,
+    mut frame: Frame<2>,
+    mut step: impl FnMut(&mut Frame<2>, &mut Liars),
+) {
+    let mut liars = Liars::new(scenario);
+    let mut bodies = Bodies::new(scenario.plant, scenario.tick_s(), &frame.positions_m);
+    bencher.bench_local(|| {
+        want(scenario, 0, &mut frame);
+        step(&mut frame, &mut liars);
+        bodies.integrate(&mut frame.positions_m, &frame.velocities_m_s);
+    });
+    let seen = f64::from(frame.links) / (0.5 * 1e6);
+    assert!((0.65..0.75).contains(&seen), "each sees about 0.7 of the others: {seen}");
+}
+
 /// A tick with every robot on its own and every message as bytes.
 #[divan::bench(args = [11, 100])]
 fn tick_of_single_robots(bencher: Bencher<'_, '_>, robots: u16) {
@@ -88,6 +129,14 @@ fn paper_run_recorded(bencher: Bencher<'_, '_>) {
     let scenario = Scenario::default();
     bencher
         .bench(|| run(&scenario, Options { record: true, ..Options::default() }, &mut |_| ()).expect("runs"));
+}
+
+/// Ten seconds of `links` in the paper's world, monitors on, as sweeps run it.
+#[divan::bench]
+fn links_run(bencher: Bencher<'_, '_>) {
+    let scenario = Scenario { controller: Controller::Links, ..Scenario::default() };
+    let options = Options { without_phi: true, ..Options::default() };
+    bencher.bench(|| run(&scenario, options, &mut |_| ()).expect("runs"));
 }
 
 /// Ten seconds of `budget` against the overstating liars (`scenarios/budget.toml`), monitors on, as sweeps run it.

@@ -1,13 +1,4 @@
-//! The constraint functions: degree, told degree and distance.
-
-/// `F′ = F + ⌊n/2⌋`: the number of neighbours that every normal robot must keep.
-///
-/// Enough for resilient consensus by W-MSR with parameter F under F-total malicious robots, for `F ≤ (n−1)/2`.
-//= paper thm:rs_robust
-#[must_use]
-pub fn required_degree(robots: u16, faults: u16) -> u16 {
-    faults.saturating_add(robots / 2)
-}
+//! The constraint functions: degree, told degree and distance. How many neighbours a robot must keep says [`crate::need`].
 
 /// `h_i = c_i − F′` from the true level `c_i = Σ_{j∈N_i} a_ij`, and `ĥ_k = c_k − F′` from a told one.
 ///
@@ -32,14 +23,6 @@ pub fn collision_barrier(distance_m2: f64, distance_min_m: f64) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    //= paper thm:rs_robust type=test
-    #[test]
-    fn the_paper_needs_seven_neighbours() {
-        assert_eq!(required_degree(11, 2), 7);
-        assert_eq!(required_degree(2, 0), 1);
-        assert_eq!(required_degree(u16::MAX, u16::MAX), u16::MAX);
-    }
 
     //= paper eq:h_i type=test
     //= paper eq:shared_connectivity type=test

@@ -5,7 +5,7 @@
 
 use crate::equations::barrier::{collision_barrier, degree_barrier};
 use crate::equations::link::{LANES, Link};
-use crate::num::exponential::exps;
+use crate::num::exponential::{exps, vanish};
 use crate::num::number::Number;
 use crate::num::scaled::Scaled;
 use crate::num::{Vector, exp, is_finite};
@@ -82,7 +82,8 @@ impl Composed {
         let exponent = |distance_m2: f64| -self.w_c * collision_barrier(distance_m2, self.distance_min_m);
         let (pairs, rest) = distances_m2.as_chunks_mut::<LANES>();
         for distances_m2 in pairs {
-            *distances_m2 = exps(distances_m2.map(exponent));
+            let exponents = distances_m2.map(exponent);
+            *distances_m2 = if vanish(&exponents) { [0.0; LANES] } else { exps(exponents) };
         }
         for distance_m2 in rest {
             *distance_m2 = exp(exponent(*distance_m2));

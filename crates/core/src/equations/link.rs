@@ -1,6 +1,6 @@
 //! Smooth weight of a link of the proximity graph.
 
-use crate::num::exponential::exps;
+use crate::num::exponential::{exps, vanish};
 use crate::num::number::Number;
 use crate::num::scaled::Scaled;
 use crate::num::{Vector, dot};
@@ -72,7 +72,14 @@ impl LinkShape {
     #[inline]
     fn link_some<const L: usize>(&self, distances_m2: &mut [f64; L], slopes: &mut [f64; L]) {
         let slacks_m2 = distances_m2.map(|distance_m2| self.slack_m2(distance_m2));
-        let tails = exps(slacks_m2.map(|slack_m2| self.exponent(slack_m2)));
+        let exponents = slacks_m2.map(|slack_m2| self.exponent(slack_m2));
+        if vanish(&exponents) && slacks_m2.iter().all(|slack_m2| *slack_m2 >= 0.0) {
+            // Far inside the radius the weight is flat: `link_of` with e = 0, without its quotient.
+            *distances_m2 = [0.5 * self.q1; L];
+            *slopes = slacks_m2.map(|slack_m2| 0.0 * (-4.0 * self.q1 * self.q2 * slack_m2));
+            return;
+        }
+        let tails = exps(exponents);
         let links: [Link<f64>; L] = core::array::from_fn(|k| self.link_of(slacks_m2[k], tails[k]));
         *distances_m2 =
             core::array::from_fn(|k| if slacks_m2[k] >= 0.0 { links[k].weight } else { Link::NONE.weight });

@@ -26,6 +26,13 @@ pub(crate) fn exps<const L: usize>(x: [f64; L]) -> [f64; L] {
     if x.iter().all(|x| x.abs() <= ORDINARY) { x.map(exp_ordinary) } else { x.map(exp) }
 }
 
+/// True where every `eˣ` counts as 0.
+#[inline]
+#[must_use]
+pub(crate) fn vanish(x: &[f64]) -> bool {
+    x.iter().all(|x| *x < EXP_IS_ZERO)
+}
+
 /// Beyond this |x| the exponent of `eˣ` saturates: far outside anything `f64` holds, far inside `i32`.
 const EXPONENT_LIMIT: f64 = 1e8;
 

@@ -390,19 +390,4 @@ impl<const D: usize, S: Slots<D>> Robot<D, S> {
     pub fn counted(&self) -> impl Iterator<Item = RobotId> + Clone {
         self.neighbors().iter().filter(|slot| slot.peer.is_counted()).map(|slot| slot.id)
     }
-
-    /// The neighbours in order of their number.
-    #[must_use]
-    pub fn neighbors(&self) -> &[Slot<D>] {
-        &self.slots.as_ref()[..self.count]
-    }
-
-    pub(crate) fn sensed(&self) -> impl Iterator<Item = &Slot<D>> + Clone {
-        self.neighbors().iter().filter(|slot| slot.sensed)
-    }
-
-    /// The sensed neighbours within R. Without stated errors these are all sensed neighbours.
-    pub(crate) fn linked(&self) -> impl Iterator<Item = &Slot<D>> + Clone {
-        self.sensed().filter(|slot| slot.linked)
-    }
 }

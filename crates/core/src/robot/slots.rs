@@ -111,4 +111,19 @@ impl<const D: usize, S: Slots<D>> Robot<D, S> {
         change(&mut self.slots);
         self.count = self.count.min(self.slots.as_ref().len());
     }
+
+    /// The neighbours in order of their number.
+    #[must_use]
+    pub fn neighbors(&self) -> &[Slot<D>] {
+        &self.slots.as_ref()[..self.count]
+    }
+
+    pub(crate) fn sensed(&self) -> impl Iterator<Item = &Slot<D>> + Clone {
+        self.neighbors().iter().filter(|slot| slot.sensed)
+    }
+
+    /// The sensed neighbours within R. Without stated errors these are all sensed neighbours.
+    pub(crate) fn linked(&self) -> impl Iterator<Item = &Slot<D>> + Clone {
+        self.sensed().filter(|slot| slot.linked)
+    }
 }

@@ -1,122 +1,117 @@
-//! Networks of robots that agree by W-MSR, some of which lie, and thm:contraction for one round of one.
+//! A team of robots and the paper's equations for it, written as literally as they are printed, with libm's exponential.
 
-use closeranks_core::equations::barrier::required_degree;
-use closeranks_core::wmsr::update;
+#![allow(dead_code, reason = "not every file of tests needs every equation")]
 
-pub(crate) const ROBOTS_MAX: usize = 30;
+use closeranks_core::equations::composition::{Composed, Composition, PhiSplit, Term};
+use closeranks_core::equations::link::{Link, LinkShape};
+use closeranks_core::num::scaled::Scaled;
+use closeranks_core::num::{Vector, dot, subtract};
 
-pub(crate) type Values = [f64; ROBOTS_MAX];
+use crate::seeded::Seeded;
 
-/// Who hears whom, as sets of bits, and who lies.
-pub(crate) struct Team {
-    pub(crate) links: Vec<u32>,
-    pub(crate) normal: usize,
-    pub(crate) faults: u16,
+#[derive(Clone)]
+pub(crate) struct Team<const D: usize> {
+    pub(crate) positions: Vec<Vector<D>>,
+    /// What each robot claims its level to be.
+    pub(crate) claims: Vec<f64>,
+    pub(crate) shape: LinkShape,
+    pub(crate) composed: Composed,
 }
 
-impl Team {
-    pub(crate) fn required(&self) -> usize {
-        required_degree(u16::try_from(self.links.len()).unwrap_or(u16::MAX), self.faults).into()
-    }
-
-    pub(crate) fn normal_degree(&self) -> usize {
-        let degrees = self.links[..self.normal].iter().map(|links| links.count_ones() as usize);
-        degrees.min().unwrap_or(0)
-    }
-
-    /// One round in which `told(sender, receiver)` is what arrives; malicious robots keep their value.
-    pub(crate) fn step(&self, values: &Values, told: impl Fn(usize, usize) -> f64) -> Values {
-        let mut next = *values;
-        for receiver in 0..self.normal {
-            let (mut heard, mut count) = ([0.0; ROBOTS_MAX], 0);
-            for sender in (0..self.links.len()).filter(|sender| self.links[receiver] >> sender & 1 == 1) {
-                heard[count] = told(sender, receiver);
-                count += 1;
+impl<const D: usize> Team<D> {
+    /// 3 to 12 robots, each in range of an earlier one; no pair closer than 0.35 m or within 1 mm of the rim.
+    pub(crate) fn random(seed: u64, split: PhiSplit) -> Self {
+        let mut random = Seeded(seed);
+        let count = 3 + random.below(10);
+        let robots = u16::try_from(count).unwrap_or(0);
+        let faults = u16::try_from(random.below((count - 1) / 2 + 1)).unwrap_or(0);
+        let q1 = 2.0 + random.between(0.1, 0.9) / f64::from(robots - 1);
+        let shape = LinkShape { radius_m: 3.0, q1, q2: random.between(0.05, 0.9) };
+        let composed = Composed {
+            split,
+            w_r: random.between(0.3, 2.0),
+            w_c: random.between(10.0, 25.0),
+            alpha: random.between(0.05, 5.0),
+            robots,
+            required: faults + robots / 2,
+            distance_min_m: 0.3,
+        };
+        let mut positions: Vec<Vector<D>> = vec![[0.0; D]];
+        while positions.len() < count {
+            let from = positions[random.below(positions.len())];
+            let place = from.map(|component| component + random.between(-2.0, 2.0));
+            let distance = |other: &Vector<D>| libm::sqrt(square(other, &place));
+            let clear = |distance: f64| distance > 0.35 && (distance - shape.radius_m).abs() > 1e-3;
+            if positions.iter().all(|other| clear(distance(other))) && distance(&from) < shape.radius_m {
+                positions.push(place);
             }
-            next[receiver] = update(values[receiver], &mut heard[..count], self.faults).value;
         }
-        next
+        let mut team = Self { positions, claims: Vec::new(), shape, composed };
+        team.claims = team.levels();
+        team
     }
 
-    pub(crate) fn hull(&self, values: &Values) -> (f64, f64) {
-        let normal = &values[..self.normal];
-        (normal.iter().copied().fold(f64::MAX, f64::min), normal.iter().copied().fold(f64::MIN, f64::max))
+    pub(crate) fn count(&self) -> usize {
+        self.positions.len()
     }
 
-    pub(crate) fn spread(&self, values: &Values) -> f64 {
-        let (low, high) = self.hull(values);
-        high - low
+    /// a_ij of eq:adjacency.
+    fn weight(&self, i: usize, j: usize) -> f64 {
+        let LinkShape { radius_m, q1, q2 } = self.shape;
+        let slack = radius_m * radius_m - square(&self.positions[i], &self.positions[j]);
+        if slack < 0.0 { 0.0 } else { q1 / (1.0 + libm::exp(-q2 * slack * slack)) - q1 / 2.0 }
     }
 
-    /// Each malicious robot in turn tells whatever makes the next spread widest: a value of somebody, or one far out.
-    pub(crate) fn lie_greedily(&self, values: &mut Values) {
-        let mut lies = values[..self.normal].to_vec();
-        lies.extend([-1e9, 1e9]);
-        for liar in self.normal..self.links.len() {
-            let mut widest = -1.0;
-            let mut best = 0.0;
-            for &lie in &lies {
-                values[liar] = lie;
-                let spread = self.spread(&self.step(values, |sender, _| values[sender]));
-                if spread > widest {
-                    (widest, best) = (spread, lie);
-                }
-            }
-            values[liar] = best;
-        }
+    /// The neighbours N_i.
+    pub(crate) fn neighbors(&self, i: usize) -> impl Iterator<Item = usize> + Clone {
+        let in_range = move |j: usize| {
+            let radius = self.shape.radius_m;
+            square(&self.positions[i], &self.positions[j]) <= radius * radius
+        };
+        (0..self.count()).filter(move |&j| j != i && in_range(j))
+    }
+
+    /// c_i of every robot (eq:continuous_a), which honest robots claim.
+    pub(crate) fn levels(&self) -> Vec<f64> {
+        (0..self.count()).map(|i| self.neighbors(i).map(|j| self.weight(i, j)).sum()).collect()
+    }
+
+    /// Ê_k of eq:phi_i.
+    pub(crate) fn told_term(&self, k: usize) -> f64 {
+        libm::exp(-self.composed.w_r * (self.claims[k] - f64::from(self.composed.required)))
+    }
+
+    /// E^c_ij of eq:composition.
+    pub(crate) fn collision_term(&self, i: usize, j: usize) -> f64 {
+        let barrier = square(&self.positions[i], &self.positions[j]) - self.composed.distance_min_m.powi(2);
+        libm::exp(-self.composed.w_c * barrier)
+    }
+
+    /// φ of eq:composition, with the claims in place of the levels.
+    pub(crate) fn phi(&self) -> f64 {
+        let degrees: f64 = (0..self.count()).map(|k| self.told_term(k)).sum();
+        let pairs =
+            (0..self.count()).flat_map(|i| self.neighbors(i).filter(move |&j| i < j).map(move |j| (i, j)));
+        let collisions: f64 = pairs.map(|(i, j)| self.collision_term(i, j)).sum();
+        1.0 - degrees - collisions
+    }
+
+    /// What robot i knows of j, in the types of the crate.
+    pub(crate) fn term(&self, i: usize, j: usize) -> Term<D> {
+        let offset_m = subtract(&self.positions[i], &self.positions[j]);
+        let link = self.shape.link(&offset_m).unwrap_or(Link { weight: 0.0, slope: Scaled::ZERO });
+        let collision = self.composed.collision_term(dot(&offset_m, &offset_m));
+        Term { offset_m, link, collision, told: self.composed.degree_term(self.claims[j]) }
+    }
+
+    /// φ_i and the row of robot i, as the crate computes them.
+    pub(crate) fn composition(&self, i: usize) -> Composition<D> {
+        let terms = self.neighbors(i).map(|j| self.term(i, j));
+        self.composed.compose(self.composed.degree_term(self.claims[i]), terms)
     }
 }
 
-pub(crate) fn join(links: &mut [u32], a: usize, b: usize) {
-    links[a] |= 1 << b;
-    links[b] |= 1 << a;
-}
-
-/// The graph whose links, in the order (0,1), (0,2), (1,2), (0,3) …, are the bits of `graph`.
-pub(crate) fn graph_of(robots: usize, graph: u32) -> Vec<u32> {
-    let mut links = vec![0; robots];
-    let pairs = (1..robots).flat_map(|b| (0..b).map(move |a| (a, b)));
-    for (bit, (a, b)) in pairs.enumerate() {
-        if graph >> bit & 1 == 1 {
-            join(&mut links, a, b);
-        }
-    }
-    links
-}
-
-pub(crate) fn join_all(links: &mut [u32], robots: core::ops::Range<usize>) {
-    for a in robots.clone() {
-        for b in a + 1..robots.end {
-            join(links, a, b);
-        }
-    }
-}
-
-/// Cliques of ⌊n/2⌋ and ⌈n/2⌉ robots; each of the first is linked to `across` of the second, spread cyclically.
-pub(crate) fn two_cliques(robots: usize, across: usize, faults: u16) -> Team {
-    let (mut links, half) = (vec![0; robots], robots / 2);
-    join_all(&mut links, 0..half);
-    join_all(&mut links, half..robots);
-    for link in 0..half * across {
-        join(&mut links, link / across, half + link % (robots - half));
-    }
-    Team { links, normal: robots, faults }
-}
-
-/// Holds one round against thm:contraction; returns by how much the spread shrank.
-pub(crate) fn check_round(team: &Team, values: &Values) -> f64 {
-    let next = team.step(values, |sender, _| values[sender]);
-    let (low, high) = team.hull(values);
-    let (next_low, next_high) = team.hull(&next);
-    assert!(low <= next_low && next_high <= high, "{next:?} leaves the hull of {values:?}, {:?}", team.links);
-    let beta = 1.0 / f64::from(u32::try_from(team.links.len()).unwrap_or(u32::MAX));
-    // a mean of up to n values rounds n times
-    let rounding = 30.0 * f64::EPSILON * low.abs().max(high.abs());
-    let (before, after) = (high - low, next_high - next_low);
-    assert!(
-        after <= (1.0 - 0.5 * beta) * before + rounding,
-        "{before} to {after} with {values:?}, {:?}",
-        team.links
-    );
-    if before > 1e6 * rounding { after / before } else { 0.0 }
+fn square<const D: usize>(a: &Vector<D>, b: &Vector<D>) -> f64 {
+    let offset = subtract(a, b);
+    dot(&offset, &offset)
 }

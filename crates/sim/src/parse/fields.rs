@@ -9,7 +9,8 @@ use closeranks_core::settings::range::{Allowed, MAGNITUDE_MAX, ROBOTS_MAX};
 use toml::de::{DeTable, DeValue};
 
 use super::common::{ANY, POSITION, POSITIVE, interval, set, small};
-use super::reader::{Reader, Section, number, whole};
+use super::reader::{Reader, Section};
+use super::value::{number, whole};
 use crate::attack::Attack;
 use crate::faults::{Faults, Outages};
 use crate::law::Law;

@@ -6,9 +6,12 @@ pub(crate) mod common;
 mod fields;
 mod files;
 mod inline;
+mod lists;
 mod problem;
 pub(crate) mod reader;
 pub(crate) mod rows;
+mod section;
+pub(crate) mod value;
 
 pub use checks::ROWS_MAX;
 pub use files::{FILE_MAX, Files, named};

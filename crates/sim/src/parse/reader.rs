@@ -5,78 +5,21 @@ use std::collections::BTreeMap;
 
 use closeranks_core::settings::range::Allowed;
 use toml::Spanned;
-use toml::de::{DeTable, DeValue};
+use toml::de::DeValue;
 
-use super::column::{Column, names};
 use super::files::Files;
 use super::problem::Problem;
+pub(crate) use super::section::Section;
+use super::value::{describe, number, one_of, printable, whole};
 
 /// Collects problems and the places of fields while a text is read.
 #[derive(Debug, Default)]
 pub(crate) struct Reader {
     problems: Vec<Problem>,
-    places: BTreeMap<String, Range<usize>>,
+    pub(super) places: BTreeMap<String, Range<usize>>,
     /// Items of lists that are numbers.
-    items: BTreeMap<String, f64>,
+    pub(super) items: BTreeMap<String, f64>,
     files: Files,
-}
-
-/// A table of the text, or one that is not there and has only defaults.
-#[derive(Clone, Debug)]
-pub(crate) struct Section<'text> {
-    path: String,
-    place: Range<usize>,
-    entries: Option<&'text DeTable<'text>>,
-    known: Vec<&'static str>,
-    /// True if its kind was refused, so that nobody knows which fields it has.
-    unclear: bool,
-}
-
-impl<'text> Section<'text> {
-    /// The whole text.
-    pub(crate) fn root(entries: &'text DeTable<'text>) -> Self {
-        Self { path: String::new(), place: 0..0, entries: Some(entries), known: Vec::new(), unclear: false }
-    }
-
-    /// Full name of a field.
-    pub(crate) fn name(&self, key: &str) -> String {
-        if self.path.is_empty() { key.to_owned() } else { format!("{}.{key}", self.path) }
-    }
-
-    fn know(&mut self, key: &'static str) {
-        if !self.known.contains(&key) {
-            self.known.push(key);
-        }
-    }
-
-    /// True if the text has this field.
-    pub(crate) fn has(&mut self, key: &'static str) -> bool {
-        self.know(key);
-        self.entries.is_some_and(|entries| entries.contains_key(key))
-    }
-
-    /// True if the text has a table by this name.
-    pub(crate) fn has_table(&self, key: &str) -> bool {
-        self.entries.and_then(|entries| entries.get(key)).is_some_and(|value| value.get_ref().is_table())
-    }
-
-    /// True if the text has a table by this name, which is then known to be a field.
-    pub(crate) fn knows_table(&mut self, key: &'static str) -> bool {
-        self.know(key);
-        self.has_table(key)
-    }
-
-    /// The table by this name, to look at a second time.
-    pub(crate) fn table(&self, key: &str) -> Option<Self> {
-        let value = self.entries.and_then(|entries| entries.get(key))?;
-        let (path, entries) = (self.name(key), value.get_ref().as_table());
-        Some(Self { path, place: value.span(), entries, known: Vec::new(), unclear: false })
-    }
-
-    fn take(&mut self, key: &'static str) -> Option<&'text Spanned<DeValue<'text>>> {
-        self.know(key);
-        self.entries.and_then(|entries| entries.get(key))
-    }
 }
 
 impl Reader {
@@ -122,7 +65,7 @@ impl Reader {
         self.problems.push(Problem { span, field: field.to_owned(), found, allowed: allowed.into() });
     }
 
-    fn wrong(&mut self, field: String, value: &Spanned<DeValue<'_>>, allowed: impl Into<String>) {
+    pub(super) fn wrong(&mut self, field: String, value: &Spanned<DeValue<'_>>, allowed: impl Into<String>) {
         let found = describe(value.get_ref());
         self.problems.push(Problem { span: value.span(), field, found, allowed: allowed.into() });
     }
@@ -157,7 +100,7 @@ impl Reader {
     }
 
     /// A value by its key, with its place remembered.
-    fn take<'text>(
+    pub(super) fn take<'text>(
         &mut self,
         section: &mut Section<'text>,
         key: &'static str,
@@ -254,80 +197,6 @@ impl Reader {
         text
     }
 
-    /// A list, each item read by `item`; a bad item is named with its place in the list.
-    pub(crate) fn list<T>(
-        &mut self,
-        section: &mut Section<'_>,
-        key: &'static str,
-        allowed: &str,
-        item: impl Fn(&DeValue<'_>) -> Option<T>,
-    ) -> Option<Vec<T>> {
-        let (field, value) = self.take(section, key)?;
-        let Some(items) = value.get_ref().as_array() else {
-            self.wrong(field, value, format!("a list, each item {allowed}"));
-            return None;
-        };
-        let mut read = Vec::with_capacity(items.len());
-        for (index, value) in items.iter().enumerate() {
-            let name = format!("{field}[{index}]");
-            match item(value.get_ref()) {
-                Some(good) => read.push(good),
-                None => self.wrong(name.clone(), value, allowed),
-            }
-            self.items.extend(number(value.get_ref()).map(|number| (name.clone(), number)));
-            self.places.insert(name, value.span());
-        }
-        (read.len() == items.len()).then_some(read)
-    }
-
-    /// A list of lists with a number for each of `columns`; a bad number is named with its place in both.
-    pub(crate) fn rows(
-        &mut self,
-        section: &mut Section<'_>,
-        key: &'static str,
-        columns: &[Column],
-    ) -> Option<Vec<Vec<f64>>> {
-        let allowed = format!("a list of {} numbers, {}", columns.len(), names(columns));
-        let (field, value) = self.take(section, key)?;
-        let Some(items) = value.get_ref().as_array() else {
-            self.wrong(field, value, format!("a list, each item {allowed}"));
-            return None;
-        };
-        let mut rows = Vec::with_capacity(items.len());
-        for (index, value) in items.iter().enumerate() {
-            let field = format!("{field}[{index}]");
-            self.places.insert(field.clone(), value.span());
-            match value.get_ref().as_array().filter(|numbers| numbers.len() == columns.len()) {
-                Some(numbers) => rows.extend(self.row(&field, numbers.iter(), columns)),
-                None => self.wrong(field, value, allowed.as_str()),
-            }
-        }
-        (rows.len() == items.len()).then_some(rows)
-    }
-
-    fn row<'text>(
-        &mut self,
-        field: &str,
-        values: impl Iterator<Item = &'text Spanned<DeValue<'text>>>,
-        columns: &[Column],
-    ) -> Option<Vec<f64>> {
-        let mut row = Vec::with_capacity(columns.len());
-        for (index, (value, column)) in values.zip(columns).enumerate() {
-            match number(value.get_ref()).filter(|number| column.holds(*number)) {
-                Some(number) => row.push(number),
-                None => self.wrong(format!("{field}[{index}]"), value, column.to_string()),
-            }
-        }
-        (row.len() == columns.len()).then_some(row)
-    }
-
-    /// The name of the second item of a list that is `number`, or of the list itself if nobody knows where that stands.
-    pub(crate) fn second(&self, list: &str, number: f64) -> String {
-        let is_it = |place: &usize| self.items.get(&format!("{list}[{place}]")) == Some(&number);
-        let place = (0..self.items.len()).filter(is_it).nth(1);
-        place.map_or(list.to_owned(), |place| format!("{list}[{place}]"))
-    }
-
     /// True if the text has this field.
     pub(crate) fn was_given(&self, field: &str) -> bool {
         self.places.contains_key(field)
@@ -345,50 +214,4 @@ impl Reader {
             }
         }
     }
-}
-
-/// A number written as integer or float.
-pub(crate) fn number(value: &DeValue<'_>) -> Option<f64> {
-    let number = match value {
-        #[expect(clippy::cast_precision_loss, reason = "a whole number above 2^53 is out of every range")]
-        DeValue::Integer(_) => whole_signed(value)? as f64,
-        DeValue::Float(float) => float.as_str().parse().ok()?,
-        _ => return None,
-    };
-    number.is_finite().then_some(number)
-}
-
-/// A whole number, not negative.
-pub(crate) fn whole(value: &DeValue<'_>) -> Option<u64> {
-    whole_signed(value).and_then(|whole| u64::try_from(whole).ok())
-}
-
-/// A whole number.
-pub(crate) fn whole_signed(value: &DeValue<'_>) -> Option<i64> {
-    let integer = value.as_integer()?;
-    i64::from_str_radix(integer.as_str(), integer.radix()).ok()
-}
-
-/// Names as a message lists them.
-pub(crate) fn one_of<'a>(names: impl Iterator<Item = &'a str>) -> String {
-    names.map(|name| format!("`{name}`")).collect::<Vec<_>>().join(", ")
-}
-
-/// The value, shortened, as an error shows it.
-pub(crate) fn describe(value: &DeValue<'_>) -> String {
-    match value {
-        DeValue::String(text) => format!("\"{}\"", printable(text)),
-        DeValue::Integer(integer) => printable(&integer.to_string()),
-        DeValue::Float(float) => printable(float.as_str()),
-        DeValue::Boolean(flag) => flag.to_string(),
-        DeValue::Datetime(_) => "a date".to_owned(),
-        DeValue::Array(items) => format!("a list of {}", items.len()),
-        DeValue::Table(_) => "a table".to_owned(),
-    }
-}
-
-/// The text, shortened and without control characters.
-pub(crate) fn printable(text: &str) -> String {
-    let short: String = text.chars().take(40).flat_map(char::escape_debug).collect();
-    if text.chars().count() > 40 { format!("{short}...") } else { short }
 }

@@ -2,7 +2,8 @@
 
 use super::column::{Column, names};
 use super::files::{FILE_MAX, is_name};
-use super::reader::{Reader, Section, printable};
+use super::reader::{Reader, Section};
+use super::value::printable;
 
 /// Where a row stands.
 #[derive(Debug)]

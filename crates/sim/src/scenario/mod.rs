@@ -7,10 +7,9 @@ pub mod route;
 mod scatter;
 pub mod start;
 
-use closeranks_core::equations::barrier::required_degree;
 use closeranks_core::equations::composition::Composed;
 use closeranks_core::equations::link::LinkShape;
-use closeranks_core::need::Ranks;
+use closeranks_core::need::{Keep, Need, Ranks};
 use closeranks_core::num::{Vector, sqrt};
 use closeranks_core::program::InputBox;
 use closeranks_core::robot::neighbor::{Member, RobotId};
@@ -273,7 +272,7 @@ impl Scenario {
     pub fn composition(&self) -> Composed {
         let ComposedSettings { phi_split, w_r, w_c, alpha } = self.composed;
         let (robots, distance_min_m) = (self.team.robots, self.limits.distance_min_m);
-        let required = required_degree(robots, self.team.faults);
+        let required = Need::new(robots, self.team.faults, Keep::Neighbors).need(RobotId(1));
         Composed { split: phi_split, w_r, w_c, alpha, robots, required, distance_min_m }
     }
 }

@@ -27,7 +27,7 @@ use std::collections::BTreeMap;
 use toml::Value;
 use toml::de::{DeTable, DeValue};
 
-use crate::parse::reader::one_of;
+use crate::parse::value::one_of;
 use crate::parse::{self, Files, Problem};
 use crate::random::Random;
 use crate::scenario::{Controller, Scenario};

@@ -8,7 +8,7 @@ use toml::{Spanned, Value};
 
 use super::tree::{Node, below};
 use crate::parse::Problem;
-use crate::parse::reader::{describe, number, one_of, printable, whole_signed};
+use crate::parse::value::{describe, number, one_of, printable, whole_signed};
 
 type Item<'text> = Spanned<DeValue<'text>>;
 

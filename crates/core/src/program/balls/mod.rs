@@ -1,5 +1,6 @@
 //! The exact program: the closest point of an intersection of balls, half-spaces and a box that all contain 0.
 
+mod flat;
 mod intersection;
 pub mod reach;
 pub mod row;

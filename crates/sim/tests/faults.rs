@@ -7,7 +7,7 @@ use closeranks_sim::scenario::Scenario;
 use closeranks_sim::world::{Options, run};
 
 /// What is wrong, and whether the assumptions of the theorem hold all the same.
-const TROUBLE: [(&str, bool); 27] = [
+const FAULTS: [(&str, bool); 27] = [
     ("network = { loss = 0.9 }", true),
     ("network = { loss = 1.0 }", true),
     ("network = { burst_begin = 0.05, burst_end = 0.1 }", true),
@@ -37,9 +37,9 @@ const TROUBLE: [(&str, bool); 27] = [
     ("attack = { motion = \"wander\" }\ncontroller = { kind = \"budget\" }", false),
 ];
 
-fn scenario(trouble: &str, seed: u64) -> Scenario {
-    let kind = if trouble.contains("controller") { "" } else { "controller = { kind = \"budget\" }\n" };
-    parse::scenario(&format!("duration_s = 3.0\nseed = {seed}\n{kind}{trouble}\n")).unwrap()
+fn scenario(fault: &str, seed: u64) -> Scenario {
+    let kind = if fault.contains("controller") { "" } else { "controller = { kind = \"budget\" }\n" };
+    parse::scenario(&format!("duration_s = 3.0\nseed = {seed}\n{kind}{fault}\n")).unwrap()
 }
 
 fn summary(scenario: &Scenario) -> Summary {
@@ -48,22 +48,22 @@ fn summary(scenario: &Scenario) -> Summary {
 
 #[test]
 fn nothing_is_broken_where_the_assumptions_hold() {
-    for (trouble, covered) in TROUBLE {
+    for (fault, covered) in FAULTS {
         for seed in 0..3 {
-            let scenario = scenario(trouble, seed);
+            let scenario = scenario(fault, seed);
             let summary = summary(&scenario);
             assert_eq!(
                 summary.violations(&scenario).count(),
                 0,
-                "{trouble}, seed {seed}: {:#?}",
+                "{fault}, seed {seed}: {:#?}",
                 summary.verdicts
             );
             if covered {
                 let broken: u64 = summary.failures(&scenario).map(|verdict| verdict.count).sum();
-                assert_eq!(broken, 0, "{trouble}, seed {seed}: {:#?}", summary.verdicts);
+                assert_eq!(broken, 0, "{fault}, seed {seed}: {:#?}", summary.verdicts);
             }
             eprintln!(
-                "{trouble}: gyration {:.3}, guaranteed {:.3}, recovery {:.3} s, raw {}",
+                "{fault}: gyration {:.3}, guaranteed {:.3}, recovery {:.3} s, raw {}",
                 summary.gyration_m,
                 summary.guaranteed_share,
                 summary.recovery_s,
