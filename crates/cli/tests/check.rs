@@ -295,5 +295,5 @@ fn every_example_of_the_help_makes_a_graph() {
         assert!(!make(&arguments.collect::<Vec<&str>>()).is_empty(), "{example}");
         count += 1;
     }
-    assert_eq!(count, 17, "{help}");
+    assert_eq!(count, 19, "{help}");
 }
