@@ -28,7 +28,7 @@ cargo build --release --locked --quiet -p closeranks
 
 step "tests"
 # Not from the folder of the sources: what is tested is what was installed.
-CLOSERANKS="$PWD/target/release/closeranks" "$out/venv/bin/pytest" -q bindings/python/tests
+CLOSERANKS="${CARGO_TARGET_DIR:-$PWD/target}/release/closeranks" "$out/venv/bin/pytest" -q bindings/python/tests
 
 step "stubs and types"
 (cd "$out" && "$python" -m mypy.stubtest closeranks --mypy-config-file "$OLDPWD/bindings/python/pyproject.toml" \

@@ -1,4 +1,7 @@
 //! Notes which commit is built, so that every record says where it came from.
+//!
+//! `bindings/python/build.rs` does the same with other paths. A script must lie in its own package to be built from a published one, and a package
+//! for these lines would be one more to publish.
 
 use std::process::Command;
 

@@ -1,5 +1,6 @@
 //! The folder of a sweep: locked, and every file in it whole, whenever the program is killed.
 
+use core::time::Duration;
 use std::collections::BTreeSet;
 use std::fs::{self, File, TryLockError};
 use std::io::{ErrorKind, Write as _};
@@ -15,6 +16,9 @@ pub const SWEEP: &str = "sweep.json";
 
 /// Held locked while a program works in the folder; the system lets go of it when the program ends in any way.
 const LOCK: &str = "sweep.lock";
+/// How often a lock that somebody holds is asked for, and how long is waited in between.
+const TRIES: u32 = 10;
+const WAIT: Duration = Duration::from_millis(10);
 /// Files that are being written.
 const UNFINISHED: &str = ".closeranks-";
 /// Blocks of rows.
@@ -174,16 +178,17 @@ fn lock(folder: &Path) -> Result<File> {
     let path = folder.join(LOCK);
     let opened = File::options().create(true).truncate(false).write(true).open(&path);
     let file = opened.with_context(|| format!("cannot write `{}`", path.display()))?;
-    match file.try_lock() {
-        Ok(()) => Ok(file),
-        Err(TryLockError::WouldBlock) => bail!(
-            "another closeranks is at work in `{}`; allowed is to wait for it, or a new name",
-            folder.display()
-        ),
-        Err(TryLockError::Error(error)) => {
-            Err(error).with_context(|| format!("cannot lock `{}`", path.display()))
+    for _ in 0..TRIES {
+        match file.try_lock() {
+            Ok(()) => return Ok(file),
+            // Perhaps somebody asks for the status of the folder, which takes an instant.
+            Err(TryLockError::WouldBlock) => std::thread::sleep(WAIT),
+            Err(TryLockError::Error(error)) => {
+                return Err(error).with_context(|| format!("cannot lock `{}`", path.display()));
+            }
         }
     }
+    bail!("another closeranks is at work in `{}`; allowed is to wait for it, or a new name", folder.display())
 }
 
 /// True if a program is at work in the folder.

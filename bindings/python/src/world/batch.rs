@@ -4,7 +4,7 @@ use closeranks_core::message::VALUE_MAX;
 use closeranks_sim::scenario as sim;
 use closeranks_sim::world::any::{AnyGiven, AnyWorld};
 use closeranks_sim::world::given::GivenError;
-use closeranks_sim::world::{Engine, Options};
+use closeranks_sim::world::{Engine, Options, RunError};
 use numpy::{PyArray1, PyReadonlyArray1};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
@@ -21,7 +21,8 @@ use crate::world::numbers;
 pub(crate) struct Batch {
     scenario: sim::Scenario,
     worlds: Vec<AnyWorld>,
-    pool: ThreadPool,
+    /// None for one thread: the caller's, which need not wait for another one.
+    pool: Option<ThreadPool>,
 }
 
 /// The part of an array that is about world `index` of `worlds`.
@@ -82,7 +83,8 @@ impl Batch {
     #[new]
     fn new(py: Python<'_>, scenario: &Scenario, seeds: Vec<u64>, jobs: usize) -> PyResult<Self> {
         let scenario = scenario.scenario.clone();
-        let pool = ThreadPoolBuilder::new().num_threads(jobs).build().map_err(errors::refused)?;
+        let pool = (jobs != 1).then(|| ThreadPoolBuilder::new().num_threads(jobs).build());
+        let pool = pool.transpose().map_err(errors::refused)?;
         let options =
             Options { record: false, robustness: false, engine: Engine::Team, ..Options::default() };
         let of = |seed: &u64| {
@@ -90,9 +92,8 @@ impl Batch {
             world.prepare();
             Ok(world)
         };
-        let worlds = py.detach(|| pool.install(|| seeds.par_iter().map(of).collect::<Result<Vec<_>, _>>()));
-        let worlds = worlds.map_err(|error: closeranks_sim::world::RunError| errors::scenario(error))?;
-        Ok(Self { scenario, worlds, pool })
+        let worlds: Result<Vec<AnyWorld>, RunError> = py.detach(|| seeds.iter().map(of).collect());
+        Ok(Self { scenario, worlds: worlds.map_err(errors::scenario)?, pool })
     }
 
     /// Computes `ticks` ticks of every world with what is given, flat, held for as long.
@@ -116,7 +117,10 @@ impl Batch {
             let given = AnyGiven { desired_m_s: part(desired), levels: part(levels), values: part(values) };
             advance(world, &given, ticks)
         };
-        let done = py.detach(|| pool.install(|| worlds.par_iter_mut().enumerate().try_for_each(one)));
+        let done = py.detach(|| match pool {
+            Some(pool) => pool.install(|| worlds.par_iter_mut().enumerate().try_for_each(one)),
+            None => worlds.iter_mut().enumerate().try_for_each(one),
+        });
         done.map_err(errors::refused)
     }
 

@@ -44,7 +44,7 @@ Run K depends on the file, the seed and K alone: not on --runs, --jobs or --shar
 controller), figures and report.html. More: docs/sweeps.md.
 
 Exit codes: 0 fine; 1 a law was broken although all held that it rests on, under `budget`, or under any controller if `budget`
-is not among them; 2 bad input.";
+is not among them; with --status: a shard is open; 2 bad input.";
 
 #[derive(Args, Debug)]
 #[command(args_conflicts_with_subcommands = true, subcommand_negates_reqs = true)]

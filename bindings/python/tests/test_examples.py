@@ -1,0 +1,37 @@
+"""Examples run, and come to what their pages say."""
+
+from __future__ import annotations
+
+import re
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+from conftest import ROOT
+
+
+def said(name: str, folder: Path, *words: str) -> str:
+    """What an example prints."""
+    command = [sys.executable, ROOT / "bindings/python/examples" / name, *words]
+    done = subprocess.run(command, cwd=folder, capture_output=True, text=True, check=False)
+    assert done.returncode == 0, done.stderr
+    return done.stdout
+
+
+def test_a_policy_learns_and_breaks_nothing_meanwhile(tmp_path: Path) -> None:
+    told = said("learn.py", tmp_path, "12")
+    at_rest, after, best = (float(number) for number in re.findall(r"([+-]\d+\.\d+) m", told))
+    assert at_rest == 0.0 and 0.2 < after < best
+    assert told.endswith("laws broken in 222 episodes: 0\n")
+    assert "<svg" in (tmp_path / "learn.svg").read_text()
+
+
+def test_ir_sim_finds_no_collision_with_the_filter(tmp_path: Path) -> None:
+    pytest.importorskip("irsim")
+    told = said("in_irsim.py", tmp_path)
+    unfiltered, filtered = re.findall(r"(\d+) collisions, least degree (\d+)", told)
+    assert int(unfiltered[0]) > 0 and int(unfiltered[1]) < 7, told
+    assert filtered[0] == "0" and int(filtered[1]) >= 7, told
+    assert (tmp_path / "irsim.png").stat().st_size > 10_000
