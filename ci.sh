@@ -3,6 +3,8 @@
 #
 #     ./ci.sh              all that needs nothing else
 #     ./ci.sh writers      graphs from every writer of networkx and igraph, read back (Python 3 and PyPI)
+#     ./ci.sh recordings   recordings of runs, read by three libraries of others (Python 3.11 or later and PyPI)
+#     ./ci.sh live         `run --live` in terminals (tmux)
 #     ./ci.sh proofs       the theorems of docs/theory, checked by Coq (Debian's packages; proofs/check.sh)
 #     ./ci.sh node         robots as processes over Zenoh (crates/node, a workspace of its own with 200 more crates)
 #     ./ci.sh python       the Python package: wheel, tests, stubs, audit (Python 3.10 or later and PyPI; scripts/python.sh)
@@ -19,6 +21,14 @@ case "${1:-}" in
   writers)
     step "graphs written by other libraries"
     exec crates/graph/tests/writers/run.sh
+    ;;
+  recordings)
+    step "recordings, read by libraries of others"
+    exec crates/cli/tests/mcap/run.sh
+    ;;
+  live)
+    step "runs in a terminal"
+    exec crates/cli/tests/live/run.sh
     ;;
   proofs)
     step "theorems, checked by a machine"
@@ -45,7 +55,7 @@ case "${1:-}" in
     exec node --test test/model.test.mjs test/page.test.mjs
     ;;
   *)
-    echo "no stage is called \`$1\`, allowed are writers, proofs, node, python, web, bare-metal, or none"
+    echo "no stage is called \`$1\`, allowed are writers, recordings, live, proofs, node, python, web, bare-metal, or none"
     exit 2
     ;;
 esac

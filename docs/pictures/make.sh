@@ -40,6 +40,8 @@ cp paper/inside-figure1.png made/figure1.png
 cp tight/graph.svg made/tight.svg
 "$program" graph elemental 1 | answer "$program" check - -q -o elemental
 cp elemental/graph.svg made/elemental.svg
+answer "$program" run scenarios/inside-overstating.toml -q -o moving
+cp moving/animation.svg made/animation.svg
 answer "$program" run scenarios/unfiltered.toml -q -o run
 answer "$program" check run/run.parquet -q -o unfiltered
 cp unfiltered/robustness.svg made/unfiltered-robustness.svg

@@ -1,5 +1,7 @@
 //! `closeranks compare FILE`: the same scenario and seed under several controllers, side by side.
 
+use std::path::PathBuf;
+
 use anyhow::{Result, bail};
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 use closeranks_report::content::{Figure, Link, Page, Section};
@@ -8,12 +10,13 @@ use closeranks_report::html::html;
 use closeranks_report::robustness::robustness;
 use closeranks_report::table::{Line, table, text};
 use closeranks_sim::scenario::{Controller, Scenario};
-use closeranks_sim::world::{self, Options, Run};
+use closeranks_sim::world::{Options, Run};
 use rayon::prelude::*;
 
 use crate::as_run::as_run;
 use crate::folder::Folder;
 use crate::results::recorder::Recorder;
+use crate::results::tape::{self, Tape, Target};
 use crate::{json, output, pages, progress, sentences, source};
 
 /// Reads a controller by its name in scenario files.
@@ -33,6 +36,8 @@ struct Done {
     source: String,
     run: Run,
     wall_s: f64,
+    /// Where it was recorded.
+    recorded: Option<PathBuf>,
 }
 
 /// Runs the scenario once a controller; false when a law that it expects was broken under one of them.
@@ -47,8 +52,12 @@ pub(crate) fn compare(arguments: &crate::Compare) -> Result<bool> {
     let mut folder = arguments.output.as_deref().map(Folder::new).transpose()?;
     let mut todo = Vec::new();
     for controller in &arguments.controllers {
-        todo.push(Todo::new(&scenario, &source, *controller, folder.as_mut())?);
+        let record = arguments.record.as_deref();
+        let target = record.map(|file| Target::of(file, controller.name())).transpose()?;
+        todo.push((Todo::new(&scenario, &source, *controller, folder.as_mut())?, target));
     }
+    let todo = todo.into_iter().map(|(todo, target)| todo.recorded(target.as_ref()));
+    let todo = todo.collect::<Result<Vec<Todo>>>()?;
     let bar =
         progress::bar(arguments.controllers.len() as u64, arguments.speech.quiet || arguments.speech.json);
     let runs = todo.into_par_iter().map(|todo| {
@@ -65,6 +74,9 @@ pub(crate) fn compare(arguments: &crate::Compare) -> Result<bool> {
             output::say(&format!("\nwritten to {}: {files}\n", target.display()));
         }
     }
+    if !arguments.speech.quiet && !arguments.speech.json {
+        tape::say(runs.iter().filter_map(|done| done.recorded.as_deref()));
+    }
     Ok(runs.iter().all(|done| done.run.summary.failures(&done.scenario).next().is_none()))
 }
 
@@ -73,6 +85,7 @@ struct Todo {
     scenario: Scenario,
     source: String,
     recorder: Option<Recorder>,
+    tape: Option<Tape>,
 }
 
 impl Todo {
@@ -88,17 +101,25 @@ impl Todo {
         let names = ["", "-rounds"].map(|end| format!("{}{end}.parquet", controller.name()));
         let names = names.each_ref().map(String::as_str);
         let recorder = folder.map(|folder| Recorder::new(folder, names, &scenario, &source)).transpose()?;
-        Ok(Self { scenario, source, recorder })
+        Ok(Self { scenario, source, recorder, tape: None })
+    }
+
+    /// Begins its recording, if there is to be one; all are checked before any begins.
+    fn recorded(self, target: Option<&Target>) -> Result<Self> {
+        let tape = target.map(|target| Tape::new(target, &self.scenario, &self.source)).transpose()?;
+        Ok(Self { tape, ..self })
     }
 
     fn run(self) -> Result<Done> {
-        let Self { scenario, source, recorder } = self;
+        let Self { scenario, source, recorder, mut tape } = self;
         let options = Options { robustness: true, ..Options::default() };
         let (run, time) = progress::timed(|| match recorder {
-            Some(recorder) => recorder.run(&scenario, &mut |_| ()),
-            None => Ok(world::run(&scenario, options, &mut |_| ())?),
+            Some(recorder) => recorder.run(&scenario, &mut |_| (), &mut tape::record(&mut tape)),
+            None => tape::run(&scenario, options, &mut |_| (), &mut tape::record(&mut tape)),
         });
-        Ok(Done { run: run?, source, scenario, wall_s: time.as_secs_f64() })
+        let run = run?;
+        let recorded = tape.map(Tape::finish).transpose()?;
+        Ok(Done { run, source, scenario, wall_s: time.as_secs_f64(), recorded })
     }
 }
 

@@ -20,13 +20,13 @@ static INVOCATION: OnceLock<Invocation> = OnceLock::new();
 const WRITERS: [&str; 5] = ["paper", "run", "compare", "check", "view"];
 
 /// Arguments that say where results go and how they are told, not what they are.
-const UNTELLING: [&str; 5] = ["output", "export", "overwrite", "quiet", "json"];
+const UNTELLING: [&str; 8] = ["output", "record", "export", "overwrite", "quiet", "json", "live", "speed"];
 
 /// Adds `--overwrite` to every command that writes a folder and may replace.
 pub(crate) fn with_overwrite(command: Command) -> Command {
     WRITERS.into_iter().fold(command, |command, name| {
         let overwrite = Arg::new("overwrite").long("overwrite").action(ArgAction::SetTrue);
-        let overwrite = overwrite.help("Replace what another command of closeranks wrote to DIR");
+        let overwrite = overwrite.help("Replace what another command of closeranks wrote there");
         command.mut_subcommand(name, |command| command.arg(overwrite))
     })
 }

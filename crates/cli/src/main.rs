@@ -7,6 +7,7 @@ mod check;
 mod compare;
 mod folder;
 mod invocation;
+mod live;
 mod maker;
 mod output;
 mod paper;
@@ -107,6 +108,9 @@ struct Paper {
     /// Folder to write to; what the same command wrote there is replaced.
     #[arg(short, long, value_name = "DIR", default_value = "closeranks-out")]
     output: PathBuf,
+    /// Record every tick as messages of ROS 2 in FILE.mcap, for Foxglove, Rerun and ros2 bag; each scenario has its name put into that of its file.
+    #[arg(long, value_name = "FILE")]
+    record: Option<PathBuf>,
     /// Seed of initial values and of what liars say.
     #[arg(long, default_value_t = 1, value_parser = invocation::seed, allow_negative_numbers = true)]
     seed: u64,
@@ -122,6 +126,9 @@ struct Run {
     /// Folder for figures, data and page; without it only the table is printed.
     #[arg(short, long, value_name = "DIR")]
     output: Option<PathBuf>,
+    /// Record every tick as messages of ROS 2 in FILE.mcap, for Foxglove, Rerun and ros2 bag.
+    #[arg(long, value_name = "FILE")]
+    record: Option<PathBuf>,
     /// Use this seed instead of the file's.
     #[arg(long, conflicts_with = "draw", value_parser = invocation::seed, allow_negative_numbers = true)]
     seed: Option<u64>,
@@ -134,6 +141,12 @@ struct Run {
     /// Seed of that sweep [default: 1].
     #[arg(long, value_name = "S", requires = "draw", value_parser = invocation::seed, allow_negative_numbers = true)]
     sweep_seed: Option<u64>,
+    /// Draw the run in the terminal while it goes on.
+    #[arg(long, conflicts_with_all = ["json", "quiet", "print"])]
+    live: bool,
+    /// How fast: seconds of the run in a second.
+    #[arg(long, value_name = "X", requires = "live", default_value_t = 1.0, value_parser = speed)]
+    speed: f64,
     /// Print the drawn scenario as plain TOML instead of running it.
     #[arg(long, requires = "draw")]
     print: bool,
@@ -152,11 +165,20 @@ struct Compare {
     /// Folder for figures, data and page; without it only the table is printed.
     #[arg(short, long, value_name = "DIR")]
     output: Option<PathBuf>,
+    /// Record every tick as messages of ROS 2 in FILE.mcap, for Foxglove, Rerun and ros2 bag; each controller has its name put into that of its file.
+    #[arg(long, value_name = "FILE")]
+    record: Option<PathBuf>,
     /// Use this seed instead of the file's.
     #[arg(long, value_parser = invocation::seed, allow_negative_numbers = true)]
     seed: Option<u64>,
     #[command(flatten)]
     speech: Speech,
+}
+
+/// Reads how fast a run is shown.
+fn speed(text: &str) -> Result<f64, &'static str> {
+    let number = text.parse().ok().filter(|speed| (0.01..=1000.0).contains(speed));
+    number.ok_or("allowed is a number from 0.01 to 1000")
 }
 
 fn main() -> ExitCode {

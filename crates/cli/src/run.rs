@@ -3,16 +3,19 @@
 use anyhow::{Result, bail};
 use closeranks_graph::graph::set::NODE_LIMIT;
 use closeranks_report::content::{Link, Page, Section};
-use closeranks_report::figure::{Case, overview};
+use closeranks_report::figure::{Case, animation, overview};
 use closeranks_report::html::html;
 use closeranks_report::robustness::robustness;
 use closeranks_report::table::{Line, table, text};
+use closeranks_sim::output::snapshot::Snapshot;
 use closeranks_sim::scenario::Scenario;
-use closeranks_sim::world::{self, Options, Run};
+use closeranks_sim::world::{Options, Run};
 
 use crate::as_run::as_run;
 use crate::folder::Folder;
+use crate::live::Live;
 use crate::results::recorder::Recorder;
+use crate::results::tape::{self, Tape, Target};
 use crate::{invocation, json, output, pages, progress, sentences, source};
 
 /// Name of the file with every tick.
@@ -20,13 +23,17 @@ const TICKS: &str = "run.parquet";
 /// Name of the file with every consensus round.
 const ROUNDS: &str = "rounds.parquet";
 
+/// Name of the picture that moves.
+const ANIMATION: &str = "animation.svg";
+
 /// A finished run.
 struct Done {
     scenario: Scenario,
     /// The scenario as it was run, TOML.
     source: String,
     run: Run,
-    wall_s: f64,
+    /// How long it took; none of a run that was shown at its own pace.
+    wall_s: Option<f64>,
 }
 
 /// Runs one scenario; false when a law that it expects was broken.
@@ -42,18 +49,26 @@ pub(crate) fn run(arguments: &crate::Run) -> Result<bool> {
         .as_mut()
         .map(|folder| Recorder::new(folder, [TICKS, ROUNDS], &scenario, &source))
         .transpose()?;
-    let bar = progress::bar(u64::from(scenario.ticks()), arguments.speech.quiet);
+    let mut live = arguments.live.then(|| Live::new(&scenario, arguments.speed)).transpose()?;
+    let target = arguments.record.as_deref().map(Target::new).transpose()?;
+    let mut tape = target.map(|target| Tape::new(&target, &scenario, &source)).transpose()?;
+    let bar = progress::bar(u64::from(scenario.ticks()), arguments.speech.quiet || arguments.live);
     bar.set_message(scenario.name.clone());
     let unrecorded = Options { robustness: true, digest: true, ..Options::default() };
     let mut progress = |tick| bar.set_position(u64::from(tick));
+    let mut watch = |now: &Snapshot<'_>| {
+        tape.as_mut().map_or(Ok(()), |tape| tape.tick(now))?;
+        live.as_mut().map_or(Ok(()), |live| live.tick(now))
+    };
     let (run, time) = progress::timed(|| match recorder {
-        Some(recorder) => recorder.run(&scenario, &mut progress),
-        None => Ok(world::run(&scenario, unrecorded, &mut progress)?),
+        Some(recorder) => recorder.run(&scenario, &mut progress, &mut watch),
+        None => tape::run(&scenario, unrecorded, &mut progress, &mut watch),
     });
     bar.finish_and_clear();
-    let done = Done { source, run: run?, scenario, wall_s: time.as_secs_f64() };
+    let done = Done { source, run: run?, scenario, wall_s: (!arguments.live).then_some(time.as_secs_f64()) };
+    let recorded = tape.map(Tape::finish).transpose()?;
     if arguments.speech.json {
-        output::say(&json::text(&json::run(&done.scenario, &done.run, done.wall_s)));
+        output::say(&json::text(&json::run(&done.scenario, &done.run, done.wall_s.unwrap_or_default())));
     } else if !arguments.speech.quiet {
         output::say(&told(arguments, &done));
     }
@@ -62,6 +77,9 @@ pub(crate) fn run(arguments: &crate::Run) -> Result<bool> {
         if !arguments.speech.quiet && !arguments.speech.json {
             output::say(&format!("written to {}: {files}\n", target.display()));
         }
+    }
+    if !arguments.speech.quiet && !arguments.speech.json {
+        tape::say(recorded.as_deref().into_iter());
     }
     Ok(done.run.summary.failures(&done.scenario).next().is_none())
 }
@@ -89,7 +107,7 @@ fn scenario(arguments: &crate::Run) -> Result<(Scenario, String)> {
 }
 
 fn told(arguments: &crate::Run, Done { scenario, run, wall_s, .. }: &Done) -> String {
-    let line = Line { scenario, summary: &run.summary, rounds: &run.rounds, wall_s: Some(*wall_s) };
+    let line = Line { scenario, summary: &run.summary, rounds: &run.rounds, wall_s: *wall_s };
     let start = sentences::start(scenario, &run.summary);
     let laws = sentences::laws(scenario, &run.summary);
     let mut notes: Vec<String> = sentences::warning(scenario).into_iter().collect();
@@ -112,6 +130,10 @@ fn save(mut folder: Folder, done: &Done) -> Result<String> {
     figures.extend(robustness.as_deref().map(|svg| ("robustness", svg)));
     let mut files = pages::add_data(&mut folder, ["scenario.toml", TICKS, ROUNDS], source, scenario, run)?;
     files.extend(pages::add_figures(&mut folder, &figures, &|| ())?);
+    if let Some(film) = animation(Case { title: &scenario.name, scenario, record }) {
+        folder.add(ANIMATION, film);
+        files.push(Link::new(ANIMATION, "the run in some seconds, as a picture that moves"));
+    }
     let names = pages::names(&files);
     folder.add("report.html", html(&page(done, svg.clone(), robustness, files)));
     folder.write()?;
@@ -120,7 +142,7 @@ fn save(mut folder: Folder, done: &Done) -> Result<String> {
 
 fn page(done: &Done, overview: String, robustness: Option<String>, files: Vec<Link>) -> Page {
     let Done { scenario, source, run, wall_s } = done;
-    let line = Line { scenario, summary: &run.summary, rounds: &run.rounds, wall_s: Some(*wall_s) };
+    let line = Line { scenario, summary: &run.summary, rounds: &run.rounds, wall_s: *wall_s };
     let mut paragraphs = vec![sentences::start(scenario, &run.summary)];
     paragraphs.extend(sentences::warning(scenario));
     let mut figures =

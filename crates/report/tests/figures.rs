@@ -2,7 +2,7 @@
 #![expect(clippy::unwrap_used, reason = "helpers of tests")]
 
 use closeranks_core::settings::Team;
-use closeranks_report::figure::{Case, figure1, figure2, figure3, overview};
+use closeranks_report::figure::{Case, animation, figure1, figure2, figure3, overview};
 use closeranks_report::png::png;
 use closeranks_sim::attack::LevelAttack;
 use closeranks_sim::output::record::Record;
@@ -241,4 +241,33 @@ fn a_record_of_nothing_is_drawn() {
     let scenario = short();
     let record = Record::new(&scenario, 7);
     is_drawable(&overview(Case { title: "none", scenario: &scenario, record: &record }));
+}
+
+/// Every attribute that moves has as many values as times, the last picture is what is shown at rest, and no team makes it large.
+#[test]
+fn pictures_that_move_are_small_and_complete() {
+    for robots in [2, 11, 50, 200] {
+        let start = Start::Random { half_side_m: 0.3 * f64::from(robots), distance_min_m: 0.2 };
+        let team = Team { robots, faults: 0 };
+        let scenario = Scenario { duration_s: 0.3, team, malicious: vec![1], start, ..short() };
+        let record = record(&scenario);
+        let svg = animation(Case { title: TITLES[3], scenario: &scenario, record: &record }).unwrap();
+        assert!(svg.len() < 400_000, "{robots} robots: {} bytes", svg.len());
+        assert!(!svg.contains("NaN") && !svg.contains("inf"), "{robots} robots");
+        let document = roxmltree::Document::parse(&svg).unwrap();
+        let moving = document.descendants().filter(|node| node.has_attribute("values"));
+        let mut transforms = 0;
+        for node in moving {
+            let list = |key: &str| node.attribute(key).unwrap().split(';').collect::<Vec<_>>();
+            let (times, values) = (list("keyTimes"), list("values"));
+            assert_eq!(times.len(), values.len());
+            assert_eq!((times[0], times[times.len() - 1]), ("0.0000", "1"));
+            let rest = values[values.len() - 1];
+            let parent = node.parent().unwrap();
+            let shown = parent.attribute(node.attribute("attributeName").unwrap()).unwrap();
+            assert!(shown == rest || shown == format!("translate({rest})"), "{shown} is not {rest}");
+            transforms += usize::from(node.has_tag_name("animateTransform"));
+        }
+        assert_eq!(transforms, usize::from(robots));
+    }
 }

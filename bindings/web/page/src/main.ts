@@ -4,10 +4,12 @@ import "uplot/dist/uPlot.min.css";
 import "./page.css";
 import * as four from "./acts/four";
 import * as one from "./acts/one";
+import * as recorded from "./acts/recorded";
 import * as three from "./acts/three";
 import * as two from "./acts/two";
 import { unpack } from "./model/link";
 import { Refused, Simulator } from "./model/simulator";
+import type { Scene } from "./model/scene";
 import type { Stage } from "./model/stage";
 import { h } from "./view/dom";
 import type { Board } from "./view/board";
@@ -15,18 +17,18 @@ import type { Board } from "./view/board";
 /** How far into a run a link may lead, s. */
 const LINK_S = 600;
 
-type Mount = (section: HTMLElement, simulator: Simulator) => [Stage, Board];
+type Mount = (section: HTMLElement, simulator: Simulator) => [Stage, Board<Stage>];
 
 /** A board that the browser draws while it is in sight. */
-interface Shown {
-  stage: Stage;
-  board: Board;
+interface Shown<Seen extends Scene = Scene> {
+  stage: Seen;
+  board: { element: HTMLElement; render: (now_ms: number) => void };
   inSight: boolean;
 }
 
-/** The scenario that `closeranks view FILE` lays beside the page, if there is one. */
-function told(): string | null {
-  return document.querySelector<HTMLMetaElement>('meta[name="closeranks-scenario"]')?.content ?? null;
+/** The file that `closeranks view` lays beside the page under this name, if there is one. */
+function told(name: "scenario" | "moments"): string | null {
+  return document.querySelector<HTMLMetaElement>(`meta[name="closeranks-${name}"]`)?.content ?? null;
 }
 
 async function fetched(name: string): Promise<Response> {
@@ -37,7 +39,7 @@ async function fetched(name: string): Promise<Response> {
 
 /** Opens what the link or the command line asks for in the sandbox; false if nothing is asked for. */
 async function restore(simulator: Simulator, stage: Stage): Promise<boolean> {
-  const beside = told();
+  const beside = told("scenario");
   try {
     const shared = await unpack(location.hash);
     if (shared) {
@@ -53,16 +55,33 @@ async function restore(simulator: Simulator, stage: Stage): Promise<boolean> {
   return true;
 }
 
-function mounted(name: string, mount: Mount, simulator: Simulator): Shown {
+/** A section of the article, and the place in it for a board. */
+function place(name: string): [HTMLElement, HTMLElement] {
   const section = document.getElementById(name);
-  const place = section?.querySelector<HTMLElement>(".stage");
-  if (!section || !place) throw new Error(`the article has no stage ${name}`);
-  const [stage, board] = mount(section, simulator);
-  place.replaceChildren(board.element);
+  const inside = section?.querySelector<HTMLElement>(".stage");
+  if (!section || !inside) throw new Error(`the article has no stage ${name}`);
+  return [section, inside];
+}
+
+function mounted(name: string, mount: Mount, simulator: Simulator): Shown<Stage> {
+  const [section, inside] = place(name);
+  return inPlace(inside, ...mount(section, simulator));
+}
+
+/** The run that the page was opened with, if there is one. */
+async function replayed(simulator: Simulator): Promise<Shown | null> {
+  const moments = told("moments");
+  if (moments === null) return null;
+  const [section, inside] = place("recorded");
+  return inPlace(inside, ...(await recorded.mount(section, simulator, await fetched(moments))));
+}
+
+function inPlace<Seen extends Scene>(inside: HTMLElement, stage: Seen, board: Board<Seen>): Shown<Seen> {
+  inside.replaceChildren(board.element);
   const shown = { stage, board, inSight: false };
   new IntersectionObserver(([entry]) => {
     shown.inSight = entry?.isIntersecting ?? false;
-  }).observe(place);
+  }).observe(inside);
   return shown;
 }
 
@@ -77,12 +96,14 @@ async function start(): Promise<void> {
   ];
   const all = acts.map(([name, mount]) => mounted(name, mount, simulator));
   const sandbox = all[3];
-  if (sandbox && (await restore(simulator, sandbox.stage))) {
-    document.getElementById("act-4")?.scrollIntoView();
-  }
+  const asked = sandbox !== undefined && (await restore(simulator, sandbox.stage));
+  const replay = await replayed(simulator);
+  if (replay) document.getElementById("recorded")?.scrollIntoView();
+  else if (asked) document.getElementById("act-4")?.scrollIntoView();
+  const boards: Shown[] = replay ? [replay, ...all] : all;
   let last = performance.now();
   const turn = (now: number) => {
-    for (const { stage, board, inSight } of all) {
+    for (const { stage, board, inSight } of boards) {
       if (!inSight) continue;
       stage.advance((now - last) / 1000);
       board.render(now);

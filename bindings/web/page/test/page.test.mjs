@@ -6,7 +6,7 @@ import { createRequire } from "node:module";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { after, before, test } from "node:test";
-import { browser, middle, opened, run, see, text, ticked, view } from "./browser.mjs";
+import { browser, closeranks, middle, opened, run, see, text, ticked, view } from "./browser.mjs";
 
 const folder = mkdtempSync(join(tmpdir(), "closeranks-page-"));
 let chrome;
@@ -223,6 +223,75 @@ test("a phone shows everything in its width", () =>
       assert.equal(wide, 0, act);
     }
   }));
+
+/** Records a short run both ways; gives the files and what the lines of JSON of the Parquet file say. */
+function recorded() {
+  const file = join(folder, "recorded.toml");
+  writeFileSync(file, 'name = "recorded"\nduration_s = 1.0\n[team]\nmalicious = [2]\n[attack]\nlevel = { kind = "bias", bias = 3.0 }\n');
+  const [out, mcap, site] = ["recorded-out", "recorded.mcap", "recorded-site"].map((name) => join(folder, name));
+  closeranks("run", file, "-q", "-o", out, "--record", mcap, "--overwrite");
+  closeranks("view", join(out, "run.parquet"), "--export", site, "--overwrite");
+  const lines = readFileSync(join(site, "moments.jsonl"), "utf8").trimEnd().split("\n");
+  return { parquet: join(out, "run.parquet"), mcap, lines };
+}
+
+const clock = (page) => page.$eval("#recorded .clock", (time) => time.textContent);
+
+/** The moment that the board of the recorded run shows, in words, and the label of a robot. */
+async function shown(page) {
+  return [await clock(page), await page.$eval("#recorded .robot:nth-child(2)", (robot) => robot.getAttribute("aria-label"))];
+}
+
+test("a recorded run is looked at and not touched, from Parquet and from MCAP alike", async () => {
+  const { parquet, mcap, lines } = recorded();
+  const last = JSON.parse(lines.at(-1));
+  const seen = [];
+  for (const file of [parquet, mcap]) {
+    const one = await view(file);
+    await on({}, async (page) => {
+      await page.waitForFunction(() => document.querySelector("#recorded .note")?.textContent?.includes("201 moments; that is all of it"));
+      await see(page, "#recorded");
+      await page.waitForSelector("#recorded .robot:nth-child(11)");
+      assert.equal(await clock(page), "0.00 s");
+      await page.focus('#recorded input[type="range"]');
+      await page.keyboard.press("End");
+      await page.waitForFunction(() => document.querySelector("#recorded .clock").textContent === "1.00 s");
+      await page.waitForFunction((degree) => document.querySelector("#recorded .robot:nth-child(2)").getAttribute("aria-label").includes(`liar, ${degree} neighbours`), {}, last.degree[1]);
+      const before = await shown(page);
+      // Neither a click nor a key changes anything.
+      await page.focus("#recorded .robot:nth-child(3)");
+      await page.keyboard.press("l");
+      await page.keyboard.press("ArrowLeft");
+      assert.equal(await page.$$eval('#recorded .robot[aria-pressed="true"]', (liars) => liars.length), 1);
+      assert.deepEqual(await shown(page), before);
+      // It plays from the beginning and stops at its end.
+      await page.click("#recorded .play");
+      await page.waitForFunction(() => document.querySelector("#recorded .play").textContent === "Play" && document.querySelector("#recorded .clock").textContent === "1.00 s");
+      // The sandbox has its scenario.
+      await text(page, "#act-4 .digest", /of 200 ticks$/);
+      seen.push(before);
+    }, one.address).finally(one.end);
+  }
+  assert.deepEqual(seen[0], seen[1]);
+});
+
+test("a live source is followed while it goes on, through lines of JSON", async () => {
+  const { lines } = recorded();
+  const one = await view("--live", { input: true });
+  one.write(lines.slice(0, 3).join("\n") + "\n");
+  const address = await one.address.catch((error) => assert.fail(error));
+  await on({}, async (page) => {
+    const says = (words) => page.waitForFunction((words) => document.querySelector("#recorded .note")?.textContent?.includes(words), {}, words);
+    await says("2 moments; more may come");
+    await see(page, "#recorded");
+    await page.click("#recorded .play");
+    one.write(lines.slice(3).join("\n") + "\n");
+    await says("201 moments; more may come");
+    await page.waitForFunction(() => document.querySelector("#recorded .clock").textContent === "1.00 s");
+    one.close();
+    await says("201 moments; that is all of it");
+  }, address).finally(one.end);
+});
 
 test("labels and contrast: axe finds nothing", () =>
   on({ motion: "reduce" }, async (page) => {

@@ -60,37 +60,5 @@ const still = await opened(chrome, served.address, { width: 1280, script: false 
 await still.page.screenshot({ path: join(folder, "without-scripts.png"), fullPage: true });
 await still.page.close();
 
-// Fifty robots that wander under budget: time from frame to frame, and time that scripts take of it.
-const { page } = await opened(chrome, served.address);
-await see(page, "#act-4");
-await page.$eval("#act-4 .more", (more) => (more.open = true));
-await page.$eval("#act-4 .more .field input", (input) => {
-  input.value = "50";
-  input.dispatchEvent(new Event("input"));
-});
-await page.select("#act-4 .controls label:nth-child(3) select", "wander");
-await page.click("#act-4 .play");
-await pause(1000);
-const before = await page.metrics();
-const frames = await page.evaluate(
-  () =>
-    new Promise((resolve) => {
-      const times = [];
-      const turn = (now) => {
-        times.push(now);
-        if (times.length < 300) requestAnimationFrame(turn);
-        else resolve(times);
-      };
-      requestAnimationFrame(turn);
-    }),
-);
-const after = await page.metrics();
-const steps = frames.slice(1).map((time, index) => time - frames[index]).sort((one, other) => one - other);
-const script = (1000 * (after.TaskDuration - before.TaskDuration)) / steps.length;
-console.log(
-  `fifty robots: ${(1000 / (steps.reduce((sum, step) => sum + step, 0) / steps.length)).toFixed(0)} frames a second, ` +
-    `median ${steps[Math.floor(steps.length / 2)].toFixed(1)} ms, main thread ${script.toFixed(1)} ms a frame`,
-);
-await page.screenshot({ path: join(folder, "fifty.png") });
 await chrome.close();
 served.end();

@@ -3,6 +3,7 @@
 mod page;
 
 use core::fmt::Write as _;
+use std::path::{Path, PathBuf};
 
 use anyhow::{Context as _, Result};
 use closeranks_report::claims::SectionFive;
@@ -20,6 +21,7 @@ use rayon::prelude::*;
 
 use crate::as_run::as_run;
 use crate::folder::Folder;
+use crate::results::tape::{self, Tape, Target};
 use crate::{json, output, pages, progress, sentences};
 
 const TITLES: [&str; 3] = ["nominal updating", "understating", "overstating"];
@@ -50,6 +52,8 @@ struct Done {
     text: &'static str,
     run: Run,
     wall_s: f64,
+    /// Where it was recorded.
+    recorded: Option<PathBuf>,
 }
 
 /// The finished scenarios of one start.
@@ -74,8 +78,9 @@ const STEPS: u64 = 6 + 2 * 8 + 6;
 /// Runs everything; false when a law that a scenario expects was broken.
 pub(crate) fn paper(arguments: &crate::Paper) -> Result<bool> {
     let mut folder = Folder::new(&arguments.output)?;
+    arguments.record.as_deref().map(check_targets).transpose()?;
     let bar = progress::bar(STEPS, arguments.speech.quiet || arguments.speech.json);
-    let starts = STARTS.iter().map(|(name, texts)| start(name, texts, arguments.seed, &bar));
+    let starts = STARTS.iter().map(|(name, texts)| start(name, texts, arguments, &bar));
     let starts: Vec<Start> = starts.collect::<Result<_>>()?;
     let mut drawn = figures(&starts, &mut folder, &bar)?;
     data(&starts, &mut drawn, &mut folder, &bar)?;
@@ -87,6 +92,8 @@ pub(crate) fn paper(arguments: &crate::Paper) -> Result<bool> {
     } else if !arguments.speech.quiet {
         output::say(&told(&starts));
         output::say(&format!("\nwritten to {0}: open {0}/report.html\n", arguments.output.display()));
+        let runs = starts.iter().flat_map(|start| &start.runs);
+        tape::say(runs.filter_map(|done| done.recorded.as_deref()));
     }
     Ok(starts
         .iter()
@@ -94,8 +101,14 @@ pub(crate) fn paper(arguments: &crate::Paper) -> Result<bool> {
         .all(|done| done.run.summary.failures(&done.scenario).next().is_none()))
 }
 
-fn start(name: &'static str, texts: &[&'static str; 3], seed: u64, bar: &ProgressBar) -> Result<Start> {
+fn start(
+    name: &'static str,
+    texts: &[&'static str; 3],
+    arguments: &crate::Paper,
+    bar: &ProgressBar,
+) -> Result<Start> {
     bar.set_message(format!("start {name}"));
+    let seed = arguments.seed;
     let scenarios =
         texts.iter().map(|text| parse::scenario(text).map(|scenario| Scenario { seed, ..scenario }));
     let scenarios: Result<Vec<Scenario>, _> = scenarios.collect();
@@ -103,8 +116,11 @@ fn start(name: &'static str, texts: &[&'static str; 3], seed: u64, bar: &Progres
         scenarios.map_err(|problems| anyhow::anyhow!("a scenario of our own is wrong: {problems:?}"))?;
     let unfiltered = Scenario { controller: Controller::None, ..scenarios[0].clone() };
     let unfiltered = world::run(&unfiltered, Options::default(), &mut |_| ())?;
-    let work = scenarios.into_par_iter().zip(texts.par_iter());
-    let runs = work.map(|(scenario, text)| done(scenario, text, bar)).collect::<Result<Vec<_>>>()?;
+    let tapes = scenarios.iter().zip(texts).map(|(scenario, text)| tape(arguments, scenario, text));
+    let tapes = tapes.collect::<Result<Vec<_>>>()?;
+    let work = scenarios.into_par_iter().zip(texts.par_iter()).zip(tapes);
+    let runs = work.map(|((scenario, text), tape)| done(scenario, text, tape, bar));
+    let runs = runs.collect::<Result<Vec<_>>>()?;
     let record = |index: usize| {
         runs.get(index).and_then(|done: &Done| done.run.record.as_ref()).context("a run was not recorded")
     };
@@ -118,11 +134,29 @@ fn start(name: &'static str, texts: &[&'static str; 3], seed: u64, bar: &Progres
     Ok(Start { name, claims: five.claims(), runs })
 }
 
-fn done(scenario: Scenario, text: &'static str, bar: &ProgressBar) -> Result<Done> {
+/// Refuses recordings that cannot be written before anything is run.
+fn check_targets(file: &Path) -> Result<()> {
+    let texts = STARTS.iter().flat_map(|(_, texts)| texts);
+    let mut names = texts.filter_map(|text| parse::scenario(text).ok()).map(|scenario| scenario.name);
+    names.try_for_each(|name| Target::of(file, &name).map(|_| ()))
+}
+
+/// Begins the recording of a scenario, if there is to be one.
+fn tape(arguments: &crate::Paper, scenario: &Scenario, text: &str) -> Result<Option<Tape>> {
+    let Some(file) = &arguments.record else { return Ok(None) };
+    let target = Target::of(file, &scenario.name)?;
+    Tape::new(&target, scenario, &as_run(text, scenario)).map(Some)
+}
+
+fn done(scenario: Scenario, text: &'static str, mut tape: Option<Tape>, bar: &ProgressBar) -> Result<Done> {
     let options = Options { record: true, robustness: true, ..Options::default() };
-    let (run, time) = progress::timed(|| world::run(&scenario, options, &mut |_| ()));
+    let mut watch = tape::record(&mut tape);
+    let (run, time) = progress::timed(|| tape::run(&scenario, options, &mut |_| (), &mut watch));
+    drop(watch);
     bar.inc(1);
-    Ok(Done { run: run?, scenario, text, wall_s: time.as_secs_f64() })
+    let run = run?;
+    let recorded = tape.map(Tape::finish).transpose()?;
+    Ok(Done { run, scenario, text, wall_s: time.as_secs_f64(), recorded })
 }
 
 /// The figures of each start; they go to the folder as SVG and PNG.

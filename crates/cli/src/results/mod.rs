@@ -4,3 +4,4 @@ pub(crate) mod as_run;
 pub(crate) mod json;
 pub(crate) mod pages;
 pub(crate) mod recorder;
+pub(crate) mod tape;

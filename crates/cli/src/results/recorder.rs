@@ -11,10 +11,14 @@ use closeranks_report::recording::rounds::RoundWriter;
 use closeranks_sim::monitors::robustness::{ROUNDS_MAX, Round, thin};
 use closeranks_sim::output::parts;
 use closeranks_sim::output::record::Record;
+use closeranks_sim::output::snapshot::Snapshot;
 use closeranks_sim::scenario::Scenario;
 use closeranks_sim::world::{Options, Run};
 
 use crate::folder::Folder;
+
+/// What looks at every tick of a run.
+pub(crate) type Watch<'a> = dyn FnMut(&Snapshot<'_>) -> Result<()> + 'a;
 
 /// What a file of ours says about itself.
 pub(crate) fn metadata<'a>(text: &'a str, scenario: &Scenario) -> Metadata<'a> {
@@ -51,11 +55,17 @@ impl Recorder {
         Ok(Self { ticks, rounds, thinned: None, kept: Vec::new() })
     }
 
-    /// Runs `scenario` and writes every tick and round. What comes back is what figures need: all of a short run.
-    pub(crate) fn run(mut self, scenario: &Scenario, progress: &mut dyn FnMut(u32)) -> Result<Run> {
+    /// Runs `scenario` and writes every tick and round, each of which `watch` sees. What comes back is what figures need: all
+    /// of a short run.
+    pub(crate) fn run(
+        mut self,
+        scenario: &Scenario,
+        progress: &mut dyn FnMut(u32),
+        watch: &mut Watch<'_>,
+    ) -> Result<Run> {
         let options = Options { record: true, robustness: true, digest: true, ..Options::default() };
         let mut part = |record: &Record, rounds: &[Round]| self.part(scenario, record, rounds);
-        let run = parts::run::<anyhow::Error>(scenario, options, progress, &mut part)?;
+        let run = parts::watched::<anyhow::Error>(scenario, options, progress, &mut part, watch)?;
         self.part_of_rounds(&run.rounds)?;
         let rounds = core::mem::take(&mut self.kept);
         let record = run.record.map(|record| self.finish(record)).transpose()?;

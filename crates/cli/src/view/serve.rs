@@ -9,7 +9,8 @@ use std::thread;
 
 use anyhow::{Context, Result};
 
-use super::site::Site;
+use super::moments::Feed;
+use super::site::{MOMENTS, MOMENTS_KIND, Site};
 use crate::output;
 
 /// Longest head of a request, bytes.
@@ -19,8 +20,8 @@ const AT_ONCE: usize = 32;
 /// How long a browser may take to ask, and to listen.
 const PATIENCE: Duration = Duration::from_secs(5);
 
-/// Serves `site` until the program is ended.
-pub(crate) fn serve(site: &Site, port: u16) -> Result<()> {
+/// Serves `site`, and the lines of a live source if there is one, until the program is ended.
+pub(crate) fn serve(site: &Site, live: Option<&Live<'_>>, port: u16) -> Result<()> {
     let listener = TcpListener::bind((Ipv4Addr::LOCALHOST, port)).with_context(|| {
         format!("cannot listen on port {port} of this machine; allowed is a free one, or 0")
     })?;
@@ -28,6 +29,9 @@ pub(crate) fn serve(site: &Site, port: u16) -> Result<()> {
     output::say(&format!("http://127.0.0.1:{port}/\nCtrl-C ends it.\n"));
     let busy = AtomicUsize::new(0);
     thread::scope(|scope| {
+        if let Some(live) = live {
+            scope.spawn(|| live.follow());
+        }
         for stream in listener.incoming().flatten() {
             if busy.fetch_add(1, Ordering::Relaxed) >= AT_ONCE {
                 busy.fetch_sub(1, Ordering::Relaxed);
@@ -35,7 +39,7 @@ pub(crate) fn serve(site: &Site, port: u16) -> Result<()> {
             }
             scope.spawn(|| {
                 // Whoever went away needs no answer.
-                let _ = answer(stream, site, port);
+                let _ = answer(stream, site, live.map(|live| live.feed), port);
                 busy.fetch_sub(1, Ordering::Relaxed);
             });
         }
@@ -43,13 +47,33 @@ pub(crate) fn serve(site: &Site, port: u16) -> Result<()> {
     Ok(())
 }
 
-fn answer(mut stream: TcpStream, site: &Site, port: u16) -> io::Result<()> {
+/// A source of moments that goes on while the page is served.
+pub(crate) struct Live<'a> {
+    pub(crate) feed: &'a Feed,
+    pub(crate) source: &'a std::io::Stdin,
+    pub(crate) robots: u16,
+}
+
+impl Live<'_> {
+    fn follow(&self) {
+        if let Err(error) = self.feed.follow(&mut self.source.lock(), self.robots) {
+            output::note(&format!("the live source is no longer followed: {error:#}"));
+        }
+    }
+}
+
+fn answer(mut stream: TcpStream, site: &Site, feed: Option<&Feed>, port: u16) -> io::Result<()> {
     stream.set_read_timeout(Some(PATIENCE))?;
     stream.set_write_timeout(Some(PATIENCE))?;
     let Some(head) = head(&mut stream)? else {
         return refuse(&mut stream, "400 Bad Request");
     };
     match Request::parse(&head, port) {
+        Ok(Request { path, with_body: true })
+            if path.strip_prefix('/') == Some(MOMENTS) && feed.is_some() =>
+        {
+            feed.map_or(Ok(()), |feed| stream_lines(&mut stream, feed))
+        }
         Ok(Request { path, with_body }) => match site.at(path) {
             Some(file) => {
                 let kind = format!("{}\r\nContent-Length: {}", file.kind, file.bytes.len());
@@ -60,6 +84,18 @@ fn answer(mut stream: TcpStream, site: &Site, port: u16) -> io::Result<()> {
         },
         Err(status) => refuse(&mut stream, status),
     }
+}
+
+/// Sends the lines of a live source until it ends or the reader goes away.
+fn stream_lines(stream: &mut TcpStream, feed: &Feed) -> io::Result<()> {
+    // In chunks, so that the reader can tell the end from a connection that broke.
+    send(stream, "200 OK", &format!("{MOMENTS_KIND}\r\nTransfer-Encoding: chunked"), b"")?;
+    let mut seen = None;
+    while let Some(lines) = feed.next(&mut seen) {
+        stream.write_all(format!("{:x}\r\n{lines}\r\n", lines.len()).as_bytes())?;
+        stream.flush()?;
+    }
+    stream.write_all(b"0\r\n\r\n")
 }
 
 /// The head of a request, up to the empty line; none if it is too long or ends before.

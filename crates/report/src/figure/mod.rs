@@ -3,8 +3,9 @@
 pub mod network;
 pub mod robustness;
 
+mod animation;
 mod distance;
-mod formation;
+pub(crate) mod formation;
 mod overview;
 pub(crate) mod panel;
 mod paper;
@@ -16,6 +17,7 @@ pub(crate) mod trace;
 use closeranks_sim::output::record::Record;
 use closeranks_sim::scenario::Scenario;
 
+pub use self::animation::animation;
 pub use self::overview::overview;
 pub use self::paper::{figure1, figure2, figure3};
 pub use self::thinned::Thinned;

@@ -11,6 +11,7 @@ use closeranks_graph::graph::set::NODE_LIMIT;
 use super::elsewhere::{Cells, assemble};
 use super::positions::{ROWS_MAX, ReadError, Recording};
 use crate::recording::columns::AXES;
+use crate::recording::history::{COLUMNS, History, stride};
 
 /// Reads the whole file.
 ///
@@ -44,6 +45,42 @@ fn decode(file: Vec<u8>) -> Result<Recording, ReadError> {
     let z = if spatial { axes(AXES[2])? } else { vec![0.0; rows] };
     let positions_m = x.into_iter().zip(y).zip(z).map(|((x, y), z)| [x, y, z]).collect();
     Ok(Recording { scenario, robots: count, positions_m, times: Vec::new(), time_name: "tick" })
+}
+
+/// What a recording of ours looked like, moment by moment; of a long one not every tick.
+pub fn history(file: Vec<u8>) -> Result<History, ReadError> {
+    std::panic::catch_unwind(|| moments(file)).unwrap_or(Err(ReadError::Broken))
+}
+
+fn moments(file: Vec<u8>) -> Result<History, ReadError> {
+    let length = file.len();
+    let reader = SerializedFileReader::new(Bytes::from(file))?;
+    if !is_inside(&reader, length) {
+        return Err(ReadError::Broken);
+    }
+    let metadata = reader.metadata().file_metadata();
+    let rows = usize::try_from(metadata.num_rows()).unwrap_or(0);
+    if rows == 0 || rows as u64 > ROWS_MAX {
+        return Err(ReadError::Rows(metadata.num_rows()));
+    }
+    let pairs = metadata.key_value_metadata().into_iter().flatten();
+    let scenario = pairs.filter(|pair| pair.key == "scenario").find_map(|pair| pair.value.clone());
+    let scenario = scenario.ok_or_else(|| ReadError::Column("scenario (in the metadata)".to_owned()))?;
+    let robots = robots_of(&column(&reader, "tick", rows, words)?, &column(&reader, "robot", rows, words)?)?;
+    let stride = stride(rows / robots);
+    let kept = |row: usize| (row / robots).is_multiple_of(stride);
+    let mut columns: [Vec<f64>; COLUMNS.len()] = Default::default();
+    for (name, kept_numbers) in COLUMNS.iter().zip(&mut columns) {
+        let numbers = if *name == "degree" {
+            column(&reader, name, rows, words)?.into_iter().map(f64::from).collect()
+        } else {
+            column(&reader, name, rows, doubles)?
+        };
+        kept_numbers.extend((0..rows).filter(|row| kept(*row)).map(|row| numbers[row]));
+    }
+    let ticks = (0..rows / robots).step_by(stride);
+    let ticks = ticks.map(|tick| u32::try_from(tick).unwrap_or(u32::MAX)).collect();
+    Ok(History { scenario, robots, ticks, columns })
 }
 
 /// Whether every column lies inside of the file: the decoder takes that for granted.

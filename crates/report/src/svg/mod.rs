@@ -136,6 +136,13 @@ impl Element {
         self
     }
 
+    /// Puts an element into this one.
+    #[must_use]
+    pub(crate) fn child(mut self, child: Self) -> Self {
+        self.content.push_str(&child.finish());
+        self
+    }
+
     fn finish(self) -> String {
         if self.content.is_empty() {
             self.head + "/>"

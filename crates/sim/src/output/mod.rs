@@ -4,4 +4,5 @@
 pub mod digest;
 pub mod parts;
 pub mod record;
+pub mod snapshot;
 pub mod summary;

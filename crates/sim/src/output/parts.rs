@@ -2,6 +2,7 @@
 
 use crate::monitors::robustness::Round;
 use crate::output::record::{PART_ROWS, Record};
+use crate::output::snapshot::Snapshot;
 use crate::scenario::Scenario;
 use crate::world::{Options, Run, RunError, World};
 
@@ -14,6 +15,9 @@ pub fn part_ticks(robots: u16) -> usize {
 /// Takes a part of a run: every tick since the part before, and every consensus round if they were asked for.
 pub type TakePart<'a, E> = dyn FnMut(&Record, &[Round]) -> Result<(), E> + 'a;
 
+/// Looks at every tick after it was computed.
+pub type Watch<'a, E> = dyn FnMut(&Snapshot<'_>) -> Result<(), E> + 'a;
+
 /// Runs `scenario` from the first tick to the last and hands every full part of the record to `part`, which may end the run
 /// with an error. What remains, at least the last tick, is in the run that comes back.
 pub fn run<E: From<RunError>>(
@@ -22,9 +26,20 @@ pub fn run<E: From<RunError>>(
     progress: &mut dyn FnMut(u32),
     part: &mut TakePart<'_, E>,
 ) -> Result<Run, E> {
+    watched(scenario, options, progress, part, &mut |_| Ok(()))
+}
+
+/// As [`run`], and `watch` sees every tick; it may end the run with an error too.
+pub fn watched<E: From<RunError>>(
+    scenario: &Scenario,
+    options: Options,
+    progress: &mut dyn FnMut(u32),
+    part: &mut TakePart<'_, E>,
+    watch: &mut Watch<'_, E>,
+) -> Result<Run, E> {
     match scenario.dimension {
-        2 => run_in::<2, E>(scenario, options, progress, part),
-        3 => run_in::<3, E>(scenario, options, progress, part),
+        2 => run_in::<2, E>(scenario, options, progress, part, watch),
+        3 => run_in::<3, E>(scenario, options, progress, part, watch),
         other => Err(RunError::Dimension(other).into()),
     }
 }
@@ -34,6 +49,7 @@ fn run_in<const D: usize, E: From<RunError>>(
     options: Options,
     progress: &mut dyn FnMut(u32),
     part: &mut TakePart<'_, E>,
+    watch: &mut Watch<'_, E>,
 ) -> Result<Run, E> {
     let full = part_ticks(scenario.team.robots);
     let mut world = World::<D>::new(scenario, options)?;
@@ -48,6 +64,9 @@ fn run_in<const D: usize, E: From<RunError>>(
             }
         }
         world.step();
+        if let Some(now) = world.snapshot() {
+            watch(&now)?;
+        }
     }
     Ok(world.finish())
 }

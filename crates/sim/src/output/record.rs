@@ -1,10 +1,8 @@
 //! What a run leaves behind: one row a tick and robot, in columns.
 
-use closeranks_core::equations::barrier::degree_barrier;
 use closeranks_core::program::Outcome;
 
-use crate::frame::Frame;
-use crate::monitors::truth::Truth;
+use crate::output::snapshot::Snapshot;
 use crate::scenario::Scenario;
 
 /// Rows (ticks × robots) of a part of a long run at most, unless a single tick has more.
@@ -81,26 +79,25 @@ impl Record {
         }
     }
 
-    /// Adds a tick of which `truth` is the state as it is.
-    pub(crate) fn push<const D: usize>(&mut self, tick: u32, frame: &Frame<D>, truth: &Truth) {
-        self.ticks.push(tick);
-        for d in 0..D {
-            self.positions_m[d].extend(frame.positions_m.iter().map(|position| position[d]));
-            self.inputs_m_s[d].extend(frame.velocities_m_s.iter().map(|velocity| velocity[d]));
+    /// Adds a tick.
+    pub(crate) fn push(&mut self, now: &Snapshot<'_>) {
+        self.ticks.push(now.tick);
+        for d in 0..now.dimension {
+            self.positions_m[d].extend(now.axis(now.positions_m, d));
+            self.inputs_m_s[d].extend(now.axis(now.inputs_m_s, d));
         }
-        self.degree.extend(&truth.neighbors);
-        self.level.extend(&truth.levels);
-        self.h.extend(truth.levels.iter().map(|level| degree_barrier(*level, self.required_degree)));
-        self.phi.extend(&frame.phis);
-        self.value.extend(&frame.held);
-        for (index, down) in frame.down.iter().enumerate() {
-            let known = |number: f64, known: bool| if known && !down { number } else { f64::NAN };
-            self.told.push(known(frame.told[index], frame.one_level[index]));
-            self.value_told.push(known(frame.values[index], frame.one_value[index]));
-            self.degree_sensed.push(known(f64::from(frame.degrees[index]), true));
-            self.level_sensed.push(known(frame.levels[index], true));
+        self.degree.extend(now.degree);
+        self.level.extend(now.level);
+        self.phi.extend(now.phi);
+        self.value.extend(now.value);
+        for index in 0..now.robots() {
+            self.h.push(now.h(index));
+            self.told.push(now.told(index));
+            self.value_told.push(now.value_told(index));
+            self.degree_sensed.push(now.degree_sensed(index));
+            self.level_sensed.push(now.level_sensed(index));
         }
-        self.outcome.extend(&frame.outcomes);
+        self.outcome.extend(now.outcome);
     }
 
     /// Adds what `other`, a record of the same team, has at `place`.

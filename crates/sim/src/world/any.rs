@@ -5,6 +5,7 @@ use closeranks_core::program::Outcome;
 use closeranks_core::robot::report::Mode;
 
 use crate::law::Verdicts;
+use crate::output::snapshot::Snapshot;
 use crate::scenario::Scenario;
 use crate::world::given::{Given, GivenError};
 use crate::world::{Options, Run, RunError, World};
@@ -87,6 +88,12 @@ impl AnyWorld {
     /// Computes the next tick with what is `given` from outside; refused as [`World::step_with`] does.
     pub fn step_with(&mut self, given: &AnyGiven<'_>) -> Result<(), GivenError> {
         dispatch!(self, world => step_with(world, given))
+    }
+
+    /// The last tick as whoever watches the run sees it; none before the first one.
+    #[must_use]
+    pub fn snapshot(&self) -> Option<Snapshot<'_>> {
+        dispatch!(self, world => world.snapshot())
     }
 
     /// What became of the laws up to the last tick.

@@ -20,6 +20,7 @@ use crate::monitors::Monitors;
 use crate::monitors::robustness::{Round, Watcher};
 use crate::output::digest::Digest;
 use crate::output::record::Record;
+use crate::output::snapshot::Snapshot;
 use crate::output::summary::{Collector, Summary};
 use crate::plant::Bodies;
 use crate::random::{Random, Stream};
@@ -196,6 +197,14 @@ impl<const D: usize> World<D> {
         &self.frame
     }
 
+    /// The last tick as whoever watches the run sees it; none before the first one.
+    #[must_use]
+    pub fn snapshot(&self) -> Option<Snapshot<'_>> {
+        let tick = self.done.checked_sub(1)?;
+        let (tick_s, required) = (self.scenario.tick_s(), self.scenario.composition().required);
+        Some(Snapshot::new(tick, tick_s, required, &self.frame, self.monitors.truth()))
+    }
+
     /// What is run.
     #[must_use]
     pub fn scenario(&self) -> &Scenario {
@@ -268,7 +277,8 @@ impl<const D: usize> World<D> {
             [self.frame.one_level[index], self.frame.one_value[index]] = self.liars.tells_alike(index);
         }
         if let Some(record) = &mut self.record {
-            record.push(tick, &self.frame, self.monitors.truth());
+            let (tick_s, required) = (self.scenario.tick_s(), record.required_degree);
+            record.push(&Snapshot::new(tick, tick_s, required, &self.frame, self.monitors.truth()));
         }
         if let Some(digest) = &mut self.digest {
             digest.watch(&self.frame);

@@ -41,7 +41,7 @@ function number(value: Value | undefined, otherwise: number): number {
   return typeof value === "number" ? value : otherwise;
 }
 
-export function mount(section: HTMLElement, simulator: Simulator): [Stage, Board] {
+export function mount(section: HTMLElement, simulator: Simulator): [Stage, Board<Stage>] {
   const stage = new Stage(simulator, FOUR);
   const board = new Board(stage, {
     look: (moment) => {

@@ -30,7 +30,7 @@ function lie(table: Table): number {
   return typeof value === "number" ? value : 0;
 }
 
-export function mount(section: HTMLElement, simulator: Simulator): [Stage, Board] {
+export function mount(section: HTMLElement, simulator: Simulator): [Stage, Board<Stage>] {
   const stage = new Stage(simulator, ONE);
   const board = new Board(stage, {
     look: () => ({ values: [-500, 500], marksShort: false, marksSets: false, half_m: 1 }),

@@ -33,7 +33,7 @@ function held(result: Result | undefined, required: number, distance_m: number):
   return result !== undefined && result.degree >= required && result.distance_m >= distance_m - 1e-9 && result.agreed;
 }
 
-export function mount(section: HTMLElement, simulator: Simulator): [Stage, Board] {
+export function mount(section: HTMLElement, simulator: Simulator): [Stage, Board<Stage>] {
   const stage = new Stage(simulator, THREE);
   const board = new Board(stage, {
     look: () => ({ values: [-500, 500], marksShort: true, marksSets: true, half_m: 1.7 }),

@@ -65,7 +65,7 @@ class Log {
   }
 }
 
-export function mount(section: HTMLElement, simulator: Simulator): [Stage, Board] {
+export function mount(section: HTMLElement, simulator: Simulator): [Stage, Board<Stage>] {
   const stage = new Stage(simulator, TWO);
   const board = new Board(stage, {
     look: () => ({ values: [-500, 500], marksShort: false, marksSets: false, half_m: 1.7 }),

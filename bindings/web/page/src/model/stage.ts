@@ -4,13 +4,14 @@
 // scenario, run for so many ticks, and its digest is that of the command line. Only while a hand holds a moving robot is it not.
 
 import { Moment } from "./moment";
+import type { Scene } from "./scene";
 import { placed, present, sentTo } from "./scenario";
 import { Refused, type Network, type Report, type Simulator, type World } from "./simulator";
 import { write, type Table } from "./toml";
 import { Store } from "./store";
 
 /** Moments that are kept to scrub back through. */
-const MOMENTS_MAX = 3000;
+export const MOMENTS_MAX = 3000;
 /** Time between two of them, s. */
 const BETWEEN_S = 0.02;
 /** Moments of a run that is computed at once. */
@@ -40,7 +41,24 @@ export interface State {
   touches: number;
 }
 
-export class Stage {
+/** The state before there is anything to see. */
+export function resting(speed: number): State {
+  return {
+    moments: [],
+    cursor: 0,
+    playing: false,
+    speed,
+    chosen: 1,
+    hand: null,
+    inHand: false,
+    report: null,
+    network: null,
+    refused: "",
+    touches: 0,
+  };
+}
+
+export class Stage implements Scene {
   readonly store: Store<State>;
   private world: World | null = null;
   /** Page time at which the present scenario began, s. */
@@ -55,19 +73,7 @@ export class Stage {
     private initial: Table,
     speed = 1,
   ) {
-    this.store = new Store<State>({
-      moments: [],
-      cursor: 0,
-      playing: false,
-      speed,
-      chosen: 1,
-      hand: null,
-      inHand: false,
-      report: null,
-      network: null,
-      refused: "",
-      touches: 0,
-    });
+    this.store = new Store<State>(resting(speed));
     this.restart();
   }
 

@@ -1,16 +1,17 @@
 // A board: the picture of a team with its banner, charts and the means to play. Every act puts its own controls beside it.
 
 import type { Moment } from "../model/moment";
-import type { Stage } from "../model/stage";
+import type { Scene } from "../model/scene";
+import { Stage } from "../model/stage";
 import type { Said } from "./banner";
 import { Chart, type Drawn } from "./charts";
 import { h, say } from "./dom";
 import { Hands } from "./hands";
 import { draw, framed, type Frame, type Look } from "./picture";
 
-export interface Setting {
+export interface Setting<Seen extends Scene> {
   look: (moment: Moment) => Look;
-  banner: (stage: Stage) => Said;
+  banner: (stage: Seen) => Said;
   charts: Drawn[];
   /** Whether robots may be moved. */
   moves: boolean;
@@ -23,7 +24,7 @@ const SLOW_MS = 120;
 /** How often the banner is read aloud at most, ms. */
 const ALOUD_MS = 2500;
 
-export class Board {
+export class Board<Seen extends Scene = Scene> {
   readonly element: HTMLElement;
   readonly controls = h("div", { class: "controls" });
   private readonly canvas = h("canvas", { "aria-hidden": "true" });
@@ -46,10 +47,11 @@ export class Board {
   private moved = false;
 
   constructor(
-    private readonly stage: Stage,
-    private readonly setting: Setting,
+    private readonly stage: Seen,
+    private readonly setting: Setting<Seen>,
   ) {
-    this.hands = new Hands(stage, setting.moves);
+    const touched = stage instanceof Stage ? stage : null;
+    this.hands = new Hands(stage, touched, setting.moves);
     this.charts = setting.charts.map((drawn) => new Chart(drawn, (index) => stage.seek(index)));
     this.play.addEventListener("click", () => stage.play());
     this.time.addEventListener("input", () => stage.seek(Number(this.time.value)));
@@ -68,7 +70,7 @@ export class Board {
       "details",
       { class: "keys" },
       h("summary", {}, "Keys"),
-      h("p", {}, `Tab to a robot. Page Up and Page Down choose another one. ${setting.moves ? "Arrows move it. " : ""}L, or Enter, makes it lie or tell the truth again.`),
+      h("p", {}, `Tab to a robot. Page Up and Page Down choose another one. ${setting.moves ? "Arrows move it. " : ""}${touched ? "L, or Enter, makes it lie or tell the truth again." : ""}`),
     );
     this.element = h("div", { class: "board" }, h("div", { class: "left" }, this.area, buttons, keys), h("div", { class: "right" }, this.box, this.aloud, this.controls, ...this.charts.map((chart) => chart.element)));
     stage.store.subscribe(() => {

@@ -1,6 +1,7 @@
 // Robots as buttons over the canvas: hands, mice and keyboards take them. A click makes a robot lie, or tell the truth again.
 
 import { withLiars } from "../model/scenario";
+import type { Scene } from "../model/scene";
 import type { Stage } from "../model/stage";
 import { h } from "./dom";
 import { words } from "./words";
@@ -35,7 +36,9 @@ export class Hands {
   private labelled = 0;
 
   constructor(
-    private readonly stage: Stage,
+    private readonly scene: Scene,
+    /** The same where it can be touched. */
+    private readonly stage: Stage | null,
     /** Whether robots may be moved. */
     private readonly moves: boolean,
   ) {
@@ -50,7 +53,7 @@ export class Hands {
   /** Puts the buttons where the robots are. */
   place(frame: Frame, now_ms: number): void {
     this.frame = frame;
-    const { moment, store } = this.stage;
+    const { moment, store } = this.scene;
     while (this.buttons.length < moment.robots) this.add(this.buttons.length + 1);
     while (this.buttons.length > moment.robots) this.buttons.pop()?.remove();
     const labels = now_ms - this.labelled > 400;
@@ -68,7 +71,7 @@ export class Hands {
   }
 
   private label(robot: number): string {
-    const { moment } = this.stage;
+    const { moment } = this.scene;
     const kind = moment.isLiar(robot) ? "liar" : "honest";
     return `Robot ${robot}, ${kind}, ${moment.degree(robot)} neighbours, value ${words(moment.value(robot))}`;
   }
@@ -79,7 +82,7 @@ export class Hands {
     button.addEventListener("pointermove", (event) => this.drag(event));
     button.addEventListener("pointerup", () => this.drop());
     button.addEventListener("pointercancel", () => this.drop());
-    button.addEventListener("focus", () => this.stage.store.set({ chosen: robot }));
+    button.addEventListener("focus", () => this.scene.store.set({ chosen: robot }));
     // A click of a mouse has been a pointer; one of a keyboard or of a reader of screens has not.
     button.addEventListener("click", (event) => {
       if (event.detail === 0) this.press(robot);
@@ -89,14 +92,14 @@ export class Hands {
   }
 
   private press(robot: number): void {
-    toggleLiar(this.stage, robot);
+    if (this.stage) toggleLiar(this.stage, robot);
   }
 
   private take(event: PointerEvent, robot: number): void {
     if (event.button !== 0) return;
     this.buttons[robot - 1]?.setPointerCapture(event.pointerId);
     this.down = { robot, x: event.clientX, y: event.clientY, moved: false };
-    this.stage.store.set({ chosen: robot });
+    this.scene.store.set({ chosen: robot });
   }
 
   private drag(event: PointerEvent): void {
@@ -106,25 +109,25 @@ export class Hands {
     if (!down.moved) return;
     const box = this.element.getBoundingClientRect();
     const [x_m, y_m] = toMetres(frame, event.clientX - box.left, event.clientY - box.top);
-    this.stage.hold(down.robot, x_m, y_m);
+    this.stage?.hold(down.robot, x_m, y_m);
   }
 
   private drop(): void {
     const { down } = this;
     this.down = null;
     if (!down) return;
-    if (down.moved) this.stage.release();
+    if (down.moved) this.stage?.release();
     else this.press(down.robot);
   }
 
   private key(event: KeyboardEvent): void {
-    const { stage } = this;
-    const { chosen, playing } = stage.store.state;
+    const { scene, stage } = this;
+    const { chosen, playing } = scene.store.state;
     const way = ARROWS[event.key];
-    const next = { PageDown: chosen + 1, PageUp: chosen - 1, Home: 1, End: stage.moment.robots }[event.key];
-    if (next !== undefined) this.buttons[Math.max(1, Math.min(next, stage.moment.robots)) - 1]?.focus();
+    const next = { PageDown: chosen + 1, PageUp: chosen - 1, Home: 1, End: scene.moment.robots }[event.key];
+    if (next !== undefined) this.buttons[Math.max(1, Math.min(next, scene.moment.robots)) - 1]?.focus();
     else if (event.key === "l" || event.key === "L") this.press(chosen);
-    else if (way && this.moves) {
+    else if (way && this.moves && stage) {
       const by = playing ? DRAWN_M : ARROW_M;
       stage.hold(chosen, stage.moment.x(chosen) + by * way[0], stage.moment.y(chosen) + by * way[1]);
       stage.release();

@@ -23,19 +23,25 @@ pub(crate) fn position(record: &Record, tick: usize, index: usize) -> Vector<3> 
     })
 }
 
-/// The links of `tick`: all pairs with `R² − ‖x_i − x_j‖² ≥ 0`, in the order of their numbers.
-///
-/// Computed as [`closeranks_core::equations::link::LinkShape::link`] does, so that every robot has as many as its recorded degree.
-//= paper eq:adjacency
+/// The links of `tick`, in the order of their numbers.
 #[must_use]
 pub(crate) fn links(record: &Record, radius_m: f64, tick: usize) -> Vec<Link> {
     let robots = usize::from(record.robots);
     let positions: Vec<Vector<3>> = (0..robots).map(|index| position(record, tick, index)).collect();
-    let is_malicious = |index: usize| record.malicious.get(index).copied().unwrap_or(false);
+    links_between(&positions, &record.malicious, radius_m)
+}
+
+/// All pairs with `R² − ‖x_i − x_j‖² ≥ 0`, in the order of their numbers.
+///
+/// Computed as [`closeranks_core::equations::link::LinkShape::link`] does, so that every robot has as many as its recorded degree.
+//= paper eq:adjacency
+#[must_use]
+pub(crate) fn links_between(positions_m: &[Vector<3>], malicious: &[bool], radius_m: f64) -> Vec<Link> {
+    let is_malicious = |index: usize| malicious.get(index).copied().unwrap_or(false);
     let mut links = Vec::new();
-    for first in 0..robots {
-        for second in first + 1..robots {
-            let offset_m = subtract(&positions[first], &positions[second]);
+    for first in 0..positions_m.len() {
+        for second in first + 1..positions_m.len() {
+            let offset_m = subtract(&positions_m[first], &positions_m[second]);
             if radius_m * radius_m - dot(&offset_m, &offset_m) >= 0.0 {
                 links.push(Link { first, second, malicious: is_malicious(first) || is_malicious(second) });
             }
