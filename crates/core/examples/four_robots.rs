@@ -9,6 +9,7 @@
 use core::error::Error;
 use core::time::Duration;
 
+use closeranks_core::consensus::Rule;
 use closeranks_core::{
     BudgetSettings, Clock, Controller, Errors, InputBox, Instant, Limits, LinkSettings, MESSAGE_BYTES,
     Message, Mode, Output, Params, RobotId, Settings, SizedRobot, Team, Vector,
@@ -127,6 +128,7 @@ fn settings(controller: Controller, hold_max: Duration) -> Settings<2> {
             ..Clock::default()
         },
         errors: Errors { position_m: 0.0, tracking_m: 1.001 * longest_m },
+        consensus: Rule::WMsr,
     }
 }
 

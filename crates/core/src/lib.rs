@@ -27,7 +27,7 @@
 //! | the paper's controller, seq:qp | [`controller::composed`], [`program::box_row`] |
 //! | our controller: eq:far, eq:far-prime, eq:near (docs/theory) | [`controller::budget`], [`program::balls`] |
 //! | eq:connectivity: when a level is told | [`robot`], [`controller::Control::level`] |
-//! | eq:linear, W-MSR | [`wmsr`] |
+//! | eq:linear, W-MSR | [`wmsr`]; other rules of consensus: [`consensus`] |
 //! | what is told, as bytes | [`message`] |
 //! | every parameter with its range | [`settings`] |
 //!
@@ -97,6 +97,7 @@
 
 #![no_std]
 
+pub mod consensus;
 pub mod controller;
 pub mod equations;
 pub mod message;

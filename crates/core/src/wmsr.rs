@@ -33,18 +33,23 @@ pub struct Round {
 //= theory thm:contraction
 #[must_use]
 pub fn update(own: f64, told: &mut [f64], faults: u16) -> Round {
-    told.sort_unstable_by(f64::total_cmp);
-    let first = told.iter().position(|value| value.is_finite()).unwrap_or(told.len());
-    let last = told.iter().rposition(|value| value.is_finite()).map_or(first, |index| index + 1);
-    let finite = &told[first..last];
+    let finite = sort_finite(told);
     let smaller = finite.partition_point(|&value| value < own);
     let larger = finite.len() - finite.partition_point(|&value| value <= own);
     let (below, above) = (smaller.min(usize::from(faults)), larger.min(usize::from(faults)));
     mean_of_kept(own, finite, below, above)
 }
 
+/// Sorts the values and gives the finite ones.
+pub(crate) fn sort_finite(told: &mut [f64]) -> &[f64] {
+    told.sort_unstable_by(f64::total_cmp);
+    let first = told.iter().position(|value| value.is_finite()).unwrap_or(told.len());
+    let last = told.iter().rposition(|value| value.is_finite()).map_or(first, |index| index + 1);
+    &told[first..last]
+}
+
 /// The mean of `own` and of `sorted` without its first `below` and last `above` values.
-fn mean_of_kept(own: f64, sorted: &[f64], below: usize, above: usize) -> Round {
+pub(crate) fn mean_of_kept(own: f64, sorted: &[f64], below: usize, above: usize) -> Round {
     let kept = &sorted[below..sorted.len() - above];
     let low = kept.first().map_or(own, |first| first.min(own));
     let high = kept.last().map_or(own, |last| last.max(own));

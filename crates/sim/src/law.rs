@@ -1,5 +1,7 @@
 //! What a run can be expected to keep, and what became of it.
 
+use closeranks_core::consensus::Rule;
+
 /// Something that a run can be expected to keep.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Law {
@@ -42,6 +44,16 @@ impl Law {
     #[must_use]
     pub fn is_about_phi(self) -> bool {
         matches!(self, Self::Composition | Self::Shares)
+    }
+
+    /// False for what only some rules of consensus keep, and `rule` does not: nothing is promised then.
+    #[must_use]
+    pub fn is_kept_by(self, rule: Rule) -> bool {
+        match self {
+            Self::Interval => matches!(rule, Rule::WMsr | Rule::TrimmedMean),
+            Self::Agreement => rule == Rule::WMsr,
+            _ => true,
+        }
     }
 
     /// True if it is looked at only under a controller that promises it: it is about what the controller says of itself.

@@ -2,6 +2,7 @@
 #![expect(clippy::unwrap_used, reason = "helpers of tests")]
 
 use closeranks_core::Assume;
+use closeranks_core::consensus::Rule;
 use closeranks_core::settings::{
     BudgetSettings, Clock, ComposedSettings, Errors, LinkSettings, LinksSettings, Team,
 };
@@ -118,6 +119,16 @@ fn teams_that_hold_links() {
     same_bits(&Scenario { errors, clock, ..links.clone() });
     let links = LinksSettings { assume: Assume::Free, pass_right: true, ..links.links };
     same_bits(&Scenario { controller: Controller::Links, links, clock, ..short("free") });
+}
+
+#[test]
+fn every_rule_of_consensus() {
+    for (_, consensus) in Rule::ALL {
+        for value in [ValueAttack::default(), ValueAttack::None] {
+            same_bits(&Scenario { consensus, attack: value.into(), ..short("rules") });
+        }
+        same_bits(&Scenario { consensus, controller: Controller::Links, ..short("rules under links") });
+    }
 }
 
 /// Bodies that lag belong to the world, whatever computes the robots.

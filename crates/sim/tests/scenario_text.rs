@@ -39,7 +39,7 @@ fn unknown_fields_and_tables_are_refused_with_what_is_known() {
     refused(
         "sed = 4",
         "sed",
-        "`sed` is not a field here, allowed is `name`, `duration_s`, `seed`, `dimension`, `expect`, `team`, `link`, `controller`, `links`, `clock`, `start`, `values`, `motion`, `attack`, `network`, `clocks`, `sensing`, `plant`, `fleet`",
+        "`sed` is not a field here, allowed is `name`, `duration_s`, `seed`, `dimension`, `expect`, `team`, `link`, `controller`, `links`, `clock`, `start`, `consensus`, `values`, `motion`, `attack`, `network`, `clocks`, `sensing`, `plant`, `fleet`",
     );
     refused(
         "[link]\nradius = 3",

@@ -25,7 +25,7 @@ impl<const D: usize, S: Slots<D>> Robot<D, S> {
         self.round.is_some_and(|began| latest > began)
     }
 
-    /// Runs W-MSR on what was told since the round began, and again when more came late. A value that comes after the next
+    /// Runs the rule of consensus on what was told since the round began, and again when more came late. A value that comes after the next
     /// round began is not used.
     pub(crate) fn end_round(&mut self, values: &mut [f64]) -> Option<RoundReport> {
         if !core::mem::take(&mut self.round_news) {
@@ -38,7 +38,8 @@ impl<const D: usize, S: Slots<D>> Robot<D, S> {
                 heard += 1;
             }
         }
-        let round = wmsr::update(self.value, &mut values[..heard], self.params.settings().team.faults);
+        let settings = self.params.settings();
+        let round = settings.consensus.update(self.value, &mut values[..heard], settings.team.faults);
         self.mark_discarded(&round);
         self.next_value = round.value;
         Some(RoundReport {

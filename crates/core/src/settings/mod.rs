@@ -13,6 +13,7 @@ pub mod range;
 pub use clock::Clock;
 pub use controller::{BudgetSettings, ComposedSettings, Controller, LinksSettings};
 
+use crate::consensus::Rule;
 use crate::controller::budget::weight::Conditions;
 use crate::controller::errors::ErrorBounds;
 use crate::equations::link::LinkShape;
@@ -73,6 +74,8 @@ pub struct Settings<const D: usize> {
     pub clock: Clock,
     /// Stated bounds of errors.
     pub errors: Errors,
+    /// How values are updated.
+    pub consensus: Rule,
 }
 
 impl Default for Team {

@@ -1,6 +1,6 @@
 //! Consensus rounds of a whole team in a perfect network.
 
-use closeranks_core::wmsr;
+use closeranks_core::consensus::Rule;
 
 use crate::attack::liars::Liars;
 use crate::frame::Frame;
@@ -9,6 +9,7 @@ use crate::scenario::Scenario;
 /// Values of a team and scratch for its rounds.
 #[derive(Clone, Debug)]
 pub(crate) struct Consensus {
+    rule: Rule,
     faults: u16,
     ticks_per_round: u32,
     malicious: Vec<bool>,
@@ -21,6 +22,7 @@ impl Consensus {
     /// For the robots of `scenario` with initial `values`.
     pub(crate) fn new(scenario: &Scenario, values: &[f64]) -> Self {
         Self {
+            rule: scenario.consensus,
             faults: scenario.team.faults,
             ticks_per_round: scenario.ticks_per_round(),
             malicious: scenario.malicious_mask(),
@@ -59,7 +61,7 @@ impl Consensus {
                 normal += u16::from(!self.malicious[*speaker]);
             }
             frame.heard[index] = [frame.degrees[index], normal];
-            *own = wmsr::update(*own, &mut self.heard, self.faults).value;
+            *own = self.rule.update(*own, &mut self.heard, self.faults).value;
         }
     }
 }

@@ -172,7 +172,8 @@ impl<const D: usize> Monitors<D> {
     }
 
     fn broke(&mut self, law: Law, violation: Violation) {
-        self.verdicts.broke(law, violation, self.few_lie);
+        let covered = self.few_lie && law.is_kept_by(self.params.settings().consensus);
+        self.verdicts.broke(law, violation, covered);
     }
 
     fn watch_degrees(&mut self) {

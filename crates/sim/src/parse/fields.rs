@@ -1,5 +1,6 @@
 //! Every field of a scenario text, with its default and range.
 
+use closeranks_core::consensus::Rule;
 use closeranks_core::controller::assume::Assume;
 use closeranks_core::controller::budget::settings::Trust;
 use closeranks_core::equations::composition::PhiSplit;
@@ -27,13 +28,14 @@ pub(super) fn read(reader: &mut Reader, table: &DeTable<'_>) -> Scenario {
     let mut root = Section::root(table);
     let mut scenario = Scenario::default();
     let expect = head(reader, &mut root, &mut scenario);
-    let tables: [(&'static str, Fill); 8] = [
+    let tables: [(&'static str, Fill); 9] = [
         ("team", team),
         ("link", link),
         ("controller", controller),
         ("links", links),
         ("clock", clock),
         ("start", start),
+        ("consensus", consensus),
         ("values", values),
         ("motion", motion),
     ];
@@ -51,7 +53,7 @@ pub(super) fn read(reader: &mut Reader, table: &DeTable<'_>) -> Scenario {
     // What happens to the processes of a fleet; `closeranks-node` reads it.
     let _ = root.has("fleet");
     reader.close(&root);
-    scenario.expect = expect.unwrap_or_else(|| scenario.controller.row().expects.to_vec());
+    scenario.expect = expect.unwrap_or_else(|| scenario.usual(scenario.controller));
     scenario
 }
 
@@ -151,6 +153,11 @@ fn start(reader: &mut Reader, section: &mut Section<'_>, scenario: &mut Scenario
         }
         Start::Inside | Start::Published => {}
     }
+}
+
+/// How values are updated.
+fn consensus(reader: &mut Reader, section: &mut Section<'_>, scenario: &mut Scenario) {
+    set(&mut scenario.consensus, reader.word(section, "rule", &Rule::ALL));
 }
 
 fn values(reader: &mut Reader, section: &mut Section<'_>, scenario: &mut Scenario) {

@@ -5,6 +5,7 @@ pub mod route;
 mod scatter;
 pub mod start;
 
+use closeranks_core::consensus::Rule;
 use closeranks_core::equations::composition::Composed;
 use closeranks_core::equations::link::LinkShape;
 use closeranks_core::need::{Keep, Need};
@@ -60,6 +61,8 @@ pub struct Scenario {
     pub errors: Errors,
     /// Where robots start.
     pub start: Start,
+    /// How values are updated.
+    pub consensus: Rule,
     /// y_i(t₀).
     pub values: Values,
     /// Where robots want to go.
@@ -125,6 +128,7 @@ impl Default for Scenario {
             clock: Clock::default(),
             errors: Errors::default(),
             start: Start::Inside,
+            consensus: Rule::default(),
             values: Values::Random { min: -500.0, max: 500.0 },
             desired: Desired::Paper,
             attack: Attack::default(),
@@ -170,9 +174,15 @@ impl Scenario {
     /// usual for the other one.
     #[must_use]
     pub fn under(self, controller: Controller) -> Self {
-        let usual = self.expect == self.controller.row().expects;
-        let expect = if usual { controller.row().expects.to_vec() } else { self.expect };
+        let usual = self.usual(self.controller);
+        let expect = if self.expect == usual { self.usual(controller) } else { self.expect };
         Self { controller, expect, ..self }
+    }
+
+    /// The laws that a run under `controller` is expected to keep if the scenario names none.
+    pub(crate) fn usual(&self, controller: Controller) -> Vec<Law> {
+        let kept = |law: &Law| law.is_kept_by(self.consensus);
+        controller.row().expects.iter().copied().filter(kept).collect()
     }
 
     /// τ₁ in seconds.
@@ -204,6 +214,7 @@ impl Scenario {
             controller: self.controller.settings(&self.parameters()),
             clock: self.clock,
             errors: self.errors,
+            consensus: self.consensus,
         })
     }
 
