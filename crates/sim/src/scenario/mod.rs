@@ -7,7 +7,7 @@ pub mod route;
 mod scatter;
 pub mod start;
 
-use closeranks_core::consensus::Rule;
+pub use closeranks_core::consensus::Rule;
 use closeranks_core::equations::composition::Composed;
 use closeranks_core::equations::link::LinkShape;
 use closeranks_core::need::{Keep, Need, Ranks};
