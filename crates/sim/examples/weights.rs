@@ -102,7 +102,9 @@ fn campaign(words: &[String]) {
     for run in number(first)..number(first) + number(count) {
         let drawn = plan.draw(number(seed), run).expect("a run");
         let mut ends = [(false, 0.0); 2];
-        for (scenario, _) in &drawn.scenarios {
+        let both =
+            |scenario: &Scenario| matches!(scenario.controller, Controller::Budget | Controller::Composed);
+        for (scenario, _) in drawn.scenarios.iter().filter(|(scenario, _)| both(scenario)) {
             let mut scenario = scenario.clone();
             if settings.iter().any(|word| word == "chosen") {
                 let assume = scenario.budget.assume;

@@ -1,5 +1,7 @@
 //! The theorem of `budget` from tick to tick: what was safe stays safe wherever its assumptions hold.
 
+use std::sync::Arc;
+
 use closeranks_core::settings::params::Params;
 
 use crate::frame::Frame;
@@ -9,8 +11,9 @@ use crate::monitors::distance::Distances;
 use crate::monitors::held::Held;
 use crate::monitors::mode::ModeWatch;
 use crate::monitors::rest::RestWatch;
+use crate::monitors::rule::Rule;
 use crate::monitors::time::{fraction, longer_ago};
-use crate::monitors::truth::{ROUNDING, Truth, required};
+use crate::monitors::truth::{ROUNDING, Truth};
 use crate::scenario::Scenario;
 
 /// The tick before, and what has not held since when.
@@ -18,6 +21,7 @@ use crate::scenario::Scenario;
 pub(crate) struct Carry<const D: usize> {
     params: Params<D>,
     malicious: Vec<bool>,
+    rule: Arc<Rule>,
     /// For how long a broken assumption is felt: under `budget`, which remembers nothing, for no longer than it lasts.
     claim_ticks: u64,
     /// γ, the part of h that a tick may take; written down once more.
@@ -39,7 +43,7 @@ pub(crate) struct Carry<const D: usize> {
 impl<const D: usize> Carry<D> {
     /// For the robots of `scenario`.
     #[must_use]
-    pub(crate) fn new(scenario: &Scenario, params: Params<D>) -> Self {
+    pub(crate) fn new(scenario: &Scenario, params: Params<D>, rule: &Arc<Rule>) -> Self {
         let settings = params.settings();
         let aged = settings.clock.told_max + settings.clock.error;
         let told_ticks = aged.as_nanos().div_ceil(settings.clock.level_period.as_nanos().max(1));
@@ -47,12 +51,13 @@ impl<const D: usize> Carry<D> {
         let settles = params.budget().is_some();
         Self {
             malicious: scenario.malicious_mask(),
+            rule: Arc::clone(rule),
             claim_ticks: if settles { 0 } else { told_ticks },
             gamma: params.budget().map_or(1.0, |budget| budget.gamma),
-            mode: ModeWatch::new(scenario, params, told_ticks),
+            mode: ModeWatch::new(scenario, params, rule, told_ticks),
             rest: RestWatch::new(scenario, params),
             distances: Distances::new(scenario, params),
-            held: Held::new(scenario, params),
+            held: Held::new(scenario, params, rule),
             params,
             before: None,
             broken: None,
@@ -138,9 +143,8 @@ impl<const D: usize> Carry<D> {
         verdicts: &mut Verdicts,
     ) {
         let budget = self.params.controller().promises();
-        let required = required(&self.params);
         for (robot, index) in (1_u16..).zip(0..truth.h.len()).filter(|(_, k)| !self.malicious[*k]) {
-            let h = truth.h[index];
+            let (h, required) = (truth.h[index], self.rule.required(index));
             let carried = before.filter(|before| before.claims && self.kept[index]);
             let at = |seen, demanded| Violation { tick, robots: [robot, 0], seen, demanded };
             if h < -ROUNDING {
