@@ -1,6 +1,7 @@
 //! The picture of docs/ranks.md, on standard output: forty robots that pull outwards, with ranks of their own and under the paper's rule.
+#![expect(clippy::print_stdout, reason = "a program")]
 
-use std::error::Error;
+use core::error::Error;
 
 use closeranks_report::figure::{Case, swarm};
 use closeranks_sim::parse::scenario;

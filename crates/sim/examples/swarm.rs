@@ -6,6 +6,7 @@
 //! cargo build --release -p closeranks-sim --example swarm
 //! valgrind --tool=callgrind target/release/examples/swarm scenarios/swarm.toml 1000 20
 //! ```
+#![expect(clippy::print_stdout, reason = "a program")]
 
 use std::process::ExitCode;
 
