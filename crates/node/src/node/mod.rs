@@ -1,8 +1,10 @@
 //! One robot: its state machine, its loop, its voice and its wish, put together from a configuration.
 
 pub mod pilot;
+mod reload;
 mod ros;
 pub mod run;
+pub mod status;
 pub mod voice;
 pub mod wish;
 
@@ -14,7 +16,6 @@ use std::sync::mpsc::{SyncSender, sync_channel};
 
 use closeranks_core::{Params, ParamsError, RobotError, RobotId};
 use closeranks_sim::scenario::Scenario;
-use core::time::Duration;
 
 use crate::bytes::hex;
 use crate::clock::Clock;
@@ -71,6 +72,12 @@ pub enum NodeError {
         "the roster has no key of a plant: use `plant.kind = \"replay\"`, or add one with `closeranks-node roster add DIR plant`"
     )]
     NoPlant,
+    #[error(
+        "only `distrust` and the roster are read anew while a robot runs; anything else needs another start"
+    )]
+    Restart,
+    #[error("the roster differs and the simulated plant has read the old one: start it and all robots anew")]
+    PlantsRoster,
     #[error("signals cannot be handled: {0}")]
     Signals(#[from] ctrlc::Error),
 }
@@ -139,7 +146,8 @@ fn run_in<const D: usize>(
     let port: Box<dyn PlantPort<D>> = match (&config.plant, recorded) {
         (_, Some(replay)) => Box::new(replay),
         (Plant::Ros2(topics), _) => {
-            let (port, shown) = ros::plant(topics, roster, id, period, &net)?;
+            let (port, shown) =
+                ros::plant((topics, config.timeout(topics.source_timeout)), roster, id, period, &net)?;
             own = port.own();
             tokens = shown;
             Box::new(port)
@@ -149,9 +157,9 @@ fn run_in<const D: usize>(
     };
     let wish: Box<dyn Wish<D>> = match (&config.desired, &config.plant, listed) {
         (_, _, Some(listed)) => Box::new(listed),
-        (Desired::Key { timeout_s }, _, _) => Box::new(Key::new(Duration::from_secs_f64(*timeout_s))),
+        (Desired::Key { timeout_s }, _, _) => Box::new(Key::new(config.timeout(*timeout_s))),
         (Desired::Ros2 { timeout_s, .. }, Plant::Ros2(topics), _) => {
-            Box::new(Planner::new(own, topics, Duration::from_secs_f64(*timeout_s)))
+            Box::new(Planner::new(own, topics, config.timeout(*timeout_s)))
         }
         _ => Box::new(Hold),
     };
@@ -164,6 +172,9 @@ fn run_in<const D: usize>(
     stop_on_signals(stop)?;
     let (queue, events) = sync_channel(QUEUE);
     let ears = ears(&net, config, roster, id, &queue)?;
+    if let Some(file) = &config.file {
+        reload::watch(file.clone(), config.clone(), Arc::clone(roster), queue.clone(), Arc::clone(stop));
+    }
     drop(queue);
     Node::new(pilot, port, voice, wish, clock, period).run(&events, stop);
     drop((ears, tokens));
@@ -230,6 +241,10 @@ fn ears(
     if matches!(config.desired, Desired::Key { .. }) {
         let key = format!("want/{}", id.0);
         ears.push(net.listen(&key, queue.clone(), |_, bytes| Some(Event::Want(bytes)))?);
+    }
+    if config.trust_key {
+        let key = format!("trust/{}", id.0);
+        ears.push(net.listen(&key, queue.clone(), |_, bytes| Some(Event::Trust(bytes)))?);
     }
     if let Plant::Ros2(topics) = &config.plant {
         ears.extend(ros::poses(topics, roster, net, queue)?);
