@@ -131,6 +131,10 @@ pub struct Ros2 {
     pub cmd_vel_out_topic: String,
     /// `TwistStamped` and not `Twist`, in and out.
     pub enable_stamped_cmd_vel: bool,
+    /// Where diagnoses go, for the tools of ROS 2.
+    pub diagnostics_topic: String,
+    /// Where links, mode and degree go to be drawn.
+    pub markers_topic: String,
     /// The frame of that velocity.
     pub base_frame_id: String,
     /// For bases that drive forward and turn: how far ahead of the axle the point is that is steered, m. Left out for bases that move
@@ -159,6 +163,8 @@ impl Default for Ros2 {
             source_timeout: None,
             cmd_vel_out_topic: "{name}/cmd_vel".into(),
             enable_stamped_cmd_vel: true,
+            diagnostics_topic: "diagnostics".into(),
+            markers_topic: "{name}/closeranks_markers".into(),
             base_frame_id: "base_link".into(),
             look_ahead_m: None,
         }

@@ -3,6 +3,7 @@
 pub mod pilot;
 mod reload;
 mod ros;
+mod ros_view;
 pub mod run;
 pub mod status;
 pub mod voice;
@@ -164,6 +165,13 @@ fn run_in<const D: usize>(
         _ => Box::new(Hold),
     };
     let plain = Plain::new(&net, id, params.settings().team.robots, config.proofs.clone())?;
+    let mut viewer = None;
+    if let Plant::Ros2(topics) = &config.plant {
+        let (show, shown) = ros_view::viewer(topics, &config.robot, &net)?;
+        viewer = Some(show);
+        tokens.extend(shown);
+    }
+    let plain = plain.seen_by(viewer);
     let voice: Box<dyn Voice<D>> = match lies {
         Some(scenario) => Box::new(Lying::new(plain, &net, id, scenario)?),
         None => Box::new(plain),

@@ -18,10 +18,10 @@ use crate::ros::messages::{Twist, read_twist, twist, twist_stamped};
 use crate::session::{Ear, Net, SessionError, Token, send_with};
 
 /// Name of the node in ROS 2, before the name of the robot.
-const NODE: &str = "closeranks";
+pub(super) const NODE: &str = "closeranks";
 
 /// A topic of the robot of that name.
-fn topic(pattern: &str, name: &str) -> String {
+pub(super) fn topic(pattern: &str, name: &str) -> String {
     pattern.replace("{name}", name)
 }
 

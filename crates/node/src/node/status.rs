@@ -70,6 +70,10 @@ pub struct Status {
     pub blocked: Option<Blocked>,
     /// What is in the way, while the answer is not the wish.
     pub rows: Vec<Obstacle>,
+    /// Where it counts itself, m.
+    pub own_m: Vec<f64>,
+    /// Its neighbours in sight, and where they are, m.
+    pub neighbors: Vec<(u16, Vec<f64>)>,
     /// Robots that are not believed.
     pub distrusted: Vec<u16>,
     /// Ticks without anything sensed since the start.
@@ -124,6 +128,8 @@ impl Watch {
             progress,
             blocked,
             rows: if scene.wished { obstacles(scene, report) } else { Vec::new() },
+            own_m: report.reference_m.to_vec(),
+            neighbors: scene.slots.iter().map(|slot| place(slot, report)).collect(),
             distrusted,
             missed: report.missed,
             rejects: rejects.filter(|(_, count)| *count > 0).collect(),
@@ -134,6 +140,10 @@ impl Watch {
 #[expect(clippy::cast_precision_loss, reason = "for people: microseconds are enough")]
 fn seconds(at: Instant) -> f64 {
     at.as_nanos() as f64 * 1e-9
+}
+
+fn place<const D: usize>(slot: &Slot<D>, report: &Report<D>) -> (u16, Vec<f64>) {
+    (slot.id().0, subtract(&report.reference_m, &slot.offset_m()).to_vec())
 }
 
 /// The part of the wish that is fulfilled; `None` without a wish.

@@ -25,7 +25,12 @@ pub struct Plain {
     proof: Vec<Out>,
     /// Where proofs are written.
     folder: PathBuf,
+    /// Who else is shown the status.
+    viewer: Option<Viewer>,
 }
+
+/// Shows a status in another form.
+pub type Viewer = Box<dyn FnMut(&Status) + Send>;
 
 impl Plain {
     /// The voice of robot `id` in a team of so many, which writes proofs to `folder`.
@@ -40,7 +45,14 @@ impl Plain {
             evidence: about("evidence")?,
             proof: about("proof")?,
             folder,
+            viewer: None,
         })
+    }
+
+    /// The same voice, which shows every status to `viewer` too.
+    #[must_use]
+    pub fn seen_by(self, viewer: Option<Viewer>) -> Self {
+        Self { viewer, ..self }
     }
 }
 
@@ -60,6 +72,9 @@ impl<const D: usize> Voice<D> for Plain {
     fn status(&mut self, status: &Status) {
         if let Ok(bytes) = serde_json::to_vec(status) {
             send(&self.status, bytes);
+        }
+        if let Some(viewer) = &mut self.viewer {
+            viewer(status);
         }
     }
 
