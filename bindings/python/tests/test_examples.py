@@ -29,9 +29,16 @@ def test_a_policy_learns_and_breaks_nothing_meanwhile(tmp_path: Path) -> None:
 
 
 def test_ir_sim_finds_no_collision_with_the_filter(tmp_path: Path) -> None:
-    pytest.importorskip("irsim")
     told = said("in_irsim.py", tmp_path)
     unfiltered, filtered = re.findall(r"(\d+) collisions, least degree (\d+)", told)
     assert int(unfiltered[0]) > 0 and int(unfiltered[1]) < 7, told
     assert filtered[0] == "0" and int(filtered[1]) >= 7, told
     assert (tmp_path / "irsim.png").stat().st_size > 10_000
+
+
+def test_the_robotarium_finds_nothing_wrong_with_the_filter(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("MPLBACKEND", "agg")  # the simulator imports what draws windows
+    told = said("on_robotarium.py", tmp_path)
+    unfiltered, filtered = (line for line in told.splitlines() if "least degree" in line)
+    assert not unfiltered.startswith("unfiltered: 0 collisions"), told
+    assert filtered == "with closeranks: 0 collisions, 0 steps outside, 0 with wheels too fast, least degree 5", told
