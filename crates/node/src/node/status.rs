@@ -280,6 +280,25 @@ mod tests {
     }
 
     #[test]
+    fn a_word_on_trust_counts_while_the_robot_runs() {
+        let (mut pilot, mut watch) = (pilot("budget"), Watch::default());
+        assert_eq!(pilot.hear_trust(br#"{"robot": 3, "trust": 0}"#), Some((RobotId(3), false)));
+        let told = status(&mut pilot, &mut watch, 0, &[[1.0, 0.0], [0.0, 1.0]], [0.0, 0.0]);
+        assert_eq!(told.distrusted, [3]);
+        for wrong in [
+            &br#"{"robot": 1, "trust": 0}"#[..],
+            br#"{"robot": 4, "trust": 0}"#,
+            br#"{"robot": 2, "trust": 0.5}"#,
+            br#"{"robot": 2}"#,
+            b"0",
+            &[b' '; 300],
+        ] {
+            assert_eq!(pilot.hear_trust(wrong), None);
+        }
+        assert_eq!(pilot.hear_trust(br#"{"robot": 3, "trust": 1}"#), Some((RobotId(3), true)));
+    }
+
+    #[test]
     fn a_robot_that_knows_nothing_says_so_from_the_first_tick() {
         let (mut pilot, mut watch) = (pilot("budget"), Watch::default());
         let report = pilot.decide([f64::NAN; 2]);
