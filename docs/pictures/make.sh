@@ -45,6 +45,7 @@ cp moving/animation.svg made/animation.svg
 answer "$program" run scenarios/unfiltered.toml -q -o run
 answer "$program" check run/run.parquet -q -o unfiltered
 cp unfiltered/robustness.svg made/unfiltered-robustness.svg
+(cd "$root" && cargo run --release --locked --quiet -p closeranks-report --example ranks) > made/ranks.svg
 
 stale=0
 for picture in made/*; do

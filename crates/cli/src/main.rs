@@ -3,6 +3,7 @@
 //! Exit codes: 0 fine, 1 a law that was expected to hold was broken, 2 bad input.
 
 mod advise;
+mod bench;
 mod check;
 mod compare;
 mod folder;
@@ -78,6 +79,9 @@ enum Command {
     /// Run thousands of scenarios drawn from one file: one row a run, counts with confidence bounds.
     #[command(after_long_help = sweep::HELP, after_help = "Examples: closeranks sweep --help")]
     Sweep(sweep::Sweep),
+    /// Score every controller and every rule of consensus on fixed cases.
+    #[command(after_long_help = bench::HELP, after_help = "Examples: closeranks bench --help")]
+    Bench(bench::Bench),
     /// Say what is possible for a team: starts, speeds, ticks, F, and what stated errors cost.
     #[command(after_long_help = advise::HELP, after_help = "Examples: closeranks advise --help")]
     Advise(advise::Advise),
@@ -205,6 +209,7 @@ fn start(command: &Command) -> Result<bool> {
         Command::Run(arguments) => run::run(arguments),
         Command::Compare(arguments) => compare::compare(arguments),
         Command::Sweep(arguments) => sweep::sweep(arguments),
+        Command::Bench(arguments) => bench::bench(arguments),
         Command::Advise(arguments) => advise::advise(arguments),
         Command::Check(arguments) => check::check(arguments),
         Command::View(arguments) => view::view(arguments),

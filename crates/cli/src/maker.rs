@@ -1,19 +1,21 @@
 //! `closeranks graph MAKER`: graphs by name, on standard output.
 
+use core::fmt::Write as _;
 use core::num::NonZeroU8;
 
-use anyhow::{Context, Result};
+use anyhow::{Context, Result, bail};
 use clap::{Args, Subcommand};
 use closeranks_graph::formats::{self, Named};
 use closeranks_graph::graph::Graph;
-use closeranks_graph::makers::{MakerError, fixed, random};
+use closeranks_graph::makers::{MakerError, fixed, large, random};
+use closeranks_graph::network::Network;
 
 use crate::check::Format;
 use crate::{invocation, output};
 
 /// Shown by `closeranks graph --help`.
 pub(crate) const HELP: &str = "\
-Examples, one for each maker; N is the number of nodes, at most 128:
+Examples, one for each maker; N is the number of nodes, at most 128, or four million for the last two:
 
     closeranks graph complete 7              all joined
     closeranks graph path 5                  in a row
@@ -32,6 +34,8 @@ Examples, one for each maker; N is the number of nodes, at most 128:
     closeranks graph regular 12 5 --seed 3   all degrees 5
     closeranks graph geometric 20 0.4 --seed 3     points in a square, joined up to a distance of 0.4
     closeranks graph preferential 20 5 3 --seed 3  5 joined at first, each newcomer joins 3
+    closeranks graph ranked 100000 2 --seed 3      survives 2 liars around each node, as sparse as its order allows
+    closeranks graph triangular 40 50              rows and columns of a lattice of triangles
 
     closeranks graph tight 10 2 | closeranks check -
     closeranks graph petersen --format dot | dot -Tsvg > petersen.svg";
@@ -104,16 +108,52 @@ enum Maker {
     Geometric { nodes: NonZeroU8, radius: f64 },
     /// START joined at first, each newcomer joins LINKS, the likelier the higher their degree.
     Preferential { nodes: NonZeroU8, start: NonZeroU8, links: u8 },
+    /// 2F + 1 joined, each newcomer joins 2F + 1 of those before it: of any size.
+    Ranked { nodes: u32, f: u16 },
+    /// A lattice of triangles, of any size.
+    Triangular { rows: u32, columns: u32 },
 }
 
 /// Writes the graph to standard output.
 pub(crate) fn make(arguments: &Make) -> Result<bool> {
+    if let Some(network) = arguments.maker.network(arguments.seed) {
+        return say_network(&network.context("no such graph")?, arguments.format);
+    }
     let graph = arguments.maker.graph(arguments.seed).context("no such graph")?;
     output::say(&formats::write(&Named::from(graph), arguments.format.of_library())?);
     Ok(true)
 }
 
+/// Writes a network, as links a line if it is large.
+fn say_network(network: &Network, format: Format) -> Result<bool> {
+    if let Ok(graph) = network.graph() {
+        output::say(&formats::write(&Named::from(graph), format.of_library())?);
+        return Ok(true);
+    }
+    if format != Format::Edges {
+        bail!(
+            "--format is for graphs of up to 128 nodes, and this has {}; allowed is edges",
+            network.node_count()
+        );
+    }
+    let lines = network.edges().fold(String::new(), |mut text, (from, to)| {
+        let _ = writeln!(text, "{from} {to}");
+        text
+    });
+    output::say(&lines);
+    Ok(true)
+}
+
 impl Maker {
+    /// The network of a maker that has no limit.
+    fn network(&self, seed: u64) -> Option<Result<Network, MakerError>> {
+        match self {
+            Self::Ranked { nodes, f } => Some(large::ranked(*nodes as usize, usize::from(*f), seed)),
+            Self::Triangular { rows, columns } => Some(large::triangular(*rows as usize, *columns as usize)),
+            _ => None,
+        }
+    }
+
     fn graph(&self, seed: u64) -> Result<Graph, MakerError> {
         let at = |number: &NonZeroU8| usize::from(number.get());
         match self {
@@ -141,6 +181,12 @@ impl Maker {
             Self::Geometric { nodes, radius } => random::random_geometric(at(nodes), *radius, seed),
             Self::Preferential { nodes, start, links } => {
                 random::preferential_attachment(at(nodes), at(start), usize::from(*links), seed)
+            }
+            Self::Ranked { nodes, f } => {
+                large::ranked(*nodes as usize, usize::from(*f), seed)?.graph().map_err(MakerError::from)
+            }
+            Self::Triangular { rows, columns } => {
+                large::triangular(*rows as usize, *columns as usize)?.graph().map_err(MakerError::from)
             }
         }
     }

@@ -3,7 +3,7 @@
 use anyhow::{Result, bail};
 use closeranks_graph::graph::set::NODE_LIMIT;
 use closeranks_report::content::{Link, Page, Section};
-use closeranks_report::figure::{Case, animation, overview};
+use closeranks_report::figure::{Case, MANY, animation, overview, swarm};
 use closeranks_report::html::html;
 use closeranks_report::robustness::robustness;
 use closeranks_report::table::{Line, table, text};
@@ -106,11 +106,20 @@ fn scenario(arguments: &crate::Run) -> Result<(Scenario, String)> {
     source::read(&name, drawn.under(controller))
 }
 
+/// Says that nobody searched for exact robustness, in a team for which that cannot be done.
+fn too_large(scenario: &Scenario) -> Option<String> {
+    (usize::from(scenario.team.robots) > NODE_LIMIT).then(|| {
+        format!("note: exact robustness is searched in teams of up to {NODE_LIMIT} robots, not here")
+    })
+}
+
 fn told(arguments: &crate::Run, Done { scenario, run, wall_s, .. }: &Done) -> String {
     let line = Line { scenario, summary: &run.summary, rounds: &run.rounds, wall_s: *wall_s };
     let start = sentences::start(scenario, &run.summary);
     let laws = sentences::laws(scenario, &run.summary);
     let mut notes: Vec<String> = sentences::warning(scenario).into_iter().collect();
+    notes.extend(sentences::ranks(scenario, &run.summary));
+    notes.extend(too_large(scenario));
     if arguments.draw.is_none() {
         let file = invocation::quoted(&arguments.file.display().to_string());
         notes.extend(sentences::advice(scenario, &run.summary, &file));
@@ -124,7 +133,8 @@ fn told(arguments: &crate::Run, Done { scenario, run, wall_s, .. }: &Done) -> St
 fn save(mut folder: Folder, done: &Done) -> Result<String> {
     let Done { scenario, source, run, .. } = done;
     let Some(record) = &run.record else { return Ok(String::new()) };
-    let svg = overview(Case { title: &scenario.name, scenario, record });
+    let case = Case { title: &scenario.name, scenario, record };
+    let svg = if record.robots > MANY { swarm(&[case]) } else { overview(case) };
     let robustness = pages::robustness_of(&scenario.name, scenario, run).map(|series| robustness(&[series]));
     let mut figures = vec![("overview", svg.as_str())];
     figures.extend(robustness.as_deref().map(|svg| ("robustness", svg)));
@@ -145,8 +155,13 @@ fn page(done: &Done, overview: String, robustness: Option<String>, files: Vec<Li
     let line = Line { scenario, summary: &run.summary, rounds: &run.rounds, wall_s: *wall_s };
     let mut paragraphs = vec![sentences::start(scenario, &run.summary)];
     paragraphs.extend(sentences::warning(scenario));
-    let mut figures =
-        vec![pages::figure(&format!("{} {} {}", pages::FORMATIONS, pages::PATHS, pages::SERIES), overview)];
+    paragraphs.extend(sentences::ranks(scenario, &run.summary));
+    let caption = if scenario.team.robots > MANY {
+        pages::SWARM.to_owned()
+    } else {
+        format!("{} {} {}", pages::FORMATIONS, pages::PATHS, pages::SERIES)
+    };
+    let mut figures = vec![pages::figure(&caption, overview)];
     match robustness {
         Some(svg) => figures.push(pages::figure(pages::ROBUSTNESS, svg)),
         None => {

@@ -125,7 +125,7 @@ fn bad_graphs_are_refused_with_their_place() {
     }
     let many: String =
         (0..129).fold("undirected\n".into(), |list: String, node| list + &format!("n{node}\n"));
-    let message = "error: more than 128 nodes\n   --> a.edges:130:1\n";
+    let message = "error: --output is for graphs of up to 128 robots, and `a.edges` has 129";
     refused(folder.path(), "a.edges", &many, &[], message);
 }
 

@@ -128,6 +128,7 @@ fn settings(controller: Controller, hold_max: Duration) -> Settings<2> {
             ..Clock::default()
         },
         errors: Errors { position_m: 0.0, tracking_m: 1.001 * longest_m },
+        ranks: None,
         consensus: Rule::WMsr,
     }
 }

@@ -23,6 +23,7 @@
 //! | which nodes look alike | [`search::symmetry`] |
 //! | leaders, and adversaries few in every neighbourhood | [`leaders`], [`local`] |
 //! | which edges to add | [`additions`] |
+//! | networks of any size; a proof by ranks in linear time | [`network`], [`ranks`] |
 //! | graphs by name, graphs as text | [`makers`], [`formats`] |
 //!
 //! ```
@@ -56,6 +57,8 @@ pub mod graph;
 pub mod leaders;
 pub mod local;
 pub mod makers;
+pub mod network;
+pub mod ranks;
 pub mod search;
 pub mod table;
 pub mod verdict;

@@ -48,8 +48,12 @@ pub struct Frame<const D: usize> {
     pub missing: Vec<bool>,
     /// What each robot says its answer is worth.
     pub modes: Vec<Mode>,
-    /// Values that each robot used in the last round, and how many of them were those of normal robots.
+    /// Values of robots that count for it that each robot used in the last round, and how many of them were those of normal
+    /// robots. Without ranks everybody counts.
     pub heard: Vec<[u16; 2]>,
+    /// Values that each robot used in the last round, whether or not their robots count, and how many of these robots were
+    /// malicious. Only engines that know of ranks fill it.
+    pub listened: Vec<[u16; 2]>,
     /// Robots that do not run in this tick.
     pub down: Vec<bool>,
     /// What the theorem is about, m: where velocities have taken each robot if a tracking error is stated, else its position.
@@ -114,6 +118,7 @@ impl<const D: usize> Frame<D> {
             missing: vec![false; robots],
             modes: vec![Mode::Degraded(Reason::ContinuousTime); robots],
             heard: vec![[0; 2]; robots],
+            listened: vec![[0; 2]; robots],
             down: vec![false; robots],
             assumptions: Assumptions::all_hold(robots),
             links: 0,

@@ -30,6 +30,8 @@ pub enum Stream {
     Lists = 11,
     /// Observations that are missed.
     Dropouts = 12,
+    /// Who lies.
+    Liars = 13,
 }
 
 /// A generator for one purpose.

@@ -23,6 +23,9 @@ use mutants::{MUTANTS, Mutant};
 /// Runs that a mutant may survive.
 const RUNS: &str = "2000";
 const SEED: &str = "7";
+/// Where mutants are hunted; those of ranks in teams that have ranks.
+const CAMPAIGN: &str = "campaign.toml";
+const RANKED: &str = "campaign-ranks.toml";
 
 fn root() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../..")
@@ -83,11 +86,11 @@ fn put(path: &Path, bytes: &[u8]) {
 }
 
 /// Builds the program that stands in `workspace` and hunts for violations of `law`.
-fn hunt(workspace: &Path, law: &str) -> String {
+fn hunt(workspace: &Path, campaign: &str, law: &str) -> String {
     let cargo = std::env::var("CARGO").unwrap_or_else(|_| "cargo".to_owned());
     let out = Command::new(cargo)
         .args(["run", "--release", "--quiet", "--offline", "-p", "closeranks-sim", "--example", "hunt", "--"])
-        .arg(root().join("scenarios/campaign.toml").canonicalize().unwrap())
+        .arg(root().join("scenarios").join(campaign).canonicalize().unwrap())
         .args([RUNS, SEED])
         .args((!law.is_empty()).then_some(law))
         .env("CARGO_TARGET_DIR", workspace.join("target"))
@@ -103,7 +106,9 @@ fn hunt(workspace: &Path, law: &str) -> String {
 fn every_broken_controller_is_caught_by_its_law() {
     let workspace = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join("oracle");
     copy(&workspace);
-    assert_eq!(hunt(&workspace, ""), format!("nothing {RUNS}"), "the controller as it is");
+    for campaign in [CAMPAIGN, RANKED] {
+        assert_eq!(hunt(&workspace, campaign, ""), format!("nothing {RUNS}"), "the controller as it is");
+    }
     let mut missed = Vec::new();
     let only = std::env::var("MUTANT").unwrap_or_default();
     let chosen: Vec<&Mutant> = MUTANTS.iter().filter(|mutant| mutant.name.contains(&only)).collect();
@@ -115,7 +120,8 @@ fn every_broken_controller_is_caught_by_its_law() {
             assert_eq!(text.matches(line).count(), 1, "{name}: `{line}` in {file}");
             put(&path, text.replace(line, broken).as_bytes());
         }
-        let found = hunt(&workspace, law);
+        let campaign = if name.starts_with("ranks:") { RANKED } else { CAMPAIGN };
+        let found = hunt(&workspace, campaign, law);
         eprintln!("{name}: {found}");
         if !found.starts_with("found") {
             missed.push(format!("{name} ({law})"));

@@ -47,9 +47,9 @@ impl Answer {
 
     /// With what the file was read as, for persons and for machines.
     pub(super) fn with_reading(mut self, reading: &Reading) -> Self {
-        self.read = words::reading(reading);
+        self.read = words::reading(&reading.into());
         if let Value::Object(numbers) = &mut self.numbers {
-            numbers.insert("read".to_owned(), words::reading_value(reading));
+            numbers.insert("read".to_owned(), words::reading_value(&reading.into()));
         }
         self
     }

@@ -5,7 +5,10 @@ use std::path::Path;
 use annotate_snippets::{AnnotationKind, Level, Snippet};
 use anyhow::{Context as _, Result, bail};
 use clap::builder::{PossibleValuesParser, TypedValueParser};
-use closeranks_graph::formats::{self, Format, FormatError, Options, Problem, Reading, TEXT_LIMIT, ToldBy};
+use closeranks_graph::formats::{
+    self, Format, FormatError, NETWORK_TEXT_LIMIT, NetworkReading, Options, Problem, Reading, ToldBy,
+};
+use closeranks_graph::graph::set::NODE_LIMIT;
 use closeranks_report::recording::elsewhere::{is_head, read_csv};
 use closeranks_report::recording::{ReadError, Recording, read as read_parquet};
 
@@ -26,10 +29,33 @@ const SHOWN: usize = 160;
 /// Longest recording that is read, bytes.
 const RECORDING_MAX: usize = 1 << 26;
 
+/// A network of more robots than exact search takes, and where it comes from.
+pub(super) struct NetworkInput {
+    /// Name of the file.
+    pub(super) name: String,
+    /// The network, and what it was read as.
+    pub(super) reading: NetworkReading,
+    /// Whether all names are numbers.
+    numbered: bool,
+}
+
+impl NetworkInput {
+    /// The name of a node: a number if every name of the network is one.
+    pub(super) fn value(&self, node: usize) -> serde_json::Value {
+        let name = self.reading.names.get(node).map_or("", String::as_str);
+        match name.parse::<u64>() {
+            Ok(number) if self.numbered => number.into(),
+            _ => name.into(),
+        }
+    }
+}
+
 /// A graph or a recorded run.
 pub(super) enum Source {
     /// One graph.
     Graph(Input),
+    /// One that is too large for exact search.
+    Network(NetworkInput),
     /// Recorded positions and the name of their file.
     Recording(String, Recording),
 }
@@ -37,7 +63,11 @@ pub(super) enum Source {
 /// Reads a file, and checks it if it is a graph.
 pub(super) fn read(arguments: &Check) -> Result<Source> {
     let name = source::name(&arguments.file);
-    let bytes = source::bytes(&arguments.file, "graph", RECORDING_MAX)?;
+    let bytes = source::bytes(&arguments.file, "graph", NETWORK_TEXT_LIMIT)?;
+    let recorded = bytes.starts_with(b"PAR1") || is_table(&bytes);
+    if arguments.format.is_none() && recorded && bytes.len() > RECORDING_MAX {
+        bail!("the recording `{name}` is too long: allowed is at most {RECORDING_MAX} bytes");
+    }
     if arguments.format.is_none() && bytes.starts_with(b"PAR1") {
         return recording(name, read_parquet(bytes));
     }
@@ -45,11 +75,8 @@ pub(super) fn read(arguments: &Check) -> Result<Source> {
         let text = decode(bytes, &name)?;
         return recording(name, read_csv(&text));
     }
-    if bytes.len() > TEXT_LIMIT {
-        bail!("the graph `{name}` is too long: allowed is at most {TEXT_LIMIT} bytes");
-    }
     let text = decode(bytes, &name)?;
-    graph(arguments, name, &text).map(Source::Graph)
+    graph(arguments, name, &text)
 }
 
 fn recording(name: String, read: Result<Recording, ReadError>) -> Result<Source> {
@@ -88,7 +115,7 @@ fn decode(bytes: Vec<u8>, name: &str) -> Result<String> {
     }
 }
 
-fn graph(arguments: &Check, name: String, text: &str) -> Result<Input> {
+fn graph(arguments: &Check, name: String, text: &str) -> Result<Source> {
     let ending = arguments.file.extension().and_then(|ending| ending.to_str());
     let options = Options {
         format: arguments.format,
@@ -103,9 +130,18 @@ fn graph(arguments: &Check, name: String, text: &str) -> Result<Input> {
         |error: &FormatError, format: Option<Format>| picture(&name, text, error, hint(error, format));
     let (format, told_by) = formats::recognise(text, &options).map_err(|error| refused(&error, None))?;
     refuse_useless(arguments, &name, format)?;
-    match formats::read(text, &options) {
-        Ok(reading) => Ok(Input { name, reading }),
+    let reading = match formats::read_network(text, &options) {
+        Ok(reading) => reading,
         Err(error) => bail!(refused(&error, (told_by != ToldBy::Request).then_some(format))),
+    };
+    if reading.network.node_count() > NODE_LIMIT {
+        let number = |name: &String| name.parse::<u64>().is_ok_and(|number| number.to_string() == *name);
+        let numbered = reading.names.iter().all(number);
+        return Ok(Source::Network(NetworkInput { name, reading, numbered }));
+    }
+    match reading.small() {
+        Ok(reading) => Ok(Source::Graph(Input { name, reading })),
+        Err(error) => bail!(refused(&error, None)),
     }
 }
 

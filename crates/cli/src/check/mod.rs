@@ -4,6 +4,7 @@ mod analysis;
 mod answer;
 mod input;
 mod mend;
+mod network;
 mod question;
 mod recording;
 mod save;
@@ -48,6 +49,9 @@ no direction; --directed gives them one. Parallel links count once and loops not
     closeranks check out/run.parquet             # a recorded run: robustness at every consensus round
     closeranks check flight.csv --radius 3 --F 1 # positions of others, CSV or Parquet: time_s or tick, robot, x_m, y_m[, z_m]
     closeranks graph petersen | closeranks check -
+
+Graphs of more than 128 robots, up to millions, are looked at for ranks (docs/ranks.md): --F asks whether they survive any F
+liars around each robot, and what is neither proved by ranks nor ruled out by degrees is said to be open.
 
 What the words mean, with pictures: docs/robustness.md.
 
@@ -171,6 +175,7 @@ pub(crate) fn check(arguments: &Check) -> Result<bool> {
     let folder = arguments.output.as_deref().map(Folder::new).transpose()?;
     match input::read(arguments)? {
         Source::Graph(input) => graph(arguments, &input, folder),
+        Source::Network(input) => network::check(arguments, &input),
         Source::Recording(name, recording) => recording::check(arguments, &name, &recording, folder),
     }
 }

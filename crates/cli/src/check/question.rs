@@ -6,6 +6,8 @@ use closeranks_graph::formats::Named;
 use closeranks_graph::graph::set::NodeSet;
 use closeranks_graph::leaders;
 use closeranks_graph::local::{self, LocalWitness};
+use closeranks_graph::network::Network;
+use closeranks_graph::ranks;
 use closeranks_graph::verdict::{Interval, Verdict};
 use serde_json::{Value, json};
 
@@ -146,6 +148,9 @@ fn local_witness(named: &Named, faults: usize, meter: &mut Meter<'_>) -> Known {
     let mut robustness = Robustness::new(&named.graph, &Effort::UNLIMITED);
     if let Verdict::Robust(_) = robustness.decide(2 * faults + 1, 1, meter) {
         return Known::Yes("(2F+1)-robustness");
+    }
+    if ranks::order(&Network::from(&named.graph), faults).is_some() {
+        return Known::Yes("ranks");
     }
     match local::witness(&named.graph, faults, meter) {
         Ok(None) => Known::Yes("trying every set of liars"),

@@ -1,8 +1,7 @@
 //! Sets, witnesses and proofs in words, with the names of the file.
 
 use closeranks_graph::definition::Witness;
-use closeranks_graph::formats::{Named, Note, Reading, ToldBy};
-use closeranks_graph::graph::Graph;
+use closeranks_graph::formats::{Format, Named, NetworkReading, Note, Reading, ToldBy};
 use closeranks_graph::graph::set::NodeSet;
 use closeranks_graph::verdict::Certificate;
 use serde_json::{Value, json};
@@ -24,24 +23,48 @@ pub(super) fn name(named: &Named, node: usize) -> String {
 }
 
 /// `10 robots, 15 links, undirected`.
-fn size(graph: &Graph) -> String {
-    let [kind, links] = if graph.is_directed() { ["directed", "edge"] } else { ["undirected", "link"] };
-    let (robots, links) =
-        (count(graph.node_count() as u64, "robot"), count(graph.edge_count() as u64, links));
+fn size(read: &Read<'_>) -> String {
+    let [kind, links] = if read.directed { ["directed", "edge"] } else { ["undirected", "link"] };
+    let (robots, links) = (count(read.robots as u64, "robot"), count(read.links as u64, links));
     format!("{robots}, {links}, {kind}")
 }
 
+/// What a file was read as.
+pub(super) struct Read<'a> {
+    format: Format,
+    told_by: ToldBy,
+    notes: &'a [Note],
+    robots: usize,
+    links: usize,
+    directed: bool,
+}
+
+impl<'a> From<&'a Reading> for Read<'a> {
+    fn from(reading: &'a Reading) -> Self {
+        let Reading { named: Named { graph, .. }, format, told_by, notes } = reading;
+        let (robots, links, directed) = (graph.node_count(), graph.edge_count(), graph.is_directed());
+        Self { format: *format, told_by: *told_by, notes, robots, links, directed }
+    }
+}
+
+impl<'a> From<&'a NetworkReading> for Read<'a> {
+    fn from(reading: &'a NetworkReading) -> Self {
+        let NetworkReading { network, format, told_by, notes, .. } = reading;
+        let (robots, links, directed) = (network.node_count(), network.edge_count(), network.is_directed());
+        Self { format: *format, told_by: *told_by, notes, robots, links, directed }
+    }
+}
+
 /// What a file was read as, in one line, and a line for each remark on it.
-pub(super) fn reading(reading: &Reading) -> Vec<String> {
+pub(super) fn reading(reading: &Read<'_>) -> Vec<String> {
     let told = input::told(reading.told_by);
-    let head = format!("read as {} ({told}): {}", reading.format.title(), size(&reading.named.graph));
+    let head = format!("read as {} ({told}): {}", reading.format.title(), size(reading));
     let notes = reading.notes.iter().map(|note| format!("note: {}", safe(&note.to_string())));
     core::iter::once(head).chain(notes).collect()
 }
 
 /// Says in JSON what was read, as the lines above do in words.
-pub(super) fn reading_value(reading: &Reading) -> Value {
-    let graph = &reading.named.graph;
+pub(super) fn reading_value(reading: &Read<'_>) -> Value {
     let told_by = match reading.told_by {
         ToldBy::Content => "content",
         ToldBy::Ending => "ending",
@@ -50,9 +73,9 @@ pub(super) fn reading_value(reading: &Reading) -> Value {
     json!({
         "format": reading.format.name(),
         "told_by": told_by,
-        "robots": graph.node_count(),
-        "links": graph.edge_count(),
-        "directed": graph.is_directed(),
+        "robots": reading.robots,
+        "links": reading.links,
+        "directed": reading.directed,
         "notes": reading.notes.iter().map(Note::to_string).collect::<Vec<String>>(),
     })
 }

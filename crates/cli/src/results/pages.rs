@@ -26,6 +26,10 @@ pub(crate) const FORMATIONS: &str = "Normal robots are blue circles, malicious o
 pub(crate) const PATHS: &str = "The way of every robot from its start (small circle), and the least distance of two robots over time; \
     the shaded region is closer than is allowed.";
 
+/// What the figure of a run of many robots shows.
+pub(crate) const SWARM: &str = "Start and end: normal robots, coloured by rank if they have one, and malicious ones in orange. Below, values \
+    and numbers of neighbours of normal robots over time: all of them, the middle half, and the median.";
+
 /// What the figure of barriers and values shows.
 pub(crate) const SERIES: &str = "h_i of every robot, with its number, of the weight that its controller gives to links: normal robots must stay above 0. Values y_i; where they agree \
     early the small panel shows how; what malicious robots say is in orange behind.";

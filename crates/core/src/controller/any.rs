@@ -9,7 +9,8 @@ use crate::controller::{Control, Decision, Kept, Standing, View};
 use crate::equations::link::LinkShape;
 use crate::need::Need;
 use crate::num::Vector;
-use crate::robot::neighbor::{RobotId, Slot};
+use crate::robot::id::Member;
+use crate::robot::neighbor::Slot;
 use crate::robot::report::Mode;
 use crate::robot::scratch::{Needs, Scratch};
 use crate::settings::{Controller, Settings};
@@ -130,13 +131,13 @@ impl<const D: usize> AnyController<D> {
     /// Decides on the lists that are told in this tick ([`Control::agree`]).
     pub fn agree(
         &self,
-        id: RobotId,
+        own: Member,
         ledger: &mut Ledger<D>,
         slots: &mut [Slot<D>],
         now: Instant,
         scratch: &mut Scratch<'_, D>,
     ) {
-        dispatch!(self, controller => controller.agree(id, ledger, slots, now, scratch));
+        dispatch!(self, controller => controller.agree(own, ledger, slots, now, scratch));
     }
 
     /// What a robot tells ([`Control::level`]).

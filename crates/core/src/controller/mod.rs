@@ -34,6 +34,7 @@ use crate::equations::link::LinkShape;
 use crate::need::Need;
 use crate::num::Vector;
 use crate::program::Outcome;
+use crate::robot::id::Member;
 use crate::robot::neighbor::{RobotId, Slot};
 use crate::robot::report::{Mode, Reason};
 use crate::robot::scratch::{Needs, Scratch};
@@ -44,6 +45,8 @@ use crate::time::Instant;
 pub struct View<'a, const D: usize> {
     /// Its number.
     pub id: RobotId,
+    /// Its rank.
+    pub rank: u16,
     /// The present time on its clock.
     pub now: Instant,
     /// Its level as it tells it.
@@ -57,6 +60,12 @@ pub struct View<'a, const D: usize> {
 }
 
 impl<'a, const D: usize> View<'a, D> {
+    /// The robot itself, as the roster has it.
+    #[must_use]
+    pub fn member(&self) -> Member {
+        Member { id: self.id, rank: self.rank }
+    }
+
     /// The neighbours sensed in this tick.
     pub fn sensed(&self) -> impl Iterator<Item = &'a Slot<D>> + Clone + use<'a, D> {
         self.slots.iter().filter(|slot| slot.sensed)
@@ -171,7 +180,7 @@ pub trait Control<const D: usize> {
     /// Decides on the lists that are told in this tick.
     fn agree(
         &self,
-        _id: RobotId,
+        _own: Member,
         _ledger: &mut Ledger<D>,
         _slots: &mut [Slot<D>],
         _now: Instant,
@@ -182,7 +191,7 @@ pub trait Control<const D: usize> {
     /// What a robot on its own has to tell of its connectivity: c_i, the sum of the weights of its links.
     //= paper eq:connectivity
     fn level(&self, view: &View<'_, D>, _scratch: &mut Scratch<'_, D>) -> f64 {
-        let counted = view.linked().filter(|slot| self.need().counts(view.id, slot.id));
+        let counted = view.linked().filter(|slot| self.need().counts(view.member(), slot.member()));
         counted.fold(0.0, |level, slot| level + slot.link.weight)
     }
 

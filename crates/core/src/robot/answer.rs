@@ -5,6 +5,7 @@ use core::time::Duration;
 use crate::controller::{Decision, Standing};
 use crate::equations::barrier::degree_barrier;
 use crate::program::Outcome;
+use crate::robot::neighbor::Slot;
 use crate::robot::report::{Mode, Output, Report, RoundReport, small};
 use crate::robot::{Robot, Slots};
 
@@ -14,13 +15,15 @@ impl<const D: usize, S: Slots<D>> Robot<D, S> {
         let degree = small(self.linked().count());
         let untold = small(self.linked().filter(|slot| slot.told.is_none()).count());
         let oldest = self.sensed().filter_map(|slot| slot.told.map(|told| told.at)).min();
-        let need = self.params.need().need(self.id);
+        let need = self.params.need().need(self.member());
+        let counts = |slot: &&Slot<D>| self.params.need().counts(self.member(), slot.member());
+        let counted = small(self.linked().filter(counts).count());
         let h = degree_barrier(self.level, need);
         let phi = decision.and_then(|decision| decision.phi);
         let outcome = decision.map_or(Outcome::Infeasible, |decision| decision.outcome);
         Report {
             degree,
-            degree_margin: i32::from(degree) - i32::from(need),
+            degree_margin: i32::from(counted) - i32::from(need),
             level: self.level,
             h,
             phi,

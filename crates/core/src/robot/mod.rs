@@ -21,7 +21,7 @@ use crate::message::{Message, MessageError, VALUE_MAX, VERSION};
 use crate::num::{Vector, dot, is_finite, subtract};
 use crate::robot::assurance::Assurance;
 use crate::robot::error::{ObserveError, Observed, ReceiveError, RobotError, SenseError};
-use crate::robot::neighbor::{NO_LINK, RobotId, Slot, Told};
+use crate::robot::neighbor::{Member, NO_LINK, RobotId, Slot, Told};
 use crate::robot::report::{Mode, Output, Reason};
 use crate::robot::scratch::Scratch;
 use crate::settings::params::Params;
@@ -76,6 +76,7 @@ impl<const D: usize, S: AsRef<[Slot<D>]> + AsMut<[Slot<D>]>> Slots<D> for S {}
 pub struct Robot<const D: usize, S> {
     pub(crate) params: Params<D>,
     pub(crate) id: RobotId,
+    pub(crate) rank: u16,
     pub(crate) slots: S,
     pub(crate) count: usize,
     /// The slot to look at first when one is looked for.
@@ -107,10 +108,13 @@ impl<const D: usize, S: Slots<D>> Robot<D, S> {
     /// A robot with initial value `y_i(t₀)`, due to share at once. `slots` bound how many neighbours it can have.
     ///
     /// A value that is NaN or beyond ±[`VALUE_MAX`] is refused, and so is a number that is not one of 1 to n.
-    pub fn new(params: Params<D>, id: RobotId, value: f64, slots: S) -> Result<Self, RobotError> {
+    ///
+    /// Under ranks `own` is a [`Member`]; a number alone stands for rank 0.
+    pub fn new(params: Params<D>, own: impl Into<Member>, value: f64, slots: S) -> Result<Self, RobotError> {
         if !(-VALUE_MAX..=VALUE_MAX).contains(&value) {
             return Err(RobotError::Value);
         }
+        let Member { id, rank } = own.into();
         let (clock, team) = (params.settings().clock, params.settings().team);
         if !(1..=team.robots).contains(&id.0) {
             return Err(RobotError::Id { id: id.0, robots: team.robots });
@@ -118,6 +122,7 @@ impl<const D: usize, S: Slots<D>> Robot<D, S> {
         Ok(Self {
             params,
             id,
+            rank,
             slots,
             count: 0,
             next: 0,
@@ -180,7 +185,14 @@ impl<const D: usize, S: Slots<D>> Robot<D, S> {
     }
 
     /// Takes the sensed position of another robot, m.
-    pub fn observe(&mut self, id: RobotId, position: Vector<D>) -> Result<Observed, ObserveError> {
+    ///
+    /// Under ranks `other` is a [`Member`], with the rank that the roster has; a number alone stands for rank 0.
+    pub fn observe(
+        &mut self,
+        other: impl Into<Member>,
+        position: Vector<D>,
+    ) -> Result<Observed, ObserveError> {
+        let Member { id, rank } = other.into();
         if id == self.id {
             return Err(ObserveError::OwnId);
         }
@@ -206,7 +218,8 @@ impl<const D: usize, S: Slots<D>> Robot<D, S> {
         if slot.seen_before && self.params.controller().promises() {
             self.assurance.watch(&self.params, self.now, slot, &offset_m);
         }
-        let differs = slot.sensed && slot.position_m != position;
+        let differs = slot.sensed && (slot.position_m != position || slot.rank != rank);
+        slot.rank = rank;
         (slot.sensed, slot.seen_before, slot.offset_m) = (true, false, offset_m);
         (slot.position_m, slot.sensed_at, slot.unsensed_m) = (position, self.now, 0.0);
         (slot.linked, slot.link) = (link.is_some(), link.unwrap_or(NO_LINK));
@@ -230,7 +243,13 @@ impl<const D: usize, S: Slots<D>> Robot<D, S> {
         let value_due = self.value_timer.fires_in_turn(self.now, self.params.settings().clock.hold_max());
         if level_due {
             let (controller, slots) = (self.params.controller(), &mut self.slots.as_mut()[..self.count]);
-            controller.agree(self.id, &mut self.ledger, slots, self.now, scratch);
+            controller.agree(
+                Member { id: self.id, rank: self.rank },
+                &mut self.ledger,
+                slots,
+                self.now,
+                scratch,
+            );
             self.level = self.params.controller().level(&self.view(), scratch);
             self.level_at = self.now;
             self.told_level = self.level;
@@ -320,6 +339,7 @@ impl<const D: usize, S: Slots<D>> Robot<D, S> {
     fn view(&self) -> View<'_, D> {
         View {
             id: self.id,
+            rank: self.rank,
             now: self.now,
             told_level: self.told_level,
             before_m_s: self.before,
@@ -369,20 +389,5 @@ impl<const D: usize, S: Slots<D>> Robot<D, S> {
     /// Whom the robot counts on, under `links`: neighbours that keep the link to it as it keeps the link to them.
     pub fn counted(&self) -> impl Iterator<Item = RobotId> + Clone {
         self.neighbors().iter().filter(|slot| slot.peer.is_counted()).map(|slot| slot.id)
-    }
-
-    /// The neighbours in order of their number.
-    #[must_use]
-    pub fn neighbors(&self) -> &[Slot<D>] {
-        &self.slots.as_ref()[..self.count]
-    }
-
-    pub(crate) fn sensed(&self) -> impl Iterator<Item = &Slot<D>> + Clone {
-        self.neighbors().iter().filter(|slot| slot.sensed)
-    }
-
-    /// The sensed neighbours within R. Without stated errors these are all sensed neighbours.
-    pub(crate) fn linked(&self) -> impl Iterator<Item = &Slot<D>> + Clone {
-        self.sensed().filter(|slot| slot.linked)
     }
 }

@@ -6,7 +6,7 @@ use crate::controller::links::peer::Peer;
 use crate::controller::links::protocol::Number;
 use crate::equations::link::Link;
 use crate::num::Vector;
-pub use crate::robot::id::RobotId;
+pub use crate::robot::id::{Member, RobotId};
 use crate::time::Instant;
 
 /// Stands for the link to a robot that is out of range.
@@ -31,6 +31,7 @@ pub(crate) struct Told {
 #[expect(clippy::struct_excessive_bools, reason = "four facts, each with its own life")]
 pub struct Slot<const D: usize> {
     pub(crate) id: RobotId,
+    pub(crate) rank: u16,
     /// True if it was sensed in this tick.
     pub(crate) sensed: bool,
     /// True if it was sensed in the tick before and not yet in this one.
@@ -54,6 +55,7 @@ impl<const D: usize> Default for Slot<D> {
     fn default() -> Self {
         Self {
             id: RobotId(0),
+            rank: 0,
             sensed: false,
             seen_before: false,
             offset_m: [0.0; D],
@@ -74,6 +76,12 @@ impl<const D: usize> Slot<D> {
     #[must_use]
     pub fn id(&self) -> RobotId {
         self.id
+    }
+
+    /// Whose slot this is, with the rank with which it was observed.
+    #[must_use]
+    pub fn member(&self) -> Member {
+        Member { id: self.id, rank: self.rank }
     }
 
     /// True if it was not sensed in this tick, but must still be within R ([`missing`](crate::robot::missing)).

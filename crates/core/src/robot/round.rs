@@ -31,8 +31,9 @@ impl<const D: usize, S: Slots<D>> Robot<D, S> {
         if !core::mem::take(&mut self.round_news) {
             return None;
         }
-        let mut heard = 0;
-        for slot in self.neighbors() {
+        let (mut heard, mut others) = (0, 0);
+        for slot in self.neighbors().iter().filter(|slot| self.listens_to(slot)) {
+            others += 1;
             if let Some(value) = slot.told_value() {
                 values[heard] = value;
                 heard += 1;
@@ -45,20 +46,25 @@ impl<const D: usize, S: Slots<D>> Robot<D, S> {
         Some(RoundReport {
             kept: small(round.kept),
             discarded: small(round.below + round.above),
-            silent: small(self.count - heard),
+            silent: small(others - heard),
         })
     }
 
     /// Marks the neighbours whose values were discarded. Of equal values at an edge, those of the lowest numbers are marked.
     fn mark_discarded(&mut self, round: &wmsr::Round) {
+        let (need, own, all) = (*self.params.need(), self.member(), self.params.listens_to_all());
+        let taken = |slot: &Slot<D>| {
+            let listens = all || need.counts(own, slot.member());
+            slot.told_value().filter(|_| listens)
+        };
         let values = |slots: &[Slot<D>], beyond: fn(f64, f64) -> bool, edge: f64| {
-            slots.iter().filter(|slot| slot.told_value().is_some_and(|value| beyond(value, edge))).count()
+            slots.iter().filter(|slot| taken(slot).is_some_and(|value| beyond(value, edge))).count()
         };
         let slots = &mut self.slots.as_mut()[..self.count];
         let mut low_ties = round.below.saturating_sub(values(slots, |value, edge| value < edge, round.low));
         let mut high_ties = round.above.saturating_sub(values(slots, |value, edge| value > edge, round.high));
         for slot in slots {
-            let Some(value) = slot.told_value() else { continue };
+            let Some(value) = taken(slot) else { continue };
             slot.discarded = value < round.low
                 || value > round.high
                 || (value == round.low && take_one(&mut low_ties))

@@ -8,7 +8,7 @@ use crate::num::Vector;
 use crate::robot::Robot;
 use crate::robot::error::{ObserveError, Observed, ReceiveError, RobotError, SenseError};
 use crate::robot::memory::RobotMemory;
-use crate::robot::neighbor::{RobotId, Slot};
+use crate::robot::neighbor::{Member, RobotId, Slot};
 use crate::robot::report::Output;
 use crate::settings::params::Params;
 use crate::time::Instant;
@@ -24,9 +24,9 @@ pub struct SizedRobot<const D: usize, const N: usize, const K: usize = 10> {
 
 impl<const D: usize, const N: usize, const K: usize> SizedRobot<D, N, K> {
     /// A robot with initial value `y_i(t₀)`; see [`Robot::new`] and [`RobotMemory::new`] for what is refused.
-    pub fn new(params: Params<D>, id: RobotId, value: f64) -> Result<Self, RobotError> {
+    pub fn new(params: Params<D>, own: impl Into<Member>, value: f64) -> Result<Self, RobotError> {
         let memory = RobotMemory::new(&params)?;
-        Ok(Self { robot: Robot::new(params, id, value, [Slot::default(); N])?, memory })
+        Ok(Self { robot: Robot::new(params, own, value, [Slot::default(); N])?, memory })
     }
 
     /// See [`Robot::restart`].
@@ -40,8 +40,12 @@ impl<const D: usize, const N: usize, const K: usize> SizedRobot<D, N, K> {
     }
 
     /// See [`Robot::observe`].
-    pub fn observe(&mut self, id: RobotId, position: Vector<D>) -> Result<Observed, ObserveError> {
-        self.robot.observe(id, position)
+    pub fn observe(
+        &mut self,
+        other: impl Into<Member>,
+        position: Vector<D>,
+    ) -> Result<Observed, ObserveError> {
+        self.robot.observe(other, position)
     }
 
     /// See [`Robot::share`].

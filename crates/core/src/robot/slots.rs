@@ -3,7 +3,7 @@
 use crate::controller::links::peer::Peer;
 use crate::num::Vector;
 use crate::robot::error::ObserveError;
-use crate::robot::neighbor::{RobotId, Slot};
+use crate::robot::neighbor::{Member, RobotId, Slot};
 use crate::robot::report::Reason;
 use crate::robot::{Robot, Slots};
 
@@ -79,5 +79,51 @@ impl<const D: usize, S: Slots<D>> Robot<D, S> {
         if missed {
             self.assurance.note(self.now, Reason::Unseen);
         }
+    }
+
+    /// The robot as the roster has it.
+    #[must_use]
+    pub fn member(&self) -> Member {
+        Member { id: self.id, rank: self.rank }
+    }
+
+    /// True if this neighbour counts for the robot.
+    #[must_use]
+    pub fn counts(&self, slot: &Slot<D>) -> bool {
+        self.params.need().counts(self.member(), slot.member())
+    }
+
+    /// True if the robot takes the value of this neighbour in a consensus round.
+    #[must_use]
+    pub fn listens_to(&self, slot: &Slot<D>) -> bool {
+        self.params.listens_to_all() || self.counts(slot)
+    }
+
+    /// How many neighbours the robot can have.
+    #[must_use]
+    pub fn slot_count(&self) -> usize {
+        self.slots.as_ref().len()
+    }
+
+    /// Gives the robot another number of slots, for whoever can. Those at the front stay as they are; neighbours whose slots are taken
+    /// away are forgotten.
+    pub fn change_slots(&mut self, change: impl FnOnce(&mut S)) {
+        change(&mut self.slots);
+        self.count = self.count.min(self.slots.as_ref().len());
+    }
+
+    /// The neighbours in order of their number.
+    #[must_use]
+    pub fn neighbors(&self) -> &[Slot<D>] {
+        &self.slots.as_ref()[..self.count]
+    }
+
+    pub(crate) fn sensed(&self) -> impl Iterator<Item = &Slot<D>> + Clone {
+        self.neighbors().iter().filter(|slot| slot.sensed)
+    }
+
+    /// The sensed neighbours within R. Without stated errors these are all sensed neighbours.
+    pub(crate) fn linked(&self) -> impl Iterator<Item = &Slot<D>> + Clone {
+        self.sensed().filter(|slot| slot.linked)
     }
 }

@@ -38,6 +38,7 @@ pub enum Field {
     ClockDrift,
     InputMinMS,
     InputMaxMS,
+    Core,
 }
 
 /// A number of the settings.
@@ -342,7 +343,7 @@ impl Row {
 }
 
 impl Field {
-    /// Its row; `None` for the corners of the input box, which are lists.
+    /// Its row; `None` for the corners of the input box and for ranks, which are no numbers in files.
     #[must_use]
     pub fn row(self) -> Option<&'static Row> {
         TABLE.iter().find(|row| row.field == self)
@@ -354,6 +355,7 @@ impl Field {
         match self {
             Self::InputMinMS => "controller.input_min_m_s",
             Self::InputMaxMS => "controller.input_max_m_s",
+            Self::Core => "team.ranks",
             _ => self.row().map_or("", |row| row.name),
         }
     }
@@ -363,6 +365,7 @@ impl Field {
     pub fn why(self) -> &'static str {
         match self {
             Self::InputMinMS | Self::InputMaxMS => "the box must contain 0",
+            Self::Core => "2F + 1 <= core <= n, and all are core under another controller than links",
             _ => self.row().map_or("", |row| row.why),
         }
     }

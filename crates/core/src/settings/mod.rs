@@ -17,6 +17,7 @@ use crate::consensus::Rule;
 use crate::controller::budget::weight::Conditions;
 use crate::controller::errors::ErrorBounds;
 use crate::equations::link::LinkShape;
+use crate::need::Ranks;
 use crate::program::InputBox;
 use crate::robot::neighbor::RobotId;
 
@@ -74,6 +75,8 @@ pub struct Settings<const D: usize> {
     pub clock: Clock,
     /// Stated bounds of errors.
     pub errors: Errors,
+    /// Ranks of the team, if it has any.
+    pub ranks: Option<Ranks>,
     /// How values are updated.
     pub consensus: Rule,
 }

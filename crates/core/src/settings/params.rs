@@ -1,12 +1,14 @@
 //! Checked settings: what a robot is told once, constant from then on.
 
 use crate::controller::budget::settings::Budget;
+use crate::controller::links::Links;
 use crate::controller::{AnyController, Kept};
 use crate::equations::composition::Composed;
 use crate::equations::link::LinkShape;
-use crate::need::{Keep, Need};
+use crate::need::{Keep, Listen, Need};
 use crate::num::{Vector, is_finite};
 use crate::program::balls::reach::Reach;
+use crate::settings::Team;
 use crate::settings::field::{Field, TABLE};
 pub use crate::settings::range::{Allowed, MAGNITUDE_MAX, ROBOTS_MAX};
 pub use crate::settings::{Controller, Settings};
@@ -39,6 +41,7 @@ impl<const D: usize> Params<D> {
     pub fn new(settings: Settings<D>) -> Result<Self, ParamsError> {
         settings.check_input()?;
         settings.check()?;
+        settings.check_ranks()?;
         let paper_link = settings.paper_link();
         let controller = AnyController::new(&settings, paper_link);
         let link = controller.link(paper_link);
@@ -84,6 +87,12 @@ impl<const D: usize> Params<D> {
         &self.need
     }
 
+    /// True if robots take the values of all neighbours in a consensus round.
+    #[must_use]
+    pub fn listens_to_all(&self) -> bool {
+        self.settings.ranks.is_none_or(|ranks| ranks.listen == Listen::All)
+    }
+
     /// The controller with its parameters.
     #[must_use]
     pub fn controller(&self) -> &AnyController<D> {
@@ -95,6 +104,15 @@ impl<const D: usize> Params<D> {
     pub fn composed(&self) -> Option<&Composed> {
         match &self.controller {
             AnyController::Composed(composed) => Some(&composed.composed),
+            _ => None,
+        }
+    }
+
+    /// Our controller that holds links, if the robot runs it.
+    #[must_use]
+    pub fn links(&self) -> Option<&Links> {
+        match &self.controller {
+            AnyController::Links(links) => Some(&links.links),
             _ => None,
         }
     }
@@ -169,9 +187,33 @@ impl<const D: usize> Settings<D> {
         Reach::new(&self.limits.input, self.clock.hold_max().as_secs_f64())
     }
 
+    /// Who counts for whom in the team, and how many of them a robot must `keep`.
+    #[must_use]
+    pub fn need(&self, keep: Keep) -> Need {
+        let Team { robots, faults } = self.team;
+        match self.ranks {
+            None => Need::new(robots, faults, keep),
+            Some(ranks) => Need::ranked(robots, ranks.core, faults, keep),
+        }
+    }
+
     /// The need F′ of controllers that count all neighbours.
     pub(crate) fn need_of_neighbors(&self) -> Need {
         Need::new(self.team.robots, self.team.faults, Keep::Neighbors)
+    }
+
+    /// m is at least 2F + 1; n where the controller knows of no ranks.
+    fn check_ranks(&self) -> Result<(), ParamsError> {
+        let Some(ranks) = self.ranks else { return Ok(()) };
+        let (core, Team { robots, faults }) = (f64::from(ranks.core), self.team);
+        let ranked = matches!(self.controller, Controller::Links(_));
+        let least = if ranked { f64::from(faults) * 2.0 + 1.0 } else { f64::from(robots) };
+        let allowed = Allowed::Closed(least, f64::from(robots));
+        if allowed.holds(core) {
+            Ok(())
+        } else {
+            Err(ParamsError { field: Field::Core, value: core, allowed })
+        }
     }
 
     fn check_input(&self) -> Result<(), ParamsError> {
@@ -208,9 +250,10 @@ mod tests {
 
     use super::*;
     use crate::controller::assume::Assume;
+    use crate::need::Ranks;
     use crate::robot::neighbor::RobotId;
     use crate::settings::range::ROBOTS_MAX;
-    use crate::settings::{BudgetSettings, ComposedSettings};
+    use crate::settings::{BudgetSettings, ComposedSettings, LinksSettings};
 
     type Change = fn(&mut Settings<2>);
 
@@ -236,7 +279,7 @@ mod tests {
 
     #[test]
     fn each_setting_is_refused_outside_its_range() {
-        let wrong: [(Field, Change); 21] = [
+        let wrong: [(Field, Change); 24] = [
             (Field::Robots, |s| s.team.robots = 1),
             (Field::Robots, |s| s.team.robots = ROBOTS_MAX + 1),
             (Field::Faults, |s| s.team.faults = 6),
@@ -263,6 +306,15 @@ mod tests {
             (Field::InputMinMS, |s| s.limits.input.min_m_s[1] = 0.1),
             (Field::InputMaxMS, |s| s.limits.input.max_m_s[0] = f64::NAN),
             (Field::LevelPeriod, |s| s.clock.level_period = Duration::ZERO),
+            (Field::Core, |s| {
+                s.controller = Controller::Links(LinksSettings::default());
+                s.ranks = Some(Ranks { core: 4, listen: Listen::All });
+            }),
+            (Field::Core, |s| {
+                s.controller = Controller::Links(LinksSettings::default());
+                s.ranks = Some(Ranks { core: 12, listen: Listen::All });
+            }),
+            (Field::Core, |s| s.ranks = Some(Ranks { core: 7, listen: Listen::All })),
         ];
         for (field, change) in wrong {
             let mut settings = Settings::default();

@@ -4,15 +4,19 @@ use alloc::collections::{BTreeMap, BTreeSet};
 use alloc::string::{String, ToString};
 use alloc::vec::Vec;
 
+use super::NAME_LIMIT;
 use super::error::{FormatError, Problem};
 use super::note::Note;
-use super::{NAME_LIMIT, Named};
-use crate::graph::Graph;
 use crate::graph::set::NODE_LIMIT;
+use crate::network::{NETWORK_LIMIT, Network};
 
 /// What a reader has made of a text.
 pub(super) struct Draft {
-    pub(super) named: Named,
+    pub(super) network: Network,
+    /// The name of each node.
+    pub(super) names: Vec<String>,
+    /// The line with the first node that a graph for exact search has no place for.
+    pub(super) beyond: Option<usize>,
     pub(super) notes: Vec<Note>,
     /// The first parallel link or loop, as an error.
     pub(super) repeat: Option<FormatError>,
@@ -24,6 +28,7 @@ pub(super) struct Builder {
     names: Vec<String>,
     labels: Vec<String>,
     numbers: BTreeMap<String, usize>,
+    beyond: Option<usize>,
     heard: BTreeSet<(usize, usize)>,
     one_way: bool,
     both_ways: usize,
@@ -43,6 +48,7 @@ impl Builder {
             names: Vec::new(),
             labels: Vec::new(),
             numbers: BTreeMap::new(),
+            beyond: None,
             heard: BTreeSet::new(),
             one_way: false,
             both_ways: 0,
@@ -88,10 +94,13 @@ impl Builder {
             Problem::NodeTwice { name: name.to_string() }
         } else if name.is_empty() || name.len() > NAME_LIMIT {
             Problem::Name { bytes: name.len() }
-        } else if self.names.len() == NODE_LIMIT {
+        } else if self.names.len() == NETWORK_LIMIT {
             Problem::TooManyNodes
         } else {
             let number = self.names.len();
+            if number == NODE_LIMIT {
+                self.beyond.get_or_insert(line);
+            }
             self.names.push(name.to_string());
             self.labels.push(String::new());
             self.numbers.insert(name.to_string(), number);
@@ -227,17 +236,17 @@ impl Builder {
             rank[index] = place;
         }
         let directed = self.directed || self.one_way;
-        let none = |_| FormatError::new(line, Problem::NoNodes);
-        let mut graph = Graph::empty(order.len(), directed).map_err(none)?;
-        for &(from, to) in &self.heard {
-            // In an undirected graph the other direction has put the link there already.
-            let _ = graph.add_edge(rank[from], rank[to]);
+        if order.is_empty() {
+            return Err(FormatError::new(line, Problem::NoNodes));
         }
+        let small = |node: usize| u32::try_from(rank[node]).unwrap_or(u32::MAX);
+        let pairs: Vec<(u32, u32)> = self.heard.iter().map(|&(from, to)| (small(from), small(to))).collect();
+        let network = Network::new(order.len(), directed, &pairs);
         let names = order.iter().map(|&index| core::mem::take(&mut self.names[index])).collect();
         let mut notes = self.notes;
         notes.extend((self.parallel > 0).then_some(Note::Parallel(self.parallel)));
         notes.extend((self.loops > 0).then_some(Note::Loops(self.loops)));
         notes.extend((directed && self.both_ways > 0).then_some(Note::BothWays(self.both_ways)));
-        Ok(Draft { named: Named { graph, names }, notes, repeat: self.repeat })
+        Ok(Draft { network, names, beyond: self.beyond, notes, repeat: self.repeat })
     }
 }

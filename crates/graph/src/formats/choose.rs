@@ -1,13 +1,14 @@
 //! Which format a text is of: asked for, told by a sign of its own, or the only shape that fits.
 
-use alloc::collections::BTreeSet;
 use alloc::string::String;
+use alloc::vec;
 use alloc::vec::Vec;
 
+use super::builder::Draft;
 use super::error::{FormatError, Problem};
 use super::format::Format;
 use super::table::{ROWS, Row, Sign, row};
-use super::{Named, Options, ToldBy, matrix};
+use super::{Options, ToldBy, matrix};
 
 /// The row to read `text` with. Who asks for weights has a matrix. Where several shapes fit and read different graphs, the ending of the name decides if it
 /// settles; else the text is refused with the names of all that fit.
@@ -68,24 +69,30 @@ fn by_ending(options: &Options<'_>, fitting: &[&'static Row]) -> Result<&'static
 
 /// Whether all of them read one and the same graph, so that it does not matter which is right.
 fn all_the_same(text: &str, options: &Options<'_>, fitting: &[&'static Row]) -> bool {
-    let mut graphs = fitting.iter().map(|row| (row.read)(text, options).map(|draft| by_name(&draft.named)));
+    let mut graphs = fitting.iter().map(|row| (row.read)(text, options).map(|draft| by_name(&draft)));
     let Some(Ok(first)) = graphs.next() else {
         return false;
     };
     graphs.all(|graph| graph.as_ref() == Ok(&first))
 }
 
-/// Direction, names and edges, whatever the order of the nodes.
-type ByName = (bool, BTreeSet<String>, BTreeSet<[String; 2]>);
+/// Direction, names in order, and edges between places in that order.
+type ByName = (bool, Vec<String>, Vec<(u32, u32)>);
 
-fn by_name(named: &Named) -> ByName {
-    let directed = named.graph.is_directed();
-    let ends = |(from, to): (usize, usize)| {
-        let mut ends = [named.names[from].clone(), named.names[to].clone()];
-        if !directed {
-            ends.sort_unstable();
-        }
-        ends
+/// What a draft says, whatever the order of its nodes.
+fn by_name(draft: &Draft) -> ByName {
+    let mut order: Vec<usize> = (0..draft.names.len()).collect();
+    order.sort_unstable_by_key(|node| &draft.names[*node]);
+    let mut place = vec![0; order.len()];
+    for (index, node) in (0_u32..).zip(&order) {
+        place[*node] = index;
+    }
+    let directed = draft.network.is_directed();
+    let ends = |(from, to): (u32, u32)| {
+        let (from, to) = (place[from as usize], place[to as usize]);
+        if directed || from < to { (from, to) } else { (to, from) }
     };
-    (directed, named.names.iter().cloned().collect(), named.graph.edges().map(ends).collect())
+    let mut edges: Vec<(u32, u32)> = draft.network.edges().map(ends).collect();
+    edges.sort_unstable();
+    (directed, order.iter().map(|node| draft.names[*node].clone()).collect(), edges)
 }

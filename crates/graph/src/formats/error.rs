@@ -4,8 +4,8 @@ use alloc::string::String;
 use alloc::vec::Vec;
 use core::fmt;
 
+use super::NAME_LIMIT;
 use super::format::Format;
-use super::{NAME_LIMIT, TEXT_LIMIT};
 use crate::graph::set::NODE_LIMIT;
 
 /// What is wrong with a text and where.
@@ -129,6 +129,8 @@ pub enum Problem {
     TextTooLong {
         /// Its length.
         bytes: usize,
+        /// How long it may be.
+        most: usize,
     },
 }
 
@@ -231,7 +233,7 @@ impl fmt::Display for Problem {
             Self::Name { bytes } => write!(f, "a name of {bytes} bytes, allowed are 1 to {NAME_LIMIT}"),
             Self::TooManyNodes => write!(f, "more than {NODE_LIMIT} nodes"),
             Self::NoNodes => write!(f, "no node, at least one is needed"),
-            Self::TextTooLong { bytes } => write!(f, "{bytes} bytes of text, at most {TEXT_LIMIT} are read"),
+            Self::TextTooLong { bytes, most } => write!(f, "{bytes} bytes of text, at most {most} are read"),
         }
     }
 }

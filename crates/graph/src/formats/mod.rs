@@ -36,6 +36,7 @@ use alloc::string::{String, ToString};
 use alloc::vec::Vec;
 
 use crate::graph::Graph;
+use crate::network::Network;
 pub use error::{FormatError, Problem, WriteError};
 pub use format::Format;
 pub use note::Note;
@@ -43,6 +44,9 @@ pub use words::unix_lines;
 
 /// Longest text that is read, bytes.
 pub const TEXT_LIMIT: usize = 1 << 22;
+
+/// Longest text of a network that is read, bytes.
+pub const NETWORK_TEXT_LIMIT: usize = 1 << 28;
 
 /// Longest name of a node, bytes.
 pub const NAME_LIMIT: usize = 256;
@@ -108,13 +112,42 @@ pub struct Reading {
     pub notes: Vec<Note>,
 }
 
+/// A network of any size that was read, and as what.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct NetworkReading {
+    /// The network.
+    pub network: Network,
+    /// The name of each node, all different.
+    pub names: Vec<String>,
+    /// The line with the first node that a graph for exact search has no place for.
+    beyond: Option<usize>,
+    /// The format it was read as.
+    pub format: Format,
+    /// How the format was found.
+    pub told_by: ToldBy,
+    /// What a reader should know who expected something else.
+    pub notes: Vec<Note>,
+}
+
 /// Reads the graph that `text` holds: at most [`TEXT_LIMIT`] bytes and 128 nodes.
 ///
 /// A mark of the byte order at the start is passed over, and lines may end in any way. Fails where the text is not what
 /// its format demands, and where it may be two different graphs.
 pub fn read(text: &str, options: &Options<'_>) -> Result<Reading, FormatError> {
     if text.len() > TEXT_LIMIT {
-        return Err(FormatError::new(1, Problem::TextTooLong { bytes: text.len() }));
+        return Err(FormatError::new(1, Problem::TextTooLong { bytes: text.len(), most: TEXT_LIMIT }));
+    }
+    read_network(text, options)?.small()
+}
+
+/// Reads the network that `text` holds: at most [`NETWORK_TEXT_LIMIT`] bytes and
+/// [`NETWORK_LIMIT`](crate::network::NETWORK_LIMIT) nodes, otherwise as [`read`].
+pub fn read_network(text: &str, options: &Options<'_>) -> Result<NetworkReading, FormatError> {
+    if text.len() > NETWORK_TEXT_LIMIT {
+        return Err(FormatError::new(
+            1,
+            Problem::TextTooLong { bytes: text.len(), most: NETWORK_TEXT_LIMIT },
+        ));
     }
     let text = unix_lines(text);
     let (row, told_by) = choose::choose(&text, options)?;
@@ -123,13 +156,24 @@ pub fn read(text: &str, options: &Options<'_>) -> Result<Reading, FormatError> {
         Some(repeat) if options.strict => return Err(repeat),
         _ => {}
     }
-    let (mut named, mut notes) = (draft.named, draft.notes);
-    if options.transpose && named.graph.is_directed() {
-        named.graph = transposed(&named.graph);
+    let (mut network, mut notes) = (draft.network, draft.notes);
+    if options.transpose && network.is_directed() {
+        network = network.transposed();
     } else if options.transpose {
         notes.push(Note::NothingToTranspose);
     }
-    Ok(Reading { named, format: row.format, told_by, notes })
+    let (names, beyond) = (draft.names, draft.beyond);
+    Ok(NetworkReading { network, names, beyond, format: row.format, told_by, notes })
+}
+
+impl NetworkReading {
+    /// The same as a graph for exact search; refused where the text has more nodes than it takes.
+    pub fn small(self) -> Result<Reading, FormatError> {
+        let Self { network, names, beyond, format, told_by, notes } = self;
+        let many = |_| FormatError::new(beyond.unwrap_or(1), Problem::TooManyNodes);
+        let graph = network.graph().map_err(many)?;
+        Ok(Reading { named: Named { graph, names }, format, told_by, notes })
+    }
 }
 
 /// The format that `text` would be read as, if that is clear.
@@ -139,16 +183,6 @@ pub fn recognise(text: &str, options: &Options<'_>) -> Result<(Format, ToldBy), 
 }
 
 /// Every edge u → v becomes v → u.
-fn transposed(graph: &Graph) -> Graph {
-    let mut turned = graph.clone();
-    graph.edges().for_each(|(from, to)| turned.remove_edge(from, to));
-    for (from, to) in graph.edges() {
-        // The edge cannot be refused: it is no loop, its ends are there, and nothing else is between them in this order.
-        let _ = turned.add_edge(to, from);
-    }
-    turned
-}
-
 /// Writes `named` down. What is written reads back as the same graph; matrix and graph6 have no place for names.
 pub fn write(named: &Named, format: Format) -> Result<String, WriteError> {
     match table::row(format).write {

@@ -2,6 +2,7 @@
 
 pub mod fixed;
 mod generator;
+pub mod large;
 pub mod random;
 
 use core::fmt;

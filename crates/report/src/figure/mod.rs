@@ -11,6 +11,7 @@ pub(crate) mod panel;
 mod paper;
 mod paths;
 mod series;
+mod swarm;
 mod thinned;
 pub(crate) mod trace;
 
@@ -20,6 +21,7 @@ use closeranks_sim::scenario::Scenario;
 pub use self::animation::animation;
 pub use self::overview::overview;
 pub use self::paper::{figure1, figure2, figure3};
+pub use self::swarm::{MANY, swarm};
 pub use self::thinned::Thinned;
 
 use self::formation::view::{View, views};

@@ -68,7 +68,24 @@ pub fn numbers(scenario: &Scenario, run: &Run, program: Program<'_>) -> Map<Stri
         "laws": laws.collect::<Map<_, _>>(),
         "ok": summary.failures(scenario).next().is_none(),
     });
-    if let Value::Object(numbers) = numbers { numbers } else { Map::new() }
+    let mut numbers = if let Value::Object(numbers) = numbers { numbers } else { Map::new() };
+    if let Some(ranks) = ranks(scenario) {
+        let first = summary.void.first.map(|(tick, robot, liars)| {
+            json!({ "time_s": f64::from(tick) * scenario.tick_s(), "robot": robot, "listened_to": liars })
+        });
+        numbers.insert("ranks".to_owned(), json!(ranks));
+        numbers.insert("void".to_owned(), json!({ "rounds": summary.void.rounds, "first": first }));
+    }
+    numbers
+}
+
+/// The rank of each robot, if there are ranks.
+pub(super) fn ranks(scenario: &Scenario) -> Option<Vec<u16>> {
+    let ranks = match scenario.dimension {
+        3 => scenario.ranks::<3>(),
+        _ => scenario.ranks::<2>(),
+    };
+    ranks.ok().flatten()
 }
 
 /// What became of a law.

@@ -72,13 +72,44 @@ pub fn advice(scenario: &Scenario, summary: &Summary, file: &str) -> Option<Stri
 #[must_use]
 pub fn warning(scenario: &Scenario) -> Option<String> {
     let liars = scenario.malicious.len();
-    (liars > usize::from(scenario.team.faults)).then(|| {
+    (liars > usize::from(scenario.team.faults) && scenario.ranking().is_none()).then(|| {
         format!(
             "note: {liars} malicious robots, but the team is prepared for F = {}: no theorem covers this run",
             scenario.team.faults
         )
     })
 }
+
+/// What ranks a team has, and where more than F malicious robots were around one robot: nothing is promised of such rounds.
+#[must_use]
+pub fn ranks(scenario: &Scenario, summary: &Summary) -> Option<String> {
+    let ranks = super::numbers::ranks(scenario)?;
+    let core: Vec<String> = (1..)
+        .zip(&ranks)
+        .filter(|(_, rank)| **rank == 0)
+        .map(|(robot, _): (u16, _)| robot.to_string())
+        .collect();
+    let (shown, more) = core.split_at(core.len().min(CORE_SHOWN));
+    let more = if more.is_empty() { String::new() } else { format!(" and {} others", more.len()) };
+    let highest = ranks.iter().copied().max().unwrap_or(0);
+    let faults = scenario.team.faults;
+    let void = match (summary.void.rounds, summary.void.first) {
+        (rounds, Some((tick, robot, liars))) => format!(
+            "; at most F = {faults} liars around each robot was NOT so in {rounds} rounds, first at t = {}, when robot {robot} \
+             listened to {liars}: nothing is promised of those",
+            time(scenario, tick)
+        ),
+        _ => format!("; at most F = {faults} liars around each robot, {} in all", scenario.malicious.len()),
+    };
+    let core_size = core.len();
+    Some(format!(
+        "ranks: a core of {core_size} (robots {}{more}), ranks up to {highest}{void}",
+        shown.join(", ")
+    ))
+}
+
+/// So many robots of a core are named.
+const CORE_SHOWN: usize = 12;
 
 /// What became of each law that is expected, or that was broken.
 #[must_use]

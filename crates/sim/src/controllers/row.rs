@@ -97,6 +97,8 @@ pub struct Row {
     /// Whether it guarantees in discrete time what it promises. Robots then watch what that rests on: their clocks, and
     /// whether they are where their moves should have taken them.
     pub guarantees: bool,
+    /// Whether ranks may tell who counts for whom.
+    pub ranks: bool,
     /// Whether φ_i is part of its decisions.
     pub uses_phi: bool,
     /// The laws that sweeps hold it to.
@@ -123,6 +125,7 @@ pub(crate) const fn of_others(
         about,
         knows: Knows::Global,
         guarantees: false,
+        ranks: false,
         uses_phi: false,
         promises: &[Law::Interval, Law::Input],
         counted: Counted::Covered,

@@ -6,11 +6,11 @@
 use closeranks_core::controller::links::wire::{Notice, bytes_max};
 use closeranks_core::equations::composition::Composed;
 use closeranks_core::message::{MESSAGE_BYTES, Message};
-use closeranks_core::num::dot;
+use closeranks_core::num::{Vector, dot};
 use closeranks_core::program::Outcome;
 use closeranks_core::robot::Robot;
 use closeranks_core::robot::error::RobotError;
-use closeranks_core::robot::neighbor::{RobotId, Slot};
+use closeranks_core::robot::neighbor::{Member, RobotId, Slot};
 use closeranks_core::robot::report::Mode;
 use closeranks_core::settings::params::Params;
 
@@ -19,16 +19,23 @@ use crate::engine::memory::Memory;
 use crate::faults::edges::Edges;
 use crate::faults::network::{FaultyNetwork, LATE_MAX};
 use crate::faults::outages::Downtime;
+use crate::faults::sight::Sight;
 use crate::frame::Frame;
+use crate::geometry::around::Around;
 use crate::geometry::squared_distance;
 use crate::scenario::Scenario;
 use crate::transport::memory::InMemory;
 use crate::transport::{Bytes, Parcel, Transport};
 
+/// So many slots robots have at first, and get at a time, where they get them when they need them.
+const SLOTS_FIRST: usize = 8;
+
 /// All robots of a run, with whatever goes wrong around them.
 #[derive(Debug)]
 pub struct Fleet<const D: usize, T = FaultyNetwork<InMemory>> {
     robots: Vec<Robot<D, Vec<Slot<D>>>>,
+    /// Their numbers and ranks.
+    members: Vec<Member>,
     memory: Memory<D>,
     composed: Composed,
     params: Params<D>,
@@ -42,6 +49,10 @@ pub struct Fleet<const D: usize, T = FaultyNetwork<InMemory>> {
     buffer: Vec<u8>,
     transport: T,
     edges: Edges<D>,
+    /// Who is within R of whom in this tick, where robots sense everybody there.
+    around: Around,
+    /// How many slots a robot may have.
+    slots: usize,
     /// Robots tell lists of links and not levels.
     lists: bool,
     ticks_per_round: u32,
@@ -76,11 +87,16 @@ impl<const D: usize, T: Transport> Fleet<D, T> {
     ) -> Result<Self, RobotError> {
         let others = values.len().saturating_sub(1);
         let slots = scenario.faults.sensing.dropouts.slots.map_or(others, usize::from);
-        let robots = (0..)
+        let (members, edges) = (members::<D>(scenario), Edges::new(scenario, &params));
+        // Where it is known who is near, robots get slots when they need them.
+        let first = if edges.sight.is_whole() { slots.min(SLOTS_FIRST) } else { slots };
+        let robots = members
+            .iter()
             .zip(values)
-            .map(|(index, value)| Robot::new(params, id(index), *value, vec![Slot::default(); slots]));
+            .map(|(member, value)| Robot::new(params, *member, *value, vec![Slot::default(); first]));
         Ok(Self {
             robots: robots.collect::<Result<_, _>>()?,
+            members,
             memory: Memory::new(&params, others),
             composed: scenario.composition(),
             params,
@@ -90,7 +106,9 @@ impl<const D: usize, T: Transport> Fleet<D, T> {
             notices: None,
             buffer: vec![0; MESSAGE_BYTES.max(bytes_max(scenario.team.robots, D))],
             transport,
-            edges: Edges::new(scenario, &params),
+            edges,
+            around: Around::default(),
+            slots,
             lists: params.controller().tells_lists(),
             ticks_per_round: scenario.ticks_per_round(),
             tick: 0,
@@ -133,6 +151,7 @@ impl<const D: usize, T: Transport> Fleet<D, T> {
         let time_s = self.time_s();
         if self.tick.is_multiple_of(self.ticks_per_round) {
             frame.heard.fill([0; 2]);
+            frame.listened.fill([0; 2]);
         }
         self.edges.begin_tick(self.tick, time_s, &frame.positions_m);
         self.transport.begin_tick(self.tick);
@@ -150,6 +169,10 @@ impl<const D: usize, T: Transport> Fleet<D, T> {
     fn sense(&mut self, frame: &Frame<D>) {
         let sight_m2 = self.params.link().radius_m * self.params.link().radius_m;
         let Edges { clocks, senses, sight, downtime } = &mut self.edges;
+        let whole = sight.is_whole();
+        if whole {
+            self.around.look(&frame.positions_m, self.params.link().radius_m);
+        }
         for (observer, robot) in self.robots.iter_mut().enumerate() {
             if downtime.down(observer) {
                 continue;
@@ -157,12 +180,24 @@ impl<const D: usize, T: Transport> Fleet<D, T> {
             let own = &frame.positions_m[observer];
             // Sensed positions are finite and clocks rise, so nothing here is refused unless slots are too few.
             let _ = robot.sense(clocks.now(observer, self.tick), senses.sense(observer, observer, own));
+            if whole {
+                make_room(robot, self.around.of(observer).len(), self.slots);
+            }
+            let mut observe = |index: usize, position: &Vector<D>, sight: &mut Sight<D>| {
+                let sensed = senses.sense(observer, index, position);
+                sight.note((observer, index), position, &sensed);
+                let _ = robot.observe(self.members[index], sensed);
+            };
+            if whole {
+                for index in self.around.of(observer).iter().map(|index| usize::from(*index)) {
+                    observe(index, &frame.positions_m[index], sight);
+                }
+                continue;
+            }
             for (index, position) in frame.positions_m.iter().enumerate() {
                 let within = squared_distance(own, position) <= sight_m2;
                 if index != observer && sight.senses((observer, own), index, within) {
-                    let sensed = senses.sense(observer, index, position);
-                    sight.note((observer, index), position, &sensed);
-                    let _ = robot.observe(id(index), sensed);
+                    observe(index, position, sight);
                 }
             }
         }
@@ -193,15 +228,15 @@ impl<const D: usize, T: Transport> Fleet<D, T> {
     fn hand_over(&mut self) {
         let mut notices = self.notices.take().unwrap_or_default();
         notices.clear();
-        for (sender, message) in self.outbox.iter().enumerate() {
-            let Some(message) = message else { continue };
-            for receiver in (0..self.robots.len()).filter(|receiver| *receiver != sender) {
+        for (receiver, robot) in self.robots.iter().enumerate() {
+            // All others refuse it: they are out of range.
+            for sender in robot.neighbors().iter().map(|slot| usize::from(slot.id().0) - 1) {
+                let Some(message) = &self.outbox[sender] else { continue };
                 let notice = self.robots[sender].notice(message, id(receiver));
                 notices.extend(notice.map(|notice| (sender, receiver, notice)));
             }
         }
         for (sender, receiver, notice) in &notices {
-            // Robots out of range refuse it.
             let _ = self.robots[*receiver].receive_notice(id(*sender), notice);
         }
         self.notices = Some(notices);
@@ -285,7 +320,7 @@ impl<const D: usize, T: Transport> Fleet<D, T> {
             }
             ends += u32::from(output.report.degree);
             if output.report.round.is_some() {
-                frame.heard[index] = heard(robot, &self.malicious);
+                [frame.heard[index], frame.listened[index]] = heard(robot, &self.malicious);
             }
         }
         frame.links = ends / 2;
@@ -315,6 +350,23 @@ fn id(index: usize) -> RobotId {
     RobotId(u16::try_from(index + 1).unwrap_or(u16::MAX))
 }
 
+/// Gives a robot slots for so many more neighbours than it has, up to `most`.
+fn make_room<const D: usize>(robot: &mut Robot<D, Vec<Slot<D>>>, others: usize, most: usize) {
+    let needed = (robot.neighbors().len() + others).min(most);
+    if robot.slot_count() < needed {
+        robot.change_slots(|slots| {
+            slots.resize(needed.next_multiple_of(SLOTS_FIRST).min(most), Slot::default());
+        });
+    }
+}
+
+/// The robots of `scenario` as the roster has them.
+fn members<const D: usize>(scenario: &Scenario) -> Vec<Member> {
+    let ranks = scenario.ranks::<D>().ok().flatten();
+    let rank = |index: usize| ranks.as_ref().map_or(0, |ranks| ranks[index]);
+    (0..usize::from(scenario.team.robots)).map(|index| Member { id: id(index), rank: rank(index) }).collect()
+}
+
 /// φ_i of a robot whose controller does not use it, from what it senses and was told.
 fn phi<const D: usize>(robot: &Robot<D, Vec<Slot<D>>>, composed: &Composed) -> f64 {
     let slots = || robot.neighbors().iter();
@@ -322,9 +374,17 @@ fn phi<const D: usize>(robot: &Robot<D, Vec<Slot<D>>>, composed: &Composed) -> f
     composed.phi(robot.told_level(), slots().filter_map(Slot::told_level), distances_m2)
 }
 
-/// How many values a robot used in its round, and how many of them were those of normal robots.
-fn heard<const D: usize>(robot: &Robot<D, Vec<Slot<D>>>, malicious: &[bool]) -> [u16; 2] {
-    let spoke = || robot.neighbors().iter().filter(|slot| slot.told_value().is_some());
-    let normal = spoke().filter(|slot| !malicious[usize::from(slot.id().0) - 1]).count();
-    [spoke().count(), normal].map(|count| u16::try_from(count).unwrap_or(u16::MAX))
+/// How many values of robots that count for it a robot used in its round, and how many of them were those of normal robots; and how
+/// many values it used at all, and how many of them were those of malicious robots.
+fn heard<const D: usize>(robot: &Robot<D, Vec<Slot<D>>>, malicious: &[bool]) -> [[u16; 2]; 2] {
+    let spoke = robot.neighbors().iter().filter(|slot| slot.told_value().is_some() && robot.listens_to(slot));
+    let [mut counted, mut normal, mut all, mut liars] = [0; 4];
+    for slot in spoke {
+        let (counts, lies) = (robot.counts(slot), malicious[usize::from(slot.id().0) - 1]);
+        all += 1;
+        counted += u16::from(counts);
+        normal += u16::from(counts && !lies);
+        liars += u16::from(lies);
+    }
+    [[counted, normal], [all, liars]]
 }

@@ -81,9 +81,9 @@ pub struct FaultyNetwork<T> {
     tick_s: f64,
     tick: u32,
     random: Random,
-    /// Links that carry nothing one way: sender times n plus receiver.
+    /// Links that carry nothing one way: sender times n plus receiver; empty where there are none.
     deaf: Vec<bool>,
-    /// Links that lose everything just now.
+    /// Links that lose everything just now; empty where that never happens.
     burst: Vec<bool>,
     /// Parcels that are late, by the tick in which the inner network gets them.
     late: BTreeMap<u32, Vec<Parcel>>,
@@ -97,7 +97,9 @@ impl<T: Transport> FaultyNetwork<T> {
     pub fn new(inner: T, network: Network, seed: u64, robots: u16, tick_s: f64) -> Self {
         let robots = usize::from(robots);
         let mut random = Random::new(seed, Stream::Network);
-        let deaf = (0..robots * robots).map(|_| network.deaf > 0.0 && random.chance(network.deaf)).collect();
+        let deaf = if network.deaf > 0.0 { robots * robots } else { 0 };
+        let deaf = (0..deaf).map(|_| random.chance(network.deaf)).collect();
+        let bursts = if network.burst_begin > 0.0 { robots * robots } else { 0 };
         Self {
             inner,
             network,
@@ -106,7 +108,7 @@ impl<T: Transport> FaultyNetwork<T> {
             tick: 0,
             random,
             deaf,
-            burst: vec![false; robots * robots],
+            burst: vec![false; bursts],
             late: BTreeMap::new(),
             count: 0,
         }
@@ -150,7 +152,8 @@ impl<T: Transport> FaultyNetwork<T> {
             let lasts = partition.from_s <= time_s && time_s < partition.to_s;
             lasts && first(parcel.sender) != first(parcel.receiver)
         });
-        divided || self.deaf[link] || self.burst[link]
+        let is = |links: &[bool]| links.get(link) == Some(&true);
+        divided || is(&self.deaf) || is(&self.burst)
     }
 
     /// True with `probability`. Nothing is drawn where nothing can happen.

@@ -73,6 +73,12 @@ impl<const D: usize> Sight<D> {
         }
     }
 
+    /// True if everybody within R is always sensed: then nobody else need be asked for.
+    #[must_use]
+    pub fn is_whole(&self) -> bool {
+        self.last.is_empty()
+    }
+
     /// Begins a tick.
     pub fn begin_tick(&mut self, tick: u32, time_s: f64) {
         (self.tick, self.time_s) = (tick, time_s);

@@ -1,5 +1,6 @@
 //! Distances of pairs of robots.
 
+pub(crate) mod around;
 pub(crate) mod near;
 
 use closeranks_core::num::{Vector, dot, subtract};

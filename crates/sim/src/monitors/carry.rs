@@ -1,5 +1,7 @@
 //! The theorem of `budget` from tick to tick: what was safe stays safe wherever its assumptions hold.
 
+use std::sync::Arc;
+
 use closeranks_core::settings::params::Params;
 
 use crate::frame::Frame;
@@ -9,8 +11,9 @@ use crate::monitors::distance::Distances;
 use crate::monitors::held::Held;
 use crate::monitors::mode::ModeWatch;
 use crate::monitors::rest::RestWatch;
+use crate::monitors::rule::Rule;
 use crate::monitors::time::{fraction, longer_ago};
-use crate::monitors::truth::{ROUNDING, Truth, required};
+use crate::monitors::truth::{ROUNDING, Truth};
 use crate::scenario::Scenario;
 
 /// The tick before, and what has not held since when.
@@ -18,6 +21,7 @@ use crate::scenario::Scenario;
 pub(crate) struct Carry<const D: usize> {
     params: Params<D>,
     malicious: Vec<bool>,
+    rule: Arc<Rule>,
     told_ticks: u64,
     /// γ and κ, by which h may fall; written down once more.
     shares: [f64; 2],
@@ -38,19 +42,20 @@ pub(crate) struct Carry<const D: usize> {
 impl<const D: usize> Carry<D> {
     /// For the robots of `scenario`.
     #[must_use]
-    pub(crate) fn new(scenario: &Scenario, params: Params<D>) -> Self {
+    pub(crate) fn new(scenario: &Scenario, params: Params<D>, rule: &Arc<Rule>) -> Self {
         let settings = params.settings();
         let aged = settings.clock.told_max + settings.clock.error;
         let told_ticks = aged.as_nanos().div_ceil(settings.clock.level_period.as_nanos().max(1));
         let told_ticks = u64::try_from(told_ticks).unwrap_or(u64::MAX).saturating_add(1);
         Self {
             malicious: scenario.malicious_mask(),
+            rule: Arc::clone(rule),
             told_ticks,
             shares: params.budget().map_or([1.0, 0.0], |budget| [budget.gamma, budget.gain_slope]),
-            mode: ModeWatch::new(scenario, params, told_ticks),
+            mode: ModeWatch::new(scenario, params, rule, told_ticks),
             rest: RestWatch::new(scenario, params),
             distances: Distances::new(scenario, params),
-            held: Held::new(scenario, params),
+            held: Held::new(scenario, params, rule),
             params,
             before: None,
             broken: None,
@@ -137,9 +142,8 @@ impl<const D: usize> Carry<D> {
         verdicts: &mut Verdicts,
     ) {
         let budget = self.params.controller().promises();
-        let required = required(&self.params);
         for (robot, index) in (1_u16..).zip(0..truth.h.len()).filter(|(_, k)| !self.malicious[*k]) {
-            let h = truth.h[index];
+            let (h, required) = (truth.h[index], self.rule.required(index));
             let carried = before.filter(|before| before.claims && self.kept[index]);
             let at = |seen, demanded| Violation { tick, robots: [robot, 0], seen, demanded };
             if h < -ROUNDING {

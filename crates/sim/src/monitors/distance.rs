@@ -216,6 +216,7 @@ mod tests {
     use closeranks_core::settings::{Errors, Team};
 
     use super::*;
+    use crate::monitors::rule::Rule;
     use crate::random::{Random, Stream};
     use crate::scenario;
 
@@ -254,7 +255,7 @@ mod tests {
         let (params, malicious) = (scenario.params().unwrap(), scenario.malicious_mask());
         let [was, is] = [&then, &now].map(|frame| {
             let mut truth = Truth::default();
-            truth.look(&params, &malicious, frame, false);
+            truth.look(&params, &Rule::new(scenario, &params), &malicious, frame, false);
             truth
         });
         let mut pairs = Distances::new(scenario, params);

@@ -1,13 +1,15 @@
 //! The theorem of `links` from tick to tick: who is counted on keeps its row (lem:counted), a link that is counted on stays a link
 //! (thm:held), and who counts on enough keeps enough.
 
+use std::sync::Arc;
+
 use closeranks_core::num::sqrt;
 use closeranks_core::settings::params::Params;
 
 use crate::frame::Frame;
 use crate::geometry::squared_distance;
 use crate::law::{Law, Verdicts, Violation};
-use crate::monitors::truth::{is_free, keep};
+use crate::monitors::rule::Rule;
 use crate::scenario::Scenario;
 
 /// Links that were counted on when they were no longer than R, and must have been so ever since.
@@ -15,15 +17,21 @@ use crate::scenario::Scenario;
 pub(crate) struct Held<const D: usize> {
     params: Params<D>,
     malicious: Vec<bool>,
+    rule: Arc<Rule>,
     /// For each robot the others, by number, in rising order.
     sound: Vec<Vec<u16>>,
 }
 
 impl<const D: usize> Held<D> {
     /// For the robots of `scenario`.
-    pub(crate) fn new(scenario: &Scenario, params: Params<D>) -> Self {
+    pub(crate) fn new(scenario: &Scenario, params: Params<D>, rule: &Arc<Rule>) -> Self {
         let robots = usize::from(scenario.team.robots);
-        Self { params, malicious: scenario.malicious_mask(), sound: vec![Vec::new(); robots] }
+        Self {
+            params,
+            rule: Arc::clone(rule),
+            malicious: scenario.malicious_mask(),
+            sound: vec![Vec::new(); robots],
+        }
     }
 
     /// Looks at one tick. `moved` is true if all moves since the tick before obeyed the rows, and rows rested on what is
@@ -66,13 +74,13 @@ impl<const D: usize> Held<D> {
 
     /// True if a robot of this number keeps its row: all but liars that move as they like.
     fn binds(&self, number: u16) -> bool {
-        !(is_free(&self.params) && self.malicious[usize::from(number) - 1])
+        !(self.rule.is_free() && self.malicious[usize::from(number) - 1])
     }
 
     /// True if normal robot `index` counts on enough neighbours, so that it keeps enough of those that count.
     pub(crate) fn is_kept(&self, index: usize) -> bool {
-        let liars = if is_free(&self.params) { usize::from(self.params.settings().team.faults) } else { 0 };
-        self.sound[index].len() + liars >= usize::from(keep(&self.params))
+        let liars = if self.rule.is_free() { usize::from(self.rule.faults()) } else { 0 };
+        self.sound[index].len() + liars >= usize::from(self.rule.keep(index))
     }
 }
 

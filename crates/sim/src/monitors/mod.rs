@@ -1,5 +1,6 @@
 //! The theorems as code: each law names what must hold and remembers where it first did not.
 
+mod agreement;
 mod before;
 mod carry;
 mod distance;
@@ -9,8 +10,11 @@ mod mode;
 mod pairs;
 mod rest;
 pub mod robustness;
+mod rule;
 mod time;
 pub(crate) mod truth;
+
+use std::sync::Arc;
 
 use closeranks_core::equations::barrier::degree_barrier;
 use closeranks_core::equations::composition::Composed;
@@ -20,8 +24,11 @@ use closeranks_core::settings::params::Params;
 
 use crate::frame::Frame;
 use crate::law::{Law, Verdicts, Violation};
+use crate::monitors::agreement::Agreement;
 use crate::monitors::carry::Carry;
 use crate::monitors::heard::Heard;
+pub use crate::monitors::heard::Void;
+use crate::monitors::rule::Rule;
 use crate::monitors::truth::Truth;
 use crate::scenario::Scenario;
 
@@ -37,11 +44,12 @@ pub struct Monitors<const D: usize> {
     /// Whether the robots know their true levels, and no more of them lie than the team is prepared for.
     plain: bool,
     few_lie: bool,
+    rule: Arc<Rule>,
     truth: Truth,
     carry: Carry<D>,
     verdicts: Verdicts,
     interval: Option<[f64; 2]>,
-    spread: Option<f64>,
+    agreement: Agreement,
     heard: Heard,
     extremes: Extremes,
     /// Memory for E^c of the pairs of a tick.
@@ -77,6 +85,7 @@ impl<const D: usize> Monitors<D> {
     /// For the robots of `scenario`.
     #[must_use]
     pub fn new(scenario: &Scenario, params: Params<D>) -> Self {
+        let rule = Arc::new(Rule::new(scenario, &params));
         Self {
             composed: scenario.composition(),
             required_degree: scenario.composition().required,
@@ -84,13 +93,14 @@ impl<const D: usize> Monitors<D> {
             malicious: scenario.malicious_mask(),
             ticks_per_round: scenario.ticks_per_round(),
             plain: scenario.is_plain() && !params.controller().promises(),
-            few_lie: scenario.malicious.len() <= usize::from(scenario.team.faults),
+            few_lie: rule.ranks().is_some() || scenario.malicious.len() <= usize::from(scenario.team.faults),
             truth: Truth::default(),
-            carry: Carry::new(scenario, params),
+            carry: Carry::new(scenario, params, &rule),
+            agreement: Agreement::new(&rule),
             verdicts: Verdicts::default(),
-            heard: Heard::new(scenario),
+            heard: Heard::new(scenario, &rule),
+            rule,
             interval: None,
-            spread: None,
             collisions: Vec::new(),
             extremes: Extremes {
                 degree_min: None,
@@ -136,10 +146,23 @@ impl<const D: usize> Monitors<D> {
         &self.truth
     }
 
-    /// How many neighbours a robot must have at the start so that a controller without weights can keep enough.
+    /// True if a robot has as many neighbours that count as it must have so that a controller without weights can keep
+    /// enough.
     #[must_use]
-    pub fn kept_degree(&self) -> u16 {
-        truth::keep(&self.params)
+    pub fn can_keep(&self, robot: usize) -> bool {
+        self.truth.degrees.get(robot).is_some_and(|degree| *degree >= self.rule.keep(robot))
+    }
+
+    /// The rank of each robot, if the team has ranks.
+    #[must_use]
+    pub fn ranks(&self) -> Option<&[u16]> {
+        self.rule.ranks()
+    }
+
+    /// Rounds in which more than F malicious robots were listened to by one normal robot, under ranks: nothing is promised of them.
+    #[must_use]
+    pub fn void(&self) -> &Void {
+        self.heard.void()
     }
 
     /// What the theorem of `budget` came to.
@@ -153,8 +176,10 @@ impl<const D: usize> Monitors<D> {
         let broken = |verdicts: &Verdicts| verdicts.of(Law::Degree).count + verdicts.of(Law::Distance).count;
         let before = broken(&self.verdicts);
         self.carry.keep(&mut self.truth);
-        self.truth.look(&self.params, &self.malicious, frame, self.plain);
-        self.carry.watch(tick, frame, &self.truth, self.few_lie, &mut self.verdicts);
+        self.truth.look(&self.params, &self.rule, &self.malicious, frame, self.plain);
+        // Who obeys keeps links whatever else it does; of those who move as they like there must be few.
+        let covered = self.few_lie && (self.truth.is_local || !self.rule.is_free());
+        self.carry.watch(tick, frame, &self.truth, covered, &mut self.verdicts);
         self.watch_degrees();
         if tick.is_multiple_of(self.ticks_per_round) {
             self.watch_values(tick, frame);
@@ -177,7 +202,7 @@ impl<const D: usize> Monitors<D> {
     }
 
     fn watch_degrees(&mut self) {
-        let required = self.required_degree;
+        let (required, ranked) = (self.required_degree, self.rule.ranks().is_some());
         for index in 0..self.truth.degrees.len() {
             let degree = self.truth.degrees[index];
             if self.malicious[index] {
@@ -185,7 +210,8 @@ impl<const D: usize> Monitors<D> {
                 continue;
             }
             lower(&mut self.extremes.degree_min, degree);
-            let h = degree_barrier(self.truth.levels[index], required);
+            let h =
+                if ranked { self.truth.h[index] } else { degree_barrier(self.truth.levels[index], required) };
             self.extremes.h_min = self.extremes.h_min.min(h);
         }
         self.extremes.distance_min_m = sqrt(self.carry.least_m2());
@@ -240,6 +266,11 @@ impl<const D: usize> Monitors<D> {
             || frame.values.iter().zip(&self.malicious).filter(|(_, liar)| !**liar).map(|(value, _)| *value);
         let (low, high) =
             (normal().fold(f64::INFINITY, f64::min), normal().fold(f64::NEG_INFINITY, f64::max));
+        let met = self.heard.end_round(tick, frame, &self.malicious);
+        if met.is_void {
+            // What was promised of the interval is promised of the present one from now on.
+            self.interval = Some([low, high]);
+        }
         let [least, most] = *self.interval.get_or_insert([low, high]);
         for index in 0..frame.values.len() {
             let value = frame.values[index];
@@ -249,24 +280,15 @@ impl<const D: usize> Monitors<D> {
                 self.broke(Law::Interval, Violation { tick, robots, seen: value, demanded });
             }
         }
-        let suffice = self.heard.end_round(frame, &self.malicious);
-        self.watch_spread(tick, (high - low).max(0.0), least.abs().max(most.abs()), suffice);
-    }
-
-    //= paper thm:rs_robust
-    fn watch_spread(&mut self, tick: u32, spread: f64, magnitude: f64, suffice: bool) {
-        let beta = 1.0 / f64::from(self.params.settings().team.robots);
-        if let Some(before) = self.spread.filter(|_| suffice) {
-            // A value is rounded a few times in a round: far less than this.
-            let demanded = before * (1.0 - 0.5 * beta) + 1e-13 * magnitude;
-            if spread > demanded {
-                self.broke(Law::Agreement, Violation { tick, robots: [0, 0], seen: spread, demanded });
-            }
+        let (spread, magnitude) = ((high - low).max(0.0), least.abs().max(most.abs()));
+        if let Some(demanded) = self.agreement.end_round(spread, magnitude, met)
+            && spread > demanded
+        {
+            self.broke(Law::Agreement, Violation { tick, robots: [0, 0], seen: spread, demanded });
         }
         if spread < 1.0 && self.extremes.rounds_to_agree.is_none() {
             self.extremes.rounds_to_agree = Some(tick / self.ticks_per_round);
         }
-        self.spread = Some(spread);
         self.extremes.spread = spread;
     }
 }

@@ -1,5 +1,7 @@
 //! What robots say of their answers, against what is so.
 
+use std::sync::Arc;
+
 use closeranks_core::robot::report::Mode;
 use closeranks_core::settings::params::Params;
 
@@ -8,8 +10,9 @@ use crate::faults::Clocks;
 use crate::faults::network::Network;
 use crate::frame::Frame;
 use crate::law::{Law, Verdicts, Violation};
+use crate::monitors::rule::Rule;
 use crate::monitors::time::{fraction, longer_ago, since};
-use crate::monitors::truth::{ROUNDING, Truth, required};
+use crate::monitors::truth::{ROUNDING, Truth};
 use crate::scenario::Scenario;
 
 /// Ticks in which all must have noticed that everything holds again.
@@ -21,6 +24,7 @@ const NOTICE_TICKS: u64 = 2;
 pub(crate) struct ModeWatch<const D: usize> {
     params: Params<D>,
     malicious: Vec<bool>,
+    rule: Arc<Rule>,
     /// Pairs with a malicious robot may collide: it goes where it likes.
     free: bool,
     /// Robots know their own state exactly, and in time.
@@ -51,11 +55,12 @@ fn is_deaf<const D: usize>(scenario: &Scenario, params: &Params<D>) -> bool {
 
 impl<const D: usize> ModeWatch<D> {
     /// For the robots of `scenario`, who may use a level for `told_ticks`.
-    pub(crate) fn new(scenario: &Scenario, params: Params<D>, told_ticks: u64) -> Self {
+    pub(crate) fn new(scenario: &Scenario, params: Params<D>, rule: &Arc<Rule>, told_ticks: u64) -> Self {
         let (steady, errors) = (scenario.faults.clocks == Clocks::default(), params.kept().errors);
         let fall_max = params.budget().map_or(0.0, |budget| budget.curvature.fall_max());
         Self {
             malicious: scenario.malicious_mask(),
+            rule: Arc::clone(rule),
             free: scenario.attack.motion != MotionAttack::Obedient,
             exact: errors.offset_m == 0.0 && steady && scenario.faults.sensing.dropouts.is_none(),
             deaf: is_deaf(scenario, &params),
@@ -104,7 +109,7 @@ impl<const D: usize> ModeWatch<D> {
             if guaranteed && knows && self.untrue(index, truth, &crowded) {
                 let misled =
                     !longer_ago(self.wrong[index], tick, self.told_ticks) || !self.exact && self.broken;
-                let covered = !self.params.controller().tells_lists() || !misled;
+                let covered = (!self.params.controller().tells_lists() || !misled) && truth.is_local;
                 verdicts.broke(Law::Mode, at(truth.h[index]), covered);
             }
             if !guaranteed && healed {
@@ -119,7 +124,7 @@ impl<const D: usize> ModeWatch<D> {
     /// True when a robot that senses within the stated errors must know that its h is negative, its degree too low, or another
     /// robot too close.
     fn untrue(&self, robot: usize, truth: &Truth, crowded: &[bool]) -> bool {
-        let degree_low = self.exact && truth.degrees[robot] < required(&self.params);
+        let degree_low = self.exact && truth.degrees[robot] < self.rule.required(robot);
         degree_low || truth.h[robot] < -ROUNDING - self.blur || crowded.get(robot) == Some(&true)
     }
 

@@ -111,6 +111,7 @@ mod tests {
     use closeranks_core::settings::Team;
 
     use super::*;
+    use crate::monitors::rule::Rule;
     use crate::scenario::Controller;
 
     /// Robots in a row, 0.5 m apart, of which the first moves with this speed although all wish to rest.
@@ -122,7 +123,7 @@ mod tests {
         let mut frame = Frame::new(places, vec![0.0; usize::from(team.robots)]);
         frame.velocities_m_s[0] = [speed_m_s, 0.0];
         let (mut truth, mut verdicts) = (Truth::default(), Verdicts::default());
-        truth.look(&params, &scenario.malicious_mask(), &frame, false);
+        truth.look(&params, &Rule::new(&scenario, &params), &scenario.malicious_mask(), &frame, false);
         RestWatch::new(&scenario, params).watch(7, &frame, &truth, &mut verdicts);
         assert_eq!(verdicts.of(Law::Untowed).count, verdicts.of(Law::Untowed).covered);
         verdicts.of(Law::Untowed).count

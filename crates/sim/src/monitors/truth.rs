@@ -4,11 +4,11 @@ use closeranks_core::controller::budget::knowledge::Sighting;
 use closeranks_core::equations::link::{Link, LinkShape};
 use closeranks_core::num::{sqrt, subtract};
 use closeranks_core::robot::neighbor::RobotId;
-use closeranks_core::settings::Team;
 use closeranks_core::settings::params::Params;
 
 use crate::frame::Frame;
 use crate::monitors::pairs::Pairs;
+use crate::monitors::rule::Rule;
 
 /// Sums of weights are rounded by far less than this, and squares of distances by less than this fraction of themselves.
 pub(crate) const ROUNDING: f64 = 1e-11;
@@ -34,8 +34,12 @@ pub(crate) struct Truth {
     pub(crate) pairs: Pairs,
     /// The least of those of references, m²; of a sparse team that has none near it is infinite.
     pub(crate) least_m2: f64,
+    /// False if, under ranks, more than F of those that count for some normal robot and are in range are malicious.
+    pub(crate) is_local: bool,
     /// The greatest coordinate of any position or reference, m.
     pub(crate) span_m: f64,
+    /// R², m².
+    radius_m2: f64,
     /// Memory for the weights and the slopes of all pairs.
     scratch: [Vec<f64>; 2],
 }
@@ -45,36 +49,37 @@ impl Truth {
     pub(crate) fn look<const D: usize>(
         &mut self,
         params: &Params<D>,
+        rule: &Rule,
         malicious: &[bool],
         frame: &Frame<D>,
         plain: bool,
     ) {
         self.measure(params, frame);
-        let required = f64::from(required(params));
         if plain {
-            return self.take(frame, required);
+            return self.take(frame, rule);
         }
-        let free = is_free(params);
-        self.sum(params, malicious, frame, free);
+        let free = rule.is_free();
+        self.sum(params, rule, malicious, frame);
         let lists = params.controller().tells_lists();
         if lists {
             // Without weights it is the degree itself that is kept.
             self.h.clear();
             self.h.extend(self.degrees.iter().map(|degree| f64::from(*degree)));
         }
-        for h in &mut self.h {
-            *h -= required;
+        for (robot, h) in self.h.iter_mut().enumerate() {
+            *h -= f64::from(rule.required(robot));
         }
         self.h_own.clone_from(&self.h);
         if free && !lists {
             for (robot, own) in self.h_own.iter_mut().enumerate() {
-                *own = trimmed(params, frame, robot) - required;
+                *own = trimmed(params, frame, robot) - f64::from(rule.required(robot));
             }
         }
     }
 
     /// Distances, and how far from the origin the team is.
     fn measure<const D: usize>(&mut self, params: &Params<D>, frame: &Frame<D>) {
+        self.radius_m2 = params.link().radius_m * params.link().radius_m;
         self.pairs.look(&frame.positions_m, &frame.references_m, wide_m(params));
         let lesser = |least: f64, pair_m2: &f64| if *pair_m2 < least { *pair_m2 } else { least };
         self.least_m2 = self.pairs.references_m2().iter().fold(f64::INFINITY, lesser);
@@ -83,22 +88,25 @@ impl Truth {
     }
 
     /// Sums of weights, and degrees. With `free` liars only links to normal robots count for h.
-    fn sum<const D: usize>(&mut self, params: &Params<D>, malicious: &[bool], frame: &Frame<D>, free: bool) {
+    fn sum<const D: usize>(&mut self, params: &Params<D>, rule: &Rule, malicious: &[bool], frame: &Frame<D>) {
+        let free = rule.is_free();
         let margin = params.kept().errors.away_m > 0.0;
-        let counts = |robot: usize| !(free && malicious[robot]);
+        let ranked = rule.ranks().is_some();
+        let counts = |robot: usize, other: usize| rule.counts(robot, other) && !(free && malicious[other]);
+        let all = |_, _| true;
         self.resize(frame.positions_m.len());
         let (pairs, scratch) = (&self.pairs, &mut self.scratch);
         let positions_m2 = pairs.positions_m2();
-        weigh(params.link(), pairs, positions_m2, |_| true, &mut self.levels, &mut self.degrees, scratch);
+        weigh(params.link(), pairs, positions_m2, all, &mut self.levels, &mut self.degrees, scratch);
         self.h.clone_from(&self.levels);
         self.neighbors.clone_from(&self.degrees);
         if frame.wants_phi && params.weighs_its_own_way() {
             let (shape, sums) = (params.paper_link(), &mut self.paper_levels);
-            weigh(&shape, pairs, positions_m2, |_| true, sums, &mut self.degrees, scratch);
+            weigh(&shape, pairs, positions_m2, all, sums, &mut self.degrees, scratch);
         } else {
             self.paper_levels.clone_from(&self.levels);
         }
-        if free {
+        if free || ranked {
             weigh(params.link(), pairs, positions_m2, counts, &mut self.h, &mut self.degrees, scratch);
         }
         if free || margin {
@@ -106,17 +114,32 @@ impl Truth {
             let shape = &params.kept().link;
             weigh(shape, pairs, pairs.references_m2(), counts, &mut self.h, degrees, scratch);
         }
+        self.is_local = !ranked || self.at_most_around(rule, malicious);
     }
 
     /// The truth as robots know it that sense exactly.
-    fn take<const D: usize>(&mut self, frame: &Frame<D>, required: f64) {
+    fn take<const D: usize>(&mut self, frame: &Frame<D>, rule: &Rule) {
+        self.is_local = true;
         self.levels.clone_from(&frame.levels);
         self.paper_levels.clone_from(&frame.levels);
         self.degrees.clone_from(&frame.degrees);
         self.neighbors.clone_from(&frame.degrees);
         self.h.clear();
-        self.h.extend(frame.levels.iter().map(|level| level - required));
+        self.h.extend((0..).zip(&frame.levels).map(|(robot, level)| level - f64::from(rule.required(robot))));
         self.h_own.clone_from(&self.h);
+    }
+
+    /// True if at most F of those that count for each normal robot and are in range are malicious.
+    fn at_most_around(&self, rule: &Rule, malicious: &[bool]) -> bool {
+        let mut liars = vec![0; malicious.len()];
+        let radius_m2 = self.radius_m2;
+        self.pairs.each(|place, [first, second]| {
+            for (end, other) in [(first, second), (second, first)] {
+                let near = malicious[other] && self.pairs.positions_m2()[place] <= radius_m2;
+                liars[end] += u16::from(near && rule.counts(end, other));
+            }
+        });
+        liars.iter().zip(malicious).all(|(liars, lies)| *lies || *liars <= rule.faults())
     }
 
     /// How much a squared distance of about `distance_m2` (m²) may be rounded, m²: it scales with the numbers compared.
@@ -142,7 +165,7 @@ fn weigh(
     shape: &LinkShape,
     pairs: &Pairs,
     pairs_m2: &[f64],
-    counts: impl Fn(usize) -> bool,
+    counts: impl Fn(usize, usize) -> bool,
     sums: &mut [f64],
     degrees: &mut [u16],
     scratch: &mut [Vec<f64>; 2],
@@ -160,29 +183,12 @@ fn weigh(
             return;
         }
         for (end, other) in [(second, first), (first, second)] {
-            if counts(other) {
+            if counts(end, other) {
                 sums[end] += weight;
                 degrees[end] += 1;
             }
         }
     });
-}
-
-/// The degree that counts: F′, or θ among normal robots with free liars. Written down once more, so that monitors do not rest on what they watch.
-pub(crate) fn required<const D: usize>(params: &Params<D>) -> u16 {
-    let Team { robots, faults } = params.settings().team;
-    let free = is_free(params);
-    faults + if free { (robots - faults) / 2 } else { robots / 2 }
-}
-
-/// How many neighbours a robot of `links` must count on: those that it needs, and with free liars as many more as may lie.
-pub(crate) fn keep<const D: usize>(params: &Params<D>) -> u16 {
-    required(params) + if is_free(params) { params.settings().team.faults } else { 0 }
-}
-
-/// True if malicious robots may move as they like.
-pub(crate) fn is_free<const D: usize>(params: &Params<D>) -> bool {
-    !params.controller().is_obeyed()
 }
 
 /// The trimmed sum T_i of a robot that senses exactly.

@@ -6,7 +6,7 @@ use crate::controllers::{Counted, Inside, Row};
 use crate::frame::Frame;
 use crate::geometry::squared_distance;
 use crate::law::{Law, Verdict, Verdicts};
-use crate::monitors::{Extremes, Monitors};
+use crate::monitors::{Extremes, Monitors, Void};
 use crate::scenario::Scenario;
 
 /// Where the start lies.
@@ -54,6 +54,8 @@ pub struct Summary {
     pub recovery_s: f64,
     /// How many malicious robots had fewer than F′ neighbours at some time.
     pub malicious_below: u16,
+    /// Rounds of which nothing is promised, because more than F malicious robots were around one robot that has a rank.
+    pub void: Void,
     /// Rounds in the run.
     pub rounds: u32,
     /// Ticks in the run.
@@ -137,6 +139,7 @@ impl Collector {
             covered_share,
             recovery_s: f64::from(monitors.carry().recovery_ticks()) * scenario.tick_s(),
             malicious_below: u16::try_from(below).unwrap_or(u16::MAX),
+            void: *monitors.void(),
             rounds: scenario.ticks() / scenario.ticks_per_round(),
             ticks: scenario.ticks(),
         }
@@ -156,8 +159,8 @@ fn start<const D: usize>(scenario: &Scenario, frame: &Frame<D>, monitors: &Monit
     let Extremes { phi_min, distance_min_m, inside_from, .. } = *monitors.extremes();
     let normal = frame.h.iter().zip(monitors.malicious()).filter(|(_, malicious)| !**malicious);
     let h_min = normal.map(|(h, _)| *h).fold(f64::INFINITY, f64::min);
-    let normal = frame.degrees.iter().zip(monitors.malicious()).filter(|(_, malicious)| !**malicious);
-    let degrees = normal.into_iter().all(|(degree, _)| *degree >= monitors.kept_degree());
+    let normal = monitors.malicious().iter().enumerate().filter(|(_, malicious)| !**malicious);
+    let degrees = normal.into_iter().all(|(robot, _)| monitors.can_keep(robot));
     let inside = match scenario.controller.row().inside {
         Inside::Margins => h_min >= 0.0 && distance_min_m >= scenario.limits.distance_min_m,
         Inside::Degrees => degrees && distance_min_m >= scenario.limits.distance_min_m,

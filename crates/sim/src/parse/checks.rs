@@ -5,9 +5,11 @@ use closeranks_core::settings::params::{Params, ParamsError};
 use closeranks_core::settings::range::Allowed;
 
 use super::reader::Reader;
+use crate::attack::ListsAttack;
 use crate::geometry::squared_distance;
+use crate::scenario::ranks::RanksError;
 use crate::scenario::start::{Start, StartError};
-use crate::scenario::{Limits, Scenario, Values};
+use crate::scenario::{Controller, Limits, Scenario, Values};
 
 /// How many rows (ticks × robots) a run may have at most.
 pub const ROWS_MAX: u64 = 200_000_000;
@@ -32,6 +34,12 @@ pub(super) fn check(reader: &mut Reader, scenario: &Scenario) {
         3 => start::<3>(reader, scenario),
         _ => start::<2>(reader, scenario),
     }
+    if reader.is_clean() {
+        match scenario.dimension {
+            3 => ranks::<3>(reader, scenario),
+            _ => ranks::<2>(reader, scenario),
+        }
+    }
 }
 
 fn parameters<const D: usize>(reader: &mut Reader, scenario: &Scenario) {
@@ -49,11 +57,33 @@ fn team(reader: &mut Reader, scenario: &Scenario) {
     }
 }
 
+/// Ranks that robots cannot have are refused, and so are ranks where nobody asks for them.
+fn ranks<const D: usize>(reader: &mut Reader, scenario: &Scenario) {
+    if scenario.ranks.is_some() && scenario.ranking().is_none() {
+        let (found, field) = (format!("under controller \"{}\"", scenario.controller.name()), "team.ranks");
+        let with: Vec<_> = Controller::ALL.iter().filter(|of| of.row().ranks).map(|of| of.name()).collect();
+        return reader.refuse(field, found, format!("only under {}", with.join(", ")));
+    }
+    let Err(error) = scenario.ranks::<D>() else { return };
+    let allowed = match &error {
+        RanksError::Count { robots, .. } => format!("{robots} ranks, one a robot"),
+        RanksError::Core { .. } => {
+            "a core of at least 2F + 1 robots, more under assume = \"free\"".to_owned()
+        }
+        RanksError::NoCore { .. } => "a start with a core, or a smaller team.faults".to_owned(),
+        RanksError::Short { keep, .. } => {
+            format!("at least {keep} neighbours of lower ranks for every robot above rank 0")
+        }
+    };
+    reader.refuse("team.ranks", error.to_string(), allowed);
+}
+
 /// Robots that run one by one each hold what they know of all others: memory grows with the square of the team.
 const ONE_BY_ONE_MAX: u16 = 1_000;
 
 fn one_by_one<const D: usize>(reader: &mut Reader, scenario: &Scenario, params: &Params<D>) {
-    let at_once = scenario.is_plain() && params.controller().can_be_computed_at_once();
+    let lists = params.controller().tells_lists() && scenario.attack.lists == ListsAttack::None;
+    let at_once = scenario.is_plain() && (params.controller().can_be_computed_at_once() || lists);
     if !at_once && scenario.team.robots > ONE_BY_ONE_MAX {
         let allowed = format!(
             "at most {ONE_BY_ONE_MAX} where robots run one by one: wherever something goes wrong, liars have faces, fall \

@@ -4,6 +4,7 @@ use closeranks_core::consensus::Rule;
 use closeranks_core::controller::assume::Assume;
 use closeranks_core::controller::budget::settings::Trust;
 use closeranks_core::equations::composition::PhiSplit;
+use closeranks_core::need::Listen;
 use closeranks_core::settings::field::TABLE;
 use closeranks_core::settings::range::{Allowed, MAGNITUDE_MAX, ROBOTS_MAX};
 use toml::de::{DeTable, DeValue};
@@ -16,6 +17,8 @@ use crate::faults::{Faults, Outages};
 use crate::law::Law;
 use crate::plant::Plant;
 use crate::scenario::desired::Desired;
+use crate::scenario::liars::Local;
+use crate::scenario::ranks::{How, Ranking};
 use crate::scenario::route::{KINDS, Route, Whose};
 use crate::scenario::start::Start;
 use crate::scenario::{Controller, Scenario, Values};
@@ -41,6 +44,13 @@ pub(super) fn read(reader: &mut Reader, table: &DeTable<'_>) -> Scenario {
     ];
     for (key, fill) in tables {
         reader.table(&mut root, key, |reader, section| fill(reader, section, &mut scenario));
+    }
+    let team = root.table("team");
+    let drawn = team.filter(|team| team.has_table("malicious")).map(|mut team| {
+        reader.table(&mut team, "malicious", |reader, section| local(reader, section, &scenario))
+    });
+    if let Some(local) = drawn {
+        draw_liars(reader, &local, &mut scenario);
     }
     let malicious = whose(&scenario, Some(&scenario.malicious));
     scenario.attack =
@@ -79,10 +89,58 @@ fn team(reader: &mut Reader, section: &mut Section<'_>, scenario: &mut Scenario)
     let robots = scenario.team.robots;
     let robot =
         move |value: &DeValue<'_>| whole(value).map(small).filter(|robot| (1..=robots).contains(robot));
-    let malicious =
-        reader.list(section, "malicious", &format!("the number of a robot, 1 to {robots}"), robot);
-    scenario.malicious = malicious.unwrap_or_else(|| (1..=scenario.team.faults.min(robots)).collect());
-    scenario.malicious.sort_unstable();
+    scenario.malicious = (1..=scenario.team.faults.min(robots)).collect();
+    // Liars that are drawn are read once it is known how far links reach.
+    if !section.knows_table("malicious") {
+        let allowed = format!("the number of a robot, 1 to {robots}");
+        set(&mut scenario.malicious, reader.list(section, "malicious", &allowed, robot));
+        scenario.malicious.sort_unstable();
+    }
+    scenario.ranks = ranks(reader, section, scenario.team.robots);
+}
+
+/// How liars are drawn, `{ local = .., within_m = .. }`; by default those within R count as neighbours.
+fn local(reader: &mut Reader, section: &mut Section<'_>, scenario: &Scenario) -> Local {
+    let most = reader.whole(section, "local", 0..u64::from(scenario.team.robots) + 1).map_or(0, small);
+    Local { most, within_m: reader.number_or(section, "within_m", POSITIVE, scenario.link.radius_m) }
+}
+
+/// Draws liars once it is known where robots start. A start that does not exist is refused later.
+fn draw_liars(reader: &Reader, local: &Local, scenario: &mut Scenario) {
+    if !reader.is_clean() {
+        return;
+    }
+    let (faults, seed) = (scenario.team.faults, scenario.seed);
+    let liars = match scenario.dimension {
+        3 => scenario.positions::<3>().map(|positions_m| local.draw(&positions_m, faults, seed)),
+        _ => scenario.positions::<2>().map(|positions_m| local.draw(&positions_m, faults, seed)),
+    };
+    set(&mut scenario.malicious, liars.ok());
+}
+
+/// A list of ranks, or a table that says how they are chosen from the start.
+fn ranks(reader: &mut Reader, section: &mut Section<'_>, robots: u16) -> Option<Ranking> {
+    let listed = |reader: &mut Reader, section: &mut Section<'_>, key| {
+        let rank = move |value: &DeValue<'_>| whole(value).map(small).filter(|rank| *rank < robots);
+        reader.list(section, key, &format!("a rank, 0 to {}", robots - 1), rank).map(How::Listed)
+    };
+    if !section.has_table("ranks") {
+        let how = listed(reader, section, "ranks")?;
+        return Some(Ranking { how, listen: Listen::All });
+    }
+    reader.table(section, "ranks", |reader, section| {
+        let listen = [("all", Listen::All), ("counted", Listen::Counted)];
+        let listen = reader.word(section, "listen", &listen).unwrap_or_default();
+        if section.has("list") {
+            return listed(reader, section, "list").map(|how| Ranking { how, listen });
+        }
+        let core = small(reader.whole(section, "core", 1..u64::from(robots) + 1)?);
+        let kinds = [("own", How::Own { core }), ("layers", How::Layers { core })];
+        let places: Vec<(&str, usize)> = kinds.iter().enumerate().map(|(k, (name, _))| (*name, k)).collect();
+        let kind = reader.word(section, "kind", &places).unwrap_or(0);
+        let [(_, own), (_, layers)] = kinds;
+        Some(Ranking { how: if kind == 0 { own } else { layers }, listen })
+    })
 }
 
 /// Reads every number of the settings that stands in `table`.
@@ -182,6 +240,7 @@ fn motion(reader: &mut Reader, section: &mut Section<'_>, scenario: &mut Scenari
         ("paper", Desired::Paper),
         ("hold", Desired::Hold),
         ("gather", Desired::Gather),
+        ("outward", Desired::Outward),
         ("wander", Desired::Wander),
     ];
     let words = simple.iter().map(|(name, _)| *name).chain(KINDS.map(|(name, _)| name));

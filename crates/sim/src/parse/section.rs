@@ -44,6 +44,19 @@ impl<'text> Section<'text> {
         self.entries.and_then(|entries| entries.get(key)).is_some_and(|value| value.get_ref().is_table())
     }
 
+    /// True if the text has a table by this name, which is then known to be a field.
+    pub(crate) fn knows_table(&mut self, key: &'static str) -> bool {
+        self.know(key);
+        self.has_table(key)
+    }
+
+    /// The table by this name, to look at a second time.
+    pub(crate) fn table(&self, key: &str) -> Option<Self> {
+        let value = self.entries.and_then(|entries| entries.get(key))?;
+        let (path, entries) = (self.name(key), value.get_ref().as_table());
+        Some(Self { path, place: value.span(), entries, known: Vec::new(), unclear: false })
+    }
+
     pub(super) fn take(&mut self, key: &'static str) -> Option<&'text Spanned<DeValue<'text>>> {
         self.know(key);
         self.entries.and_then(|entries| entries.get(key))

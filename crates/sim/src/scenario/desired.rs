@@ -14,6 +14,8 @@ pub enum Desired {
     Hold,
     /// To the origin at unit speed, so that everybody runs into everybody.
     Gather,
+    /// Away from the origin at unit speed, so that everybody pulls at everybody.
+    Outward,
     /// Somewhere else every half second, at up to 1.5 times unit speed, each robot for itself.
     Wander,
     /// As is listed for each robot; one that is not listed stays where it is.
@@ -34,6 +36,7 @@ impl Desired {
         match self {
             Self::Paper => {}
             Self::Hold | Self::Wander | Self::Listed(_) => return [0.0; D],
+            Self::Outward => return unit(position),
             Self::Gather => return unit(&position.map(|component| -component)),
         }
         let axis = (1..D).filter(|d| usize::from(number) > d * usize::from(robots) / D).count();
@@ -87,6 +90,7 @@ mod tests {
         assert_eq!(Desired::Paper.desired(2, 11, &[100.0, 0.0]), [0.0, 0.0]);
         assert_eq!(Desired::Hold.desired(2, 11, &[1.0, 0.0]), [0.0, 0.0]);
         assert_eq!(Desired::Gather.desired(2, 11, &[0.0, 4.0]), [0.0, -1.0]);
+        assert_eq!(Desired::Outward.desired(2, 11, &[0.0, 4.0]), [0.0, 1.0]);
     }
 
     #[test]

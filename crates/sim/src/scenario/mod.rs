@@ -1,17 +1,19 @@
 //! What to run, as plain data that was checked.
 
 pub mod desired;
+pub mod liars;
+pub mod ranks;
 pub mod route;
 mod scatter;
 pub mod start;
 
-use closeranks_core::consensus::Rule;
+pub use closeranks_core::consensus::Rule;
 use closeranks_core::equations::composition::Composed;
 use closeranks_core::equations::link::LinkShape;
-use closeranks_core::need::{Keep, Need};
+use closeranks_core::need::{Keep, Need, Ranks};
 use closeranks_core::num::{Vector, sqrt};
 use closeranks_core::program::InputBox;
-use closeranks_core::robot::neighbor::RobotId;
+use closeranks_core::robot::neighbor::{Member, RobotId};
 use closeranks_core::settings::field::Parts;
 use closeranks_core::settings::params::{Params, ParamsError, Settings};
 use closeranks_core::settings::{
@@ -25,6 +27,7 @@ use crate::faults::Faults;
 use crate::law::Law;
 use crate::plant::Plant;
 use crate::scenario::desired::Desired;
+use crate::scenario::ranks::{Keeps, Ranking, RanksError};
 use crate::scenario::start::{Start, StartError};
 
 /// One run, complete. [`crate::parse::scenario`] makes it from TOML and checks every field.
@@ -40,6 +43,8 @@ pub struct Scenario {
     pub dimension: usize,
     /// Who is in the team: n and F.
     pub team: Team,
+    /// Ranks, which tell who counts for whom; without them everybody counts for everybody.
+    pub ranks: Option<Ranking>,
     /// Malicious robots by number, from 1, ascending.
     pub malicious: Vec<u16>,
     /// What a link is.
@@ -118,6 +123,7 @@ impl Default for Scenario {
             seed: 1,
             dimension: 2,
             team: Team::default(),
+            ranks: None,
             malicious: vec![1, 2],
             link: LinkSettings::default(),
             limits: Limits::default(),
@@ -202,6 +208,22 @@ impl Scenario {
         (1..=self.team.robots).map(|robot| self.malicious.contains(&robot)).collect()
     }
 
+    /// The ranks, if the controller has any use for them: others count everybody.
+    #[must_use]
+    pub fn ranking(&self) -> Option<&Ranking> {
+        self.ranks.as_ref().filter(|_| self.controller.row().ranks)
+    }
+
+    /// The rank of each robot, listed or chosen from the start; `None` without ranks.
+    pub fn ranks<const D: usize>(&self) -> Result<Option<Vec<u16>>, RanksError> {
+        let Some(ranking) = self.ranking() else { return Ok(None) };
+        let Ok(params) = self.params::<D>() else { return Ok(None) };
+        let keep = |rank| params.links().map_or(0, |links| links.keep(Member { id: RobotId(0), rank }));
+        let (core, above) = (keep(0), keep(1));
+        let Ok(positions_m) = self.positions::<D>() else { return Ok(None) };
+        ranking.choose(&positions_m, self.link.radius_m, Keeps { core, above }).map(Some)
+    }
+
     /// The robot's own parameters; an error names the field.
     pub fn params<const D: usize>(&self) -> Result<Params<D>, ParamsError> {
         let corner = |numbers: &[f64]| core::array::from_fn(|d| numbers.get(d).copied().unwrap_or(f64::NAN));
@@ -214,6 +236,7 @@ impl Scenario {
             controller: self.controller.settings(&self.parameters()),
             clock: self.clock,
             errors: self.errors,
+            ranks: self.ranking().map(|ranks| Ranks { core: ranks.core(), listen: ranks.listen }),
             consensus: self.consensus,
         })
     }

@@ -25,6 +25,7 @@ use crate::output::summary::{Collector, Summary};
 use crate::plant::Bodies;
 use crate::random::{Random, Stream};
 use crate::scenario::desired::Desired;
+use crate::scenario::ranks::RanksError;
 use crate::scenario::start::StartError;
 use crate::scenario::{Scenario, Values};
 use crate::world::any::AnyWorld;
@@ -71,6 +72,9 @@ pub enum RunError {
     /// There is no start.
     #[error(transparent)]
     Start(#[from] StartError),
+    /// There are no ranks.
+    #[error(transparent)]
+    Ranks(#[from] RanksError),
     /// A robot could not be made.
     #[error(transparent)]
     Robot(#[from] RobotError),
@@ -155,6 +159,7 @@ impl<const D: usize> World<D> {
             return Err(RunError::Dimension(scenario.dimension));
         }
         let params = scenario.params::<D>()?;
+        scenario.ranks::<D>()?;
         let values = initial_values(scenario)?;
         let wants_phi = scenario.controller.row().uses_phi || !options.without_phi;
         let frame = Frame { wants_phi, ..Frame::new(scenario.positions()?, values.clone()) };

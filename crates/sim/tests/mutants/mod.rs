@@ -16,7 +16,7 @@ const LINKS: &str = "core/src/controller/links/control.rs";
 const SHARED: &str = "core/src/controller/rows.rs";
 const INEQUALITY: &str = "core/src/controller/budget/inequality.rs";
 
-pub(crate) const MUTANTS: [Mutant; 32] = [
+pub(crate) const MUTANTS: [Mutant; 36] = [
     Mutant {
         name: "gradient with the wrong sign",
         law: "decay",
@@ -218,8 +218,8 @@ pub(crate) const MUTANTS: [Mutant; 32] = [
         law: "degree",
         lines: &[(
             "core/src/need.rs",
-            "Self { robots, each: faults.saturating_add(half) }",
-            "Self { robots, each: faults.saturating_add(half).saturating_sub(1) }",
+            "faults.saturating_add(half)\n}",
+            "faults.saturating_add(half).saturating_sub(1)\n}",
         )],
     },
     Mutant {
@@ -285,5 +285,41 @@ pub(crate) const MUTANTS: [Mutant; 32] = [
             ".then_some(Reason::Uncounted);",
             ".then_some(Reason::Uncounted).filter(|_| false);",
         )],
+    },
+    Mutant {
+        name: "ranks: everybody is listed, whatever its rank",
+        law: "degree",
+        lines: &[
+            (POLICY, "slot.sensed && self.need.counts(own, slot.member())", "slot.sensed"),
+            (
+                POLICY,
+                "(self.need.counts(own, other), self.need.counts(other, own))",
+                "(true, self.need.counts(other, own))",
+            ),
+            (POLICY, "self.need.counts(own, slot.member()) && in_range", "in_range"),
+        ],
+    },
+    Mutant {
+        name: "ranks: the need of a robot of another rank",
+        law: "degree",
+        lines: &[(
+            "core/src/need.rs",
+            "if robot.into().rank > 0 => above",
+            "if robot.into().rank > 1 => above",
+        )],
+    },
+    Mutant {
+        name: "ranks: the core needs one fewer",
+        law: "degree",
+        lines: &[(
+            "core/src/need.rs",
+            "in_core: among(core, faults, keep)",
+            "in_core: among(core, faults, keep).saturating_sub(1)",
+        )],
+    },
+    Mutant {
+        name: "ranks: robots of equal rank count for each other",
+        law: "degree",
+        lines: &[("core/src/need.rs", "other.rank < robot.rank", "other.rank <= robot.rank")],
     },
 ];

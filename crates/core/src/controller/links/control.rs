@@ -9,7 +9,8 @@ use crate::need::{Keep, Need};
 use crate::num::Vector;
 use crate::program::InputBox;
 use crate::program::balls::reach::Reach;
-use crate::robot::neighbor::{RobotId, Slot};
+use crate::robot::id::Member;
+use crate::robot::neighbor::Slot;
 use crate::robot::report::{Mode, Reason};
 use crate::robot::scratch::{Needs, Scratch};
 use crate::settings::{LinksSettings, Settings};
@@ -39,7 +40,7 @@ impl<const D: usize> LinksController<D> {
         let (period, hold_s) = (settings.clock.level_period, settings.clock.hold_max().as_secs_f64());
         let distance_min_m = settings.limits.distance_min_m + 2.0 * errors.away_m;
         let links = Links {
-            need: Need::new(settings.team.robots, settings.team.faults, keep),
+            need: settings.need(keep),
             spare,
             assume: parameters.assume,
             radius_m: Links::held_radius_m(shape.radius_m, &errors),
@@ -77,7 +78,7 @@ impl<const D: usize> LinksController<D> {
         let moved = rows.decide(&view.before_m_s.map(|component| component * self.hold_s));
         let velocity = moved.displacement_m.map(|component| component / self.hold_s);
         let counted = view.slots.iter().filter(|slot| slot.peer.is_counted()).count();
-        let uncounted = (counted < self.links.keep(view.id)).then_some(Reason::Uncounted);
+        let uncounted = (counted < self.links.keep(view.member())).then_some(Reason::Uncounted);
         let doubt = match moved.doubt {
             Some(Reason::Uncertain) | None => uncounted.or(moved.doubt),
             grave => grave,
@@ -132,13 +133,13 @@ impl<const D: usize> Control<D> for LinksController<D> {
 
     fn agree(
         &self,
-        id: RobotId,
+        own: Member,
         ledger: &mut Ledger<D>,
         slots: &mut [Slot<D>],
         now: Instant,
         scratch: &mut Scratch<'_, D>,
     ) {
-        self.links.agree(id, ledger, slots, now, scratch.values);
+        self.links.agree(own, ledger, slots, now, scratch.values);
     }
 
     /// How many neighbours the robot counts on.

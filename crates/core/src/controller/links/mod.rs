@@ -39,7 +39,8 @@ use crate::controller::assume::Assume;
 use crate::controller::errors::ErrorBounds;
 use crate::need::Need;
 use crate::num::length;
-use crate::robot::neighbor::{RobotId, Slot};
+use crate::robot::id::Member;
+use crate::robot::neighbor::Slot;
 use crate::time::Instant;
 
 /// Links are held so much below R, and distances so much above Δ_d, as fractions: far more than rounding, far less than anybody
@@ -96,7 +97,7 @@ impl Links {
 
     /// How many neighbours `robot` must count on.
     #[must_use]
-    pub fn keep(&self, robot: RobotId) -> usize {
+    pub fn keep(&self, robot: Member) -> usize {
         usize::from(self.need.need(robot)) + usize::from(self.spare)
     }
 

@@ -21,7 +21,8 @@ use crate::controller::links::Links;
 use crate::controller::links::peer::{Ledger, Peer};
 use crate::controller::links::protocol::Number;
 use crate::num::{Vector, add_scaled, dot, length, subtract};
-use crate::robot::neighbor::{RobotId, Slot};
+use crate::robot::id::Member;
+use crate::robot::neighbor::Slot;
 use crate::time::Instant;
 
 /// A pair is released beyond this fraction of the held radius, and listed again below the other.
@@ -44,7 +45,7 @@ impl Links {
     /// Decides whom robot `own` lists from now on, and what it promises. `values` is scratch, one number a slot.
     pub(crate) fn agree<const D: usize>(
         &self,
-        own: RobotId,
+        own: Member,
         ledger: &mut Ledger<D>,
         slots: &mut [Slot<D>],
         now: Instant,
@@ -55,7 +56,7 @@ impl Links {
         let (mut counted, mut in_range) = (0, 0);
         for slot in &mut *slots {
             let distance_m = self.settle(slot, now);
-            self.look(slot, distance_m, &ledger.wish_m_s, now);
+            self.look(own, slot, distance_m, &ledger.wish_m_s, now);
             slot.peer.deal.pass(elapsed_s);
             counted += usize::from(slot.peer.is_counted());
             in_range += usize::from(self.may_be_counted(own, slot, now));
@@ -70,24 +71,42 @@ impl Links {
     }
 
     /// Looks at one neighbour at `distance_m`: how far apart both would end, and whether it may be promised anything.
-    fn look<const D: usize>(&self, slot: &mut Slot<D>, distance_m: f64, wish_m_s: &Vector<D>, now: Instant) {
+    ///
+    /// Under ranks only one of the two lists the other, if any does. It releases the other alone, who has nothing to promise.
+    fn look<const D: usize>(
+        &self,
+        own: Member,
+        slot: &mut Slot<D>,
+        distance_m: f64,
+        wish_m_s: &Vector<D>,
+        now: Instant,
+    ) {
+        let (counts, mutual) = self.mutual(own, slot.member());
         let told = slot.peer.told_within(now, HEARD);
         let their_m_s = told.map_or([0.0; D], |told| self.capped(&told.head.wish_m_s));
         let ends_m = add_scaled(&slot.offset_m, self.horizon_s, &subtract(wish_m_s, &their_m_s));
-        let (price_m, promised) =
-            told.map_or((f64::INFINITY, false), |told| (told.head.price_m, told.promised));
+        let (price_m, promised) = match told {
+            None => (f64::INFINITY, false),
+            Some(told) if mutual => (told.head.price_m, told.promised),
+            Some(_) => (0.0, true),
+        };
         let deal = &mut slot.peer.deal;
         deal.gain_m = length(&ends_m);
         deal.engaged = deal.promised && promised;
         deal.stretched = distance_m > STRETCHED * self.radius_m;
         let usable = deal.barred_s <= 0.0 && (deal.stretched || deal.lapsed_s <= 0.0);
-        deal.eligible = slot.sensed && usable && deal.key_m() >= price_m;
+        deal.eligible = slot.sensed && counts && usable && deal.key_m() >= price_m;
+    }
+
+    /// Whether `other` counts for `own`, and whether `own` counts for it too.
+    fn mutual(&self, own: Member, other: Member) -> (bool, bool) {
+        (self.need.counts(own, other), self.need.counts(other, own))
     }
 
     /// True if the neighbour is in range and can be counted on, now or soon.
-    fn may_be_counted<const D: usize>(&self, own: RobotId, slot: &Slot<D>, now: Instant) -> bool {
+    fn may_be_counted<const D: usize>(&self, own: Member, slot: &Slot<D>, now: Instant) -> bool {
         let in_range = slot.sensed && dot(&slot.offset_m, &slot.offset_m) <= self.radius_m * self.radius_m;
-        self.need.counts(own, slot.id) && in_range && slot.peer.told_within(now, HEARD).is_some()
+        self.need.counts(own, slot.member()) && in_range && slot.peer.told_within(now, HEARD).is_some()
     }
 
     /// Releases who is to be released, as long as enough are counted on, and follows those who have let go.
@@ -115,8 +134,8 @@ impl Links {
     }
 
     /// Lists who is near, who does not let go, and with `all` who is in range.
-    fn list<const D: usize>(&self, own: RobotId, slots: &mut [Slot<D>], last: Number, all: bool) {
-        for slot in slots.iter_mut().filter(|slot| slot.sensed && self.need.counts(own, slot.id)) {
+    fn list<const D: usize>(&self, own: Member, slots: &mut [Slot<D>], last: Number, all: bool) {
+        for slot in slots.iter_mut().filter(|slot| slot.sensed && self.need.counts(own, slot.member())) {
             let Peer { hold, deal, .. } = &mut slot.peer;
             let waits = !hold.is_listed() && hold.lists();
             deal.waiting_ticks = if waits { deal.waiting_ticks.saturating_add(1) } else { 0 };

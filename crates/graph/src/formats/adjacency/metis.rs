@@ -7,7 +7,7 @@ use crate::formats::Options;
 use crate::formats::builder::{Builder, Draft};
 use crate::formats::error::{FormatError, Problem};
 use crate::formats::words::{Line, Word, all_lines, words};
-use crate::graph::set::NODE_LIMIT;
+use crate::network::NETWORK_LIMIT;
 
 /// Whether it reads as one with a link or more. The counts and that both ends name each other make that sure enough.
 pub(in crate::formats) fn looks_like(text: &str) -> bool {
@@ -56,7 +56,7 @@ impl Head {
 
 pub(in crate::formats) fn read(text: &str, _: &Options<'_>) -> Result<Draft, FormatError> {
     let (head, rest) = Head::of(text)?;
-    if head.nodes > NODE_LIMIT {
+    if head.nodes > NETWORK_LIMIT {
         return Err(FormatError::new(head.line, Problem::TooManyNodes));
     }
     let surplus = rest.iter().skip(head.nodes).find(|line| !line.text.is_empty());

@@ -8,7 +8,7 @@ use crate::formats::builder::Draft;
 use crate::formats::error::{FormatError, Problem};
 use crate::formats::text::Said;
 use crate::formats::words::{Line, Word, all_lines, words};
-use crate::graph::set::NODE_LIMIT;
+use crate::network::NETWORK_LIMIT;
 
 /// Whether it begins with the banner.
 pub(in crate::formats) fn looks_like(text: &str) -> bool {
@@ -70,7 +70,7 @@ pub(in crate::formats) fn read(text: &str, options: &Options<'_>) -> Result<Draf
             ));
         }
     };
-    if nodes > NODE_LIMIT {
+    if nodes > NETWORK_LIMIT {
         return Err(FormatError::new(line, Problem::TooManyNodes));
     }
     let mut square = Square { nodes, links: vec![false; nodes * nodes] };

@@ -65,7 +65,7 @@ pub(in crate::formats) fn read(text: &str, _: &Options<'_>) -> Result<Draft, For
     }
     let draft = builder.finish(last)?;
     let expected = [head.links, head.links.saturating_mul(2)];
-    if expected.contains(&found) || draft.named.graph.edge_count() == head.links {
+    if expected.contains(&found) || draft.network.edge_count() == head.links {
         return Ok(draft);
     }
     let problem = Problem::Count { what: "links", promised: head.links, found };

@@ -18,7 +18,7 @@ pub(in crate::formats) fn looks_like(text: &str) -> bool {
         matrix::is_square_of_bits(text) || counted::surely(text) || adjacency::is_of_networkx(text);
     !is_other
         && read(text, &Options::default())
-            .is_ok_and(|draft| !draft.named.names.iter().any(|name| is_fraction(name)))
+            .is_ok_and(|draft| !draft.names.iter().any(|name| is_fraction(name)))
 }
 
 pub(in crate::formats) fn read(text: &str, options: &Options<'_>) -> Result<Draft, FormatError> {
