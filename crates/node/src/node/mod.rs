@@ -34,7 +34,7 @@ use crate::plant::replay::{REPLAY_MAX, Replay, ReplayError};
 use crate::plant::ros::Own;
 use crate::plant::simulated::Simulated;
 use crate::scenarios::{self, ScenarioError};
-use crate::session::{Ear, Net, SessionError, number};
+use crate::session::{Ear, Net, SessionError, Token, number};
 use crate::signals::stop_on_signals;
 
 /// Why a robot does not start.
@@ -164,18 +164,8 @@ fn run_in<const D: usize>(
         }
         _ => Box::new(Hold),
     };
-    let plain = Plain::new(&net, id, params.settings().team.robots, config.proofs.clone())?;
-    let mut viewer = None;
-    if let Plant::Ros2(topics) = &config.plant {
-        let (show, shown) = ros_view::viewer(topics, &config.robot, &net)?;
-        viewer = Some(show);
-        tokens.extend(shown);
-    }
-    let plain = plain.seen_by(viewer);
-    let voice: Box<dyn Voice<D>> = match lies {
-        Some(scenario) => Box::new(Lying::new(plain, &net, id, scenario)?),
-        None => Box::new(plain),
-    };
+    let (voice, shown) = voice(config, &net, id, params.settings().team.robots, lies)?;
+    tokens.extend(shown);
     // Until here nothing moves, so signals may end the process at once.
     stop_on_signals(stop)?;
     let (queue, events) = sync_channel(QUEUE);
@@ -188,6 +178,27 @@ fn run_in<const D: usize>(
     drop((ears, tokens));
     net.close();
     Ok(())
+}
+
+/// How the robot speaks, and what makes its topics visible.
+fn voice<const D: usize>(
+    config: &Config,
+    net: &Net,
+    id: RobotId,
+    robots: u16,
+    lies: Option<&Scenario>,
+) -> Result<(Box<dyn Voice<D>>, Vec<Token>), NodeError> {
+    let (mut viewer, mut tokens) = (None, Vec::new());
+    if let Plant::Ros2(topics) = &config.plant {
+        let (show, shown) = ros_view::viewer(topics, &config.robot, net)?;
+        (viewer, tokens) = (Some(show), shown);
+    }
+    let plain = Plain::new(net, id, robots, config.proofs.clone())?.seen_by(viewer);
+    let voice: Box<dyn Voice<D>> = match lies {
+        Some(scenario) => Box::new(Lying::new(plain, net, id, scenario)?),
+        None => Box::new(plain),
+    };
+    Ok((voice, tokens))
 }
 
 /// The recording that a configuration names, if it does.

@@ -13,6 +13,8 @@ use crate::wire::report::Report;
 pub const BLOCKED_BELOW: f64 = 0.5;
 /// Slower wishes than this, m/s, are not counted as wishes.
 const WISH_MIN_M_S: f64 = 1e-6;
+/// Rounding of r·v, m²/s.
+const LEAVES_LESS: f64 = 1e-9;
 
 /// What a row keeps.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize)]
@@ -20,10 +22,9 @@ const WISH_MIN_M_S: f64 = 1e-6;
 pub enum Row {
     /// (near): the least distance to a robot.
     Distance,
-    /// (held), under `links`: a link that others rest on.
+    /// (held), under `links`: a kept link whose other end what was wanted leaves faster than the answer does.
     Link,
-    /// The robot's or its neighbours' connectivity, under `budget` and `composed`: what was wanted weakens this link more than the answer
-    /// does.
+    /// The robot's or its neighbours' connectivity, under `budget` and `composed`: as for a link, with any neighbour.
     Connectivity,
     /// The velocity that the robot can have.
     Input,
@@ -163,11 +164,12 @@ fn obstacles<const D: usize>(scene: &Scene<'_, D>, report: &Report<D>) -> Vec<Ob
     if report.outcome == Outcome::Free {
         return found;
     }
+    let lists = scene.params.controller().tells_lists();
     for slot in scene.slots {
         let rows = [
             (Row::Distance, breaks_distance(scene.params, slot, wanted)),
-            (Row::Link, breaks_link(scene.params, slot, wanted, report)),
-            (Row::Connectivity, weakens(scene.params, slot, report)),
+            (Row::Link, lists && spares_held(slot, report)),
+            (Row::Connectivity, !lists && slot.link().weight > 0.0 && is_left_less(slot, report)),
         ];
         let robot = Some(slot.id().0);
         found.extend(rows.iter().filter(|(_, broken)| *broken).map(|(row, _)| Obstacle { row: *row, robot }));
@@ -184,34 +186,17 @@ fn breaks_distance<const D: usize>(params: &Params<D>, slot: &Slot<D>, wanted_m_
     closing_m2 > 0.5 * kept.gamma_c * spare_m2.max(0.0)
 }
 
-/// Whether the wish breaks (held) of a link that is counted on or kept.
-fn breaks_link<const D: usize>(
-    params: &Params<D>,
-    slot: &Slot<D>,
-    wanted_m_s: &[f64; D],
-    report: &Report<D>,
-) -> bool {
-    let closeranks_core::controller::AnyController::Links(controller) = params.controller() else {
-        return false;
-    };
-    let (links, offset_m) = (&controller.links, slot.offset_m());
-    let held = slot.is_listed() || report.rows.contains(&slot.id()) || report.counted.contains(&slot.id());
-    let spare_m2 = (links.radius_m * links.radius_m - dot(&offset_m, &offset_m)).max(0.0);
-    let move_m = params.desired_m(wanted_m_s);
-    let leaving_m2 =
-        dot(&offset_m, &move_m) + dot(&move_m, &move_m) + links.errors.offset_m * length(&move_m);
-    held && leaving_m2 > 0.25 * links.gamma * spare_m2
+/// Whether what was wanted leaves this neighbour faster than the answer does.
+fn is_left_less<const D: usize>(slot: &Slot<D>, report: &Report<D>) -> bool {
+    let spared_m_s = subtract(&report.desired_m_s, &report.velocity_m_s);
+    let offset_m = slot.offset_m();
+    dot(&offset_m, &report.desired_m_s) > 0.0 && dot(&offset_m, &spared_m_s) > LEAVES_LESS
 }
 
-/// Whether the wish weakens the link to this neighbour and the answer does so less.
-fn weakens<const D: usize>(params: &Params<D>, slot: &Slot<D>, report: &Report<D>) -> bool {
-    use closeranks_core::controller::AnyController::{Links, None};
-    if matches!(params.controller(), Links(_) | None(_)) {
-        return false;
-    }
-    let weakens = slot.link().slope * dot(&slot.offset_m(), &report.desired_m_s);
-    let spared = subtract(&report.desired_m_s, &report.velocity_m_s);
-    weakens < 0.0 && slot.link().slope * dot(&slot.offset_m(), &spared) < -1e-9
+/// Whether the answer spares a link that is listed, kept for others or counted on.
+fn spares_held<const D: usize>(slot: &Slot<D>, report: &Report<D>) -> bool {
+    let named = report.rows.iter().chain(&report.counted).any(|id| *id == slot.id());
+    (slot.is_listed() || named) && is_left_less(slot, report)
 }
 
 #[cfg(test)]
