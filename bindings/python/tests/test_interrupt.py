@@ -21,12 +21,18 @@ SEARCH = "closeranks.robustness(closeranks.graphs.regular(100, 40, seed=1), prog
 @pytest.mark.parametrize("call", [RUN, SEARCH])
 def test_ctrl_c_ends_a_long_call(call: str) -> None:
     code = f"import closeranks\nprint('begun', flush=True)\n{call}\n"
-    child = subprocess.Popen([sys.executable, "-c", code], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
-    assert child.stdout is not None and child.stdout.readline() == "begun\n"
-    time.sleep(1.0)
-    assert child.poll() is None, "the call is long"
-    child.send_signal(signal.SIGINT)
-    _, said = child.communicate(timeout=60)
+    # A shell lets what it starts in the background ignore the signal, and that is inherited.
+    listens = "import signal\nsignal.signal(signal.SIGINT, signal.default_int_handler)\n"
+    words = [sys.executable, "-c", listens + code]
+    with subprocess.Popen(words, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True) as child:
+        try:
+            assert child.stdout is not None and child.stdout.readline() == "begun\n"
+            time.sleep(1.0)
+            assert child.poll() is None, "the call is long"
+            child.send_signal(signal.SIGINT)
+            _, said = child.communicate(timeout=60)
+        finally:
+            child.kill()
     assert "KeyboardInterrupt" in said
 
 

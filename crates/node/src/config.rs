@@ -1,5 +1,6 @@
 //! The file of one robot. Paths in it are relative to the folder that it is in.
 
+use core::time::Duration;
 use std::fs;
 use std::path::{Path, PathBuf};
 
@@ -31,6 +32,12 @@ pub struct Config {
     /// Names of robots that are not to be believed, whatever they tell.
     #[serde(default)]
     pub distrust: Vec<String>,
+    /// Whether words on trust are taken from the key `PREFIX/trust/ID` while the robot runs. They are not signed.
+    #[serde(default)]
+    pub trust_key: bool,
+    /// What comes from a source, a pose or a wish, is not used when it is older, s; a source may say otherwise. 0 switches this off.
+    #[serde(default = "half_a_second")]
+    pub source_timeout_s: f64,
     /// The clock.
     #[serde(default)]
     pub clock: Kind,
@@ -43,6 +50,9 @@ pub struct Config {
     /// Where it wants to go.
     #[serde(default)]
     pub desired: Desired,
+    /// The file that this was read from, which is read again when it changes.
+    #[serde(skip)]
+    pub file: Option<PathBuf>,
 }
 
 /// How the robot is connected.
@@ -115,12 +125,16 @@ pub struct Ros2 {
     pub pose_type: PoseType,
     /// The frame of all poses.
     pub frame: String,
-    /// Older poses are not seen, s; 0 switches this off.
-    pub source_timeout: f64,
+    /// Older poses are not seen, s; 0 switches this off. Left out: `source_timeout_s` of the robot.
+    pub source_timeout: Option<f64>,
     /// Where the velocity of the base goes.
     pub cmd_vel_out_topic: String,
     /// `TwistStamped` and not `Twist`, in and out.
     pub enable_stamped_cmd_vel: bool,
+    /// Where diagnoses go, for the tools of ROS 2.
+    pub diagnostics_topic: String,
+    /// Where links, mode and degree go to be drawn.
+    pub markers_topic: String,
     /// The frame of that velocity.
     pub base_frame_id: String,
     /// For bases that drive forward and turn: how far ahead of the axle the point is that is steered, m. Left out for bases that move
@@ -146,9 +160,11 @@ impl Default for Ros2 {
             pose_topic: "{name}/odom".into(),
             pose_type: PoseType::Odometry,
             frame: "map".into(),
-            source_timeout: 0.2,
+            source_timeout: None,
             cmd_vel_out_topic: "{name}/cmd_vel".into(),
             enable_stamped_cmd_vel: true,
+            diagnostics_topic: "diagnostics".into(),
+            markers_topic: "{name}/closeranks_markers".into(),
             base_frame_id: "base_link".into(),
             look_ahead_m: None,
         }
@@ -169,9 +185,9 @@ pub enum Desired {
     },
     /// What is put on the key `PREFIX/want/ID`: one number a dimension, m/s, as JSON, such as `[0.5, 0.0]`.
     Key {
-        /// Older ones are not followed; the robot then slows down to a halt and says `HOLD`. 0 switches this off.
-        #[serde(default = "half_a_second")]
-        timeout_s: f64,
+        /// Older ones are not followed; the robot then slows down to a halt and says `HOLD`. 0 switches this off. Left out:
+        /// `source_timeout_s` of the robot.
+        timeout_s: Option<f64>,
     },
     /// The velocity that a planner asks of the base, on a topic of ROS 2; the plant must be `ros2` too.
     Ros2 {
@@ -179,8 +195,7 @@ pub enum Desired {
         #[serde(default = "velocity_in")]
         cmd_vel_in_topic: String,
         /// As for `key`.
-        #[serde(default = "half_a_second")]
-        timeout_s: f64,
+        timeout_s: Option<f64>,
     },
 }
 
@@ -250,6 +265,7 @@ impl Config {
         for path in paths.into_iter().chain(plant).chain(desired) {
             *path = folder.join(&*path);
         }
+        config.file = Some(path.to_owned());
         Ok(config)
     }
 
@@ -273,8 +289,12 @@ impl Config {
                 "words of letters, digits, _ and -, with / between them",
             );
         }
+        if !(0.0..=3_600.0).contains(&self.source_timeout_s) {
+            return wrong("source_timeout_s", &self.source_timeout_s, "0 (off) to 3600");
+        }
         match self.desired {
-            Desired::Key { timeout_s } | Desired::Ros2 { timeout_s, .. }
+            Desired::Key { timeout_s: Some(timeout_s) }
+            | Desired::Ros2 { timeout_s: Some(timeout_s), .. }
                 if !(0.0..=3_600.0).contains(&timeout_s) =>
             {
                 wrong("desired.timeout_s", &timeout_s, "0 (off) to 3600")
@@ -288,13 +308,19 @@ impl Config {
 }
 
 impl Config {
+    /// When a source that may say `own_s` itself is too old; 0: never.
+    #[must_use]
+    pub fn timeout(&self, own_s: Option<f64>) -> Duration {
+        Duration::from_secs_f64(own_s.unwrap_or(self.source_timeout_s))
+    }
+
     fn check_ros(&self, path: &Path) -> Result<(), ConfigError> {
         let Plant::Ros2(ros) = &self.plant else { return Ok(()) };
         let wrong = |field, found: &dyn ToString, allowed| {
             Err(ConfigError::Field { path: path.into(), field, found: found.to_string(), allowed })
         };
-        if !(0.0..=3_600.0).contains(&ros.source_timeout) {
-            return wrong("plant.source_timeout", &ros.source_timeout, "0 (off) to 3600");
+        if let Some(timeout_s) = ros.source_timeout.filter(|timeout_s| !(0.0..=3_600.0).contains(timeout_s)) {
+            return wrong("plant.source_timeout", &timeout_s, "0 (off) to 3600");
         }
         if let Some(ahead_m) = ros.look_ahead_m.filter(|ahead_m| !(0.001..=10.0).contains(ahead_m)) {
             return wrong("plant.look_ahead_m", &ahead_m, "0.001 to 10");
@@ -330,6 +356,17 @@ mod tests {
         );
         assert!(config.key.is_absolute() && config.key.ends_with("k"));
         assert_eq!(config.epoch, Path::new("/e"));
+    }
+
+    #[test]
+    fn every_source_has_the_one_default_and_may_say_otherwise() {
+        let config = load("source_timeout_s = 0.3\n[desired]\nsource = 'key'\n").unwrap();
+        assert_eq!(config.desired, Desired::Key { timeout_s: None });
+        let ms = |own_s| config.timeout(own_s).as_millis();
+        assert_eq!((ms(None), ms(Some(0.1)), ms(Some(0.0))), (300, 100, 0));
+        assert_eq!(load("").unwrap().timeout(None), Duration::from_millis(500));
+        let refused = load("source_timeout_s = -1.0").unwrap_err().to_string();
+        assert!(refused.contains("`source_timeout_s` is -1, allowed is 0 (off) to 3600"), "{refused}");
     }
 
     #[test]

@@ -17,18 +17,26 @@ pub(crate) fn key(id: RobotId) -> SigningKey {
     SigningKey::from_bytes(&secret)
 }
 
-/// A roster of so many robots with these other settings.
-pub(crate) fn roster_with(robots: u16, faults: u16, settings: &str) -> Arc<Roster> {
+/// A draft of a roster of so many robots with these other settings.
+pub(crate) fn draft(robots: u16, faults: u16, settings: &str) -> Draft {
     let public = |id| hex(key(id).verifying_key().as_bytes());
     let entry = |id| Entry { id, name: format!("robot_{id}"), key: public(RobotId(id)) };
-    let draft = Draft {
+    Draft {
         name: "test".into(),
         parameters: format!("[team]\nrobots = {robots}\nfaults = {faults}\n{settings}"),
         plant: Some(public(RobotId(0))),
         robots: (1..=robots).map(entry).collect(),
-    };
-    let text = draft.sign(&SigningKey::from_bytes(&[200; 32])).unwrap();
-    Arc::new(Roster::read(&text, None).unwrap())
+    }
+}
+
+/// The text of a roster, signed by the operator of the tests.
+pub(crate) fn sign(draft: &Draft) -> String {
+    draft.sign(&SigningKey::from_bytes(&[200; 32])).unwrap()
+}
+
+/// A roster of so many robots with these other settings.
+pub(crate) fn roster_with(robots: u16, faults: u16, settings: &str) -> Arc<Roster> {
+    Arc::new(Roster::read(&sign(&draft(robots, faults, settings)), None).unwrap())
 }
 
 /// A roster of so many robots.

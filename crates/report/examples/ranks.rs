@@ -1,7 +1,7 @@
 //! The picture of docs/ranks.md, on standard output: forty robots that pull outwards, with ranks of their own and under the paper's rule.
-#![expect(clippy::print_stdout, reason = "a program")]
 
 use core::error::Error;
+use std::io::Write as _;
 
 use closeranks_report::figure::{Case, swarm};
 use closeranks_sim::parse::scenario;
@@ -17,12 +17,10 @@ fn main() -> Result<(), Box<dyn Error>> {
         Ok(run.record.ok_or("a record was asked for")?)
     };
     let (with, without) = (recorded(&own)?, recorded(&paper)?);
-    print!(
-        "{}",
-        swarm(&[
-            Case { title: "ranks", scenario: &own, record: &with },
-            Case { title: "the paper's rule", scenario: &paper, record: &without },
-        ])
-    );
+    let svg = swarm(&[
+        Case { title: "ranks", scenario: &own, record: &with },
+        Case { title: "the paper's rule", scenario: &paper, record: &without },
+    ]);
+    std::io::stdout().write_all(svg.as_bytes())?;
     Ok(())
 }

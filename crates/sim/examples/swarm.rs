@@ -8,6 +8,7 @@
 //! ```
 #![expect(clippy::print_stdout, reason = "a program")]
 
+use std::io::Write as _;
 use std::process::ExitCode;
 
 use closeranks_sim::parse::scenario;
@@ -26,12 +27,16 @@ fn main() -> ExitCode {
         world.step();
     }
     let (links, liars, robots) = (world.frame().links, scenario.malicious.len(), scenario.team.robots);
-    println!("{robots} robots, {liars} liars, {links} links after {ticks} ticks");
-    for verdict in world.monitors().verdicts().iter().filter(|verdict| verdict.count > 0) {
-        println!("{verdict:?}");
-    }
-    println!("{:?}\n{:?}", world.monitors().void(), world.monitors().extremes());
-    println!("digest {:016x}", world.digest().unwrap_or(0));
+    let broken = world.monitors().verdicts().iter().filter(|verdict| verdict.count > 0);
+    let broken: Vec<String> = broken.map(|verdict| format!("{verdict:?}\n")).collect();
+    let (void, extremes) = (world.monitors().void(), world.monitors().extremes());
+    let told = format!(
+        "{robots} robots, {liars} liars, {links} links after {ticks} ticks\n{}{void:?}\n{extremes:?}\ndigest {:016x}\n",
+        broken.concat(),
+        world.digest().unwrap_or(0)
+    );
+    // Nobody listens if this fails.
+    let _ = std::io::stdout().write_all(told.as_bytes());
     ExitCode::SUCCESS
 }
 

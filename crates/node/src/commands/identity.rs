@@ -174,3 +174,39 @@ pub fn verify_proof(file: &Path, roster: &Path) -> Result<String, Failure> {
     let name = roster.robots().get(usize::from(id.0) - 1).map_or("", |entry| entry.name.as_str());
     Ok(format!("robot {} ({name}) signed two different messages with one number: it is two-faced", id.0))
 }
+
+#[cfg(test)]
+mod tests {
+    use closeranks_core::{Instant, RobotId};
+
+    use super::*;
+    use crate::testing::{draft, roster, say, sign};
+
+    #[test]
+    fn a_proof_in_a_file_names_the_robot_and_anything_else_is_refused() {
+        let folder = tempfile::tempdir().unwrap();
+        let (file, path) = (folder.path().join("robot-2.proof"), folder.path().join("roster.toml"));
+        fs::write(&path, sign(&draft(4, 1, ""))).unwrap();
+        let ours = roster(4);
+        let face = |payload: &[u8], number: u64| say(&ours, 2, [1, number], Instant::START, payload, &[]);
+        let check = |first: Vec<u8>, second: Vec<u8>| {
+            fs::write(&file, Proof { first, second }.encode()).unwrap();
+            verify_proof(&file, &path).map_err(|error| error.to_string())
+        };
+        let said = check(face(b"a", 7), face(b"b", 7)).unwrap();
+        assert_eq!(
+            said,
+            format!(
+                "robot {} (robot_2) signed two different messages with one number: it is two-faced",
+                RobotId(2).0
+            )
+        );
+        assert!(check(face(b"a", 7), face(b"a", 7)).unwrap_err().contains("both envelopes are the same"));
+        assert!(check(face(b"a", 7), face(b"b", 8)).unwrap_err().contains("an honest robot may send both"));
+        let mut forged = face(b"b", 7);
+        *forged.last_mut().unwrap() ^= 1;
+        assert!(check(face(b"a", 7), forged).unwrap_err().contains("robot 2 did not sign both"));
+        fs::write(&file, vec![0; PROOF_MAX + 1]).unwrap();
+        assert!(verify_proof(&file, &path).unwrap_err().to_string().contains("so it is no proof"));
+    }
+}

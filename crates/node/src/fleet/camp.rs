@@ -323,10 +323,13 @@ fn configure(
             value,
             proofs: Path::new("proofs").join(&entry.name),
             distrust: Vec::new(),
+            trust_key: false,
+            source_timeout_s: 0.5,
             clock: crate::clock::Kind::Machine,
             network: network(endpoint, "client"),
             plant: Plant::Simulated,
             desired: Desired::Scenario { file: "scenario.toml".into() },
+            file: None,
         };
         let file = format!("{}.toml", entry.name);
         let path = folder.join(&file);

@@ -45,7 +45,16 @@ struct Sender {
     /// How many signatures are checked of what others say it sent.
     evidence: Bucket,
     history: History,
+    /// What is said of it from outside.
     trusted: bool,
+    /// Whether a proof says that it is two-faced. Nobody's word takes that back.
+    proved: bool,
+}
+
+impl Sender {
+    fn is_believed(&self) -> bool {
+        self.trusted && !self.proved
+    }
 }
 
 /// Takes envelopes of one purpose.
@@ -72,6 +81,7 @@ impl Gate {
             evidence: Bucket::new(1.0, 4.0),
             history: History::default(),
             trusted: true,
+            proved: false,
         };
         let count = roster.robots().len() + 1;
         Self {
@@ -102,7 +112,7 @@ impl Gate {
         let (number, limits) = ((envelope.epoch, envelope.sequence), self.limits);
         let index = usize::from(envelope.id.0);
         let sender = &mut self.senders[index];
-        if !sender.trusted {
+        if !sender.is_believed() {
             return Err(Reject::Distrusted);
         }
         let known = sender.last.is_some_and(|last| number <= last);
@@ -155,7 +165,7 @@ impl Gate {
         let number = (envelope.epoch, envelope.sequence);
         let Some(kept) = sender.history.get(number) else { return };
         self.proofs.push(Proof { first: kept.to_vec(), second: envelope.bytes().to_vec() });
-        sender.trusted = false;
+        sender.proved = true;
     }
 
     /// Looks at an envelope that another robot says it was sent. It is used for nothing but a proof.
@@ -164,7 +174,7 @@ impl Gate {
         let key = self.sender(&envelope)?;
         let sender = &mut self.senders[usize::from(envelope.id.0)];
         let differs = sender.history.differs((envelope.epoch, envelope.sequence), bytes);
-        if !sender.trusted || !differs {
+        if !sender.is_believed() || !differs {
             return Err(Reject::Replay);
         }
         if !sender.evidence.take(now) {
@@ -182,14 +192,15 @@ impl Gate {
         let proof = Proof::parse(bytes).map_err(|_| Reject::Form)?;
         let id = Envelope::parse(&proof.first).map(|envelope| envelope.id).ok_or(Reject::Form)?;
         let sender = self.senders.get_mut(usize::from(id.0)).ok_or(Reject::Sender)?;
-        if !sender.trusted {
+        if !sender.is_believed() {
             return Err(Reject::Replay);
         }
         if !sender.evidence.take(now) {
             return Err(Reject::Flood);
         }
         let id = proof.verify(&self.roster).map_err(|_| Reject::Signature)?;
-        self.senders[usize::from(id.0)].trusted = false;
+        let sender = &mut self.senders[usize::from(id.0)];
+        sender.proved = true;
         self.proofs.push(proof);
         Ok(id)
     }
@@ -201,7 +212,7 @@ impl Gate {
         for echo in envelope.echoes() {
             let Some(sender) = self.senders.get_mut(usize::from(echo.id.0)) else { continue };
             let Some((bytes, hash)) = sender.history.hashed((echo.epoch, echo.sequence)) else { continue };
-            if sender.trusted && hash != echo.hash && sender.evidence.take(now) {
+            if sender.is_believed() && hash != echo.hash && sender.evidence.take(now) {
                 found.push(bytes.to_vec());
             }
         }
@@ -252,14 +263,27 @@ impl Gate {
     /// Whether a robot is believed.
     #[must_use]
     pub fn trusts(&self, id: RobotId) -> bool {
-        self.senders.get(usize::from(id.0)).is_some_and(|sender| sender.trusted)
+        self.senders.get(usize::from(id.0)).is_some_and(Sender::is_believed)
     }
 
-    /// Says from outside whether a robot is to be believed.
+    /// Says from outside whether a robot is to be believed. Who is proved two-faced never is.
     pub fn trust(&mut self, id: RobotId, trusted: bool) {
         if let Some(sender) = self.senders.get_mut(usize::from(id.0)) {
             sender.trusted = trusted;
         }
+    }
+
+    /// Takes another roster with as many robots. A sender with another key than before begins without a history; a word against it stays,
+    /// and what was proved against the old key does not.
+    pub fn renew(&mut self, roster: &Arc<Roster>) {
+        for (index, sender) in (0..).zip(&mut self.senders) {
+            let id = RobotId(index);
+            if roster.key(id) != self.roster.key(id) {
+                (sender.last, sender.history) = (None, History::default());
+                sender.proved = false;
+            }
+        }
+        self.roster = Arc::clone(roster);
     }
 }
 

@@ -218,3 +218,47 @@ proptest! {
         prop_assert_eq!(counted, u32::from(!taken));
     }
 }
+
+#[test]
+fn a_word_can_be_taken_back_and_a_proof_cannot() {
+    let ours = roster(4);
+    let mut gate = gate(&ours, 1);
+    gate.trust(RobotId(2), false);
+    assert_eq!(take(&mut gate, 0, &say(&ours, 2, [1, 1], at(0), b"a", &[])), Err(Reject::Distrusted));
+    gate.trust(RobotId(2), true);
+    assert!(take(&mut gate, 0, &say(&ours, 2, [1, 1], at(0), b"a", &[])).is_ok());
+    assert_eq!(take(&mut gate, 0, &say(&ours, 2, [1, 1], at(0), b"b", &[])), Err(Reject::TwoFaced));
+    gate.trust(RobotId(2), true);
+    assert_eq!(take(&mut gate, 0, &say(&ours, 2, [1, 2], at(0), b"c", &[])), Err(Reject::Distrusted));
+}
+
+#[test]
+fn a_new_key_begins_anew_and_an_old_one_is_refused() {
+    let (ours, old) = (roster(4), crate::testing::draft(4, 1, ""));
+    let mut gate = gate(&ours, 1);
+    for payload in [b"a", b"b"] {
+        let _ = take(&mut gate, 0, &say(&ours, 2, [9, 9], at(0), payload, &[]));
+    }
+    assert!(take(&mut gate, 0, &say(&ours, 3, [9, 9], at(0), b"a", &[])).is_ok());
+    assert!(!gate.trusts(RobotId(2)));
+    let mut draft = old;
+    draft.robots[1].key = crate::bytes::hex(key(RobotId(77)).verifying_key().as_bytes());
+    let new = Arc::new(Roster::read(&crate::testing::sign(&draft), None).unwrap());
+    gate.renew(&new);
+    assert!(gate.trusts(RobotId(2)), "the proof is about the old key");
+    assert_eq!(take(&mut gate, 0, &say(&ours, 3, [9, 10], at(0), b"a", &[])), Err(Reject::Roster));
+    assert_eq!(take(&mut gate, 0, &say(&new, 2, [1, 1], at(0), b"a", &[])), Err(Reject::Signature));
+    let letter = Letter {
+        purpose: Purpose::Say,
+        id: RobotId(2),
+        epoch: 1,
+        sequence: 1,
+        sent: at(0),
+        payload: b"a",
+        echoes: &[],
+    };
+    let sealed = letter.seal(new.hash(), &key(RobotId(77))).unwrap();
+    assert!(take(&mut gate, 0, &sealed).is_ok());
+    assert_eq!(take(&mut gate, 0, &say(&new, 3, [9, 8], at(0), b"a", &[])), Err(Reject::Replay));
+    assert!(take(&mut gate, 0, &say(&new, 3, [9, 10], at(0), b"a", &[])).is_ok());
+}

@@ -221,6 +221,12 @@ impl Roster {
         &self.draft.name
     }
 
+    /// The settings, as text.
+    #[must_use]
+    pub fn parameters(&self) -> &str {
+        &self.draft.parameters
+    }
+
     /// The robots in the order of their numbers.
     #[must_use]
     pub fn robots(&self) -> &[Entry] {

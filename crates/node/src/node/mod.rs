@@ -1,8 +1,11 @@
 //! One robot: its state machine, its loop, its voice and its wish, put together from a configuration.
 
 pub mod pilot;
+mod reload;
 mod ros;
+mod ros_view;
 pub mod run;
+pub mod status;
 pub mod voice;
 pub mod wish;
 
@@ -14,7 +17,6 @@ use std::sync::mpsc::{SyncSender, sync_channel};
 
 use closeranks_core::{Params, ParamsError, RobotError, RobotId};
 use closeranks_sim::scenario::Scenario;
-use core::time::Duration;
 
 use crate::bytes::hex;
 use crate::clock::Clock;
@@ -32,7 +34,7 @@ use crate::plant::replay::{REPLAY_MAX, Replay, ReplayError};
 use crate::plant::ros::Own;
 use crate::plant::simulated::Simulated;
 use crate::scenarios::{self, ScenarioError};
-use crate::session::{Ear, Net, SessionError, number};
+use crate::session::{Ear, Net, SessionError, Token, number};
 use crate::signals::stop_on_signals;
 
 /// Why a robot does not start.
@@ -71,6 +73,12 @@ pub enum NodeError {
         "the roster has no key of a plant: use `plant.kind = \"replay\"`, or add one with `closeranks-node roster add DIR plant`"
     )]
     NoPlant,
+    #[error(
+        "only `distrust` and the roster are read anew while a robot runs; anything else needs another start"
+    )]
+    Restart,
+    #[error("the roster differs and the simulated plant has read the old one: start it and all robots anew")]
+    PlantsRoster,
     #[error("signals cannot be handled: {0}")]
     Signals(#[from] ctrlc::Error),
 }
@@ -139,7 +147,8 @@ fn run_in<const D: usize>(
     let port: Box<dyn PlantPort<D>> = match (&config.plant, recorded) {
         (_, Some(replay)) => Box::new(replay),
         (Plant::Ros2(topics), _) => {
-            let (port, shown) = ros::plant(topics, roster, id, period, &net)?;
+            let (port, shown) =
+                ros::plant((topics, config.timeout(topics.source_timeout)), roster, id, period, &net)?;
             own = port.own();
             tokens = shown;
             Box::new(port)
@@ -149,26 +158,47 @@ fn run_in<const D: usize>(
     };
     let wish: Box<dyn Wish<D>> = match (&config.desired, &config.plant, listed) {
         (_, _, Some(listed)) => Box::new(listed),
-        (Desired::Key { timeout_s }, _, _) => Box::new(Key::new(Duration::from_secs_f64(*timeout_s))),
+        (Desired::Key { timeout_s }, _, _) => Box::new(Key::new(config.timeout(*timeout_s))),
         (Desired::Ros2 { timeout_s, .. }, Plant::Ros2(topics), _) => {
-            Box::new(Planner::new(own, topics, Duration::from_secs_f64(*timeout_s)))
+            Box::new(Planner::new(own, topics, config.timeout(*timeout_s)))
         }
         _ => Box::new(Hold),
     };
-    let plain = Plain::new(&net, id, params.settings().team.robots, config.proofs.clone())?;
-    let voice: Box<dyn Voice<D>> = match lies {
-        Some(scenario) => Box::new(Lying::new(plain, &net, id, scenario)?),
-        None => Box::new(plain),
-    };
+    let (voice, shown) = voice(config, &net, id, params.settings().team.robots, lies)?;
+    tokens.extend(shown);
     // Until here nothing moves, so signals may end the process at once.
     stop_on_signals(stop)?;
     let (queue, events) = sync_channel(QUEUE);
     let ears = ears(&net, config, roster, id, &queue)?;
+    if let Some(file) = &config.file {
+        reload::watch(file.clone(), config.clone(), Arc::clone(roster), queue.clone(), Arc::clone(stop));
+    }
     drop(queue);
     Node::new(pilot, port, voice, wish, clock, period).run(&events, stop);
     drop((ears, tokens));
     net.close();
     Ok(())
+}
+
+/// How the robot speaks, and what makes its topics visible.
+fn voice<const D: usize>(
+    config: &Config,
+    net: &Net,
+    id: RobotId,
+    robots: u16,
+    lies: Option<&Scenario>,
+) -> Result<(Box<dyn Voice<D>>, Vec<Token>), NodeError> {
+    let (mut viewer, mut tokens) = (None, Vec::new());
+    if let Plant::Ros2(topics) = &config.plant {
+        let (show, shown) = ros_view::viewer(topics, &config.robot, net)?;
+        (viewer, tokens) = (Some(show), shown);
+    }
+    let plain = Plain::new(net, id, robots, config.proofs.clone())?.seen_by(viewer);
+    let voice: Box<dyn Voice<D>> = match lies {
+        Some(scenario) => Box::new(Lying::new(plain, net, id, scenario)?),
+        None => Box::new(plain),
+    };
+    Ok((voice, tokens))
 }
 
 /// The recording that a configuration names, if it does.
@@ -230,6 +260,10 @@ fn ears(
     if matches!(config.desired, Desired::Key { .. }) {
         let key = format!("want/{}", id.0);
         ears.push(net.listen(&key, queue.clone(), |_, bytes| Some(Event::Want(bytes)))?);
+    }
+    if config.trust_key {
+        let key = format!("trust/{}", id.0);
+        ears.push(net.listen(&key, queue.clone(), |_, bytes| Some(Event::Trust(bytes)))?);
     }
     if let Plant::Ros2(topics) = &config.plant {
         ears.extend(ros::poses(topics, roster, net, queue)?);

@@ -16,6 +16,7 @@ use ed25519_dalek::SigningKey;
 
 use crate::gate::{Counts, Gate, Limits, Reject};
 use crate::identity::roster::Roster;
+use crate::node::status::{Scene, Status, Watch};
 use crate::wire::envelope::{ECHOES_MAX, Echo, Envelope, Letter, PAYLOAD_MAX, Purpose};
 use crate::wire::report::{Report, rejects};
 use crate::wire::sensed::Sensed;
@@ -62,7 +63,7 @@ pub struct Pilot<const D: usize> {
     proofs: BTreeMap<RobotId, Vec<u8>>,
     published: Option<Instant>,
     sensed_at: Option<Instant>,
-    input: InputBox<D>,
+    params: Params<D>,
 }
 
 /// How much the gate for messages takes with these parameters.
@@ -99,7 +100,7 @@ impl<const D: usize> Pilot<D> {
             proofs: BTreeMap::new(),
             published: None,
             sensed_at: None,
-            input: params.settings().limits.input,
+            params,
         })
     }
 
@@ -265,7 +266,7 @@ impl<const D: usize> Pilot<D> {
     /// The velocities that it may be given.
     #[must_use]
     pub fn input(&self) -> InputBox<D> {
-        self.input
+        self.params.settings().limits.input
     }
 
     /// The robot of the core.
@@ -293,6 +294,62 @@ impl<const D: usize> Pilot<D> {
     /// Says from outside whether a robot is to be believed: what it tells is used, or not. It is still seen and avoided.
     pub fn trust(&mut self, id: RobotId, trusted: bool) {
         self.gate.trust(id, trusted);
+    }
+
+    /// Takes an operator's or a detector's word: `{"robot": 3, "trust": 0}`. 0 lets nothing count that the robot tells, 1 takes that back.
+    /// Who is proved two-faced stays so. Gives the robot and whether it is believed now; `None` if the bytes are no such word.
+    pub fn hear_trust(&mut self, bytes: &[u8]) -> Option<(RobotId, bool)> {
+        #[derive(serde::Deserialize)]
+        #[serde(deny_unknown_fields)]
+        struct Word {
+            robot: u16,
+            trust: f64,
+        }
+        let word: Word = if bytes.len() <= 256 { serde_json::from_slice(bytes).ok()? } else { return None };
+        let (id, robots) = (RobotId(word.robot), self.params.settings().team.robots);
+        if id == self.identity.id
+            || !(1..=robots).contains(&id.0)
+            || !(word.trust == 0.0 || word.trust == 1.0)
+        {
+            return None;
+        }
+        self.trust(id, word.trust == 1.0);
+        Some((id, self.trusts(id)))
+    }
+
+    /// Takes another roster of the same operator at run time. Numbers, names and settings must be as before, and the own key too, because
+    /// everything rests on them; keys of other robots may differ. A robot with a new key begins without a history and without what was proved of the old one.
+    /// Says why not, otherwise.
+    pub fn renew(&mut self, roster: &Arc<Roster>) -> Result<(), &'static str> {
+        let (old, own) = (&self.identity.roster, self.identity.id);
+        if roster.operator() != old.operator() {
+            return Err("another operator signed it");
+        }
+        if roster.parameters() != old.parameters() {
+            return Err("its settings differ: all robots must be started anew with it");
+        }
+        let names = |of: &Roster| of.robots().iter().map(|entry| entry.name.clone()).collect::<Vec<_>>();
+        if names(roster) != names(old) {
+            return Err(
+                "its robots have other names or another order: all robots must be started anew with it",
+            );
+        }
+        if roster.key(own) != old.key(own) {
+            return Err("it has another key for this robot, which must be started anew with that key");
+        }
+        // Others who have the new roster cannot check what was signed for the old one.
+        self.proofs.clear();
+        self.gate.renew(roster);
+        self.identity.roster = Arc::clone(roster);
+        Ok(())
+    }
+
+    /// What is to be said to planners and people after a decision.
+    pub fn status(&self, watch: &mut Watch, now: Instant, wished: bool, report: &Report<D>) -> Status {
+        let (id, params) = (self.identity.id, &self.params);
+        let scene = Scene { id, params, slots: self.robot.neighbors(), wished };
+        let all = (1..=params.settings().team.robots).filter(|other| *other != id.0);
+        watch.status(now, &scene, report, all.filter(|other| !self.trusts(RobotId(*other))).collect())
     }
 
     /// Whether a robot is believed.

@@ -18,16 +18,16 @@ use crate::ros::messages::{Twist, read_twist, twist, twist_stamped};
 use crate::session::{Ear, Net, SessionError, Token, send_with};
 
 /// Name of the node in ROS 2, before the name of the robot.
-const NODE: &str = "closeranks";
+pub(super) const NODE: &str = "closeranks";
 
 /// A topic of the robot of that name.
-fn topic(pattern: &str, name: &str) -> String {
+pub(super) fn topic(pattern: &str, name: &str) -> String {
     pattern.replace("{name}", name)
 }
 
 /// The plant of robot `id`: what it publishes and is shown by.
 pub(crate) fn plant<const D: usize>(
-    ros: &Ros2,
+    (ros, timeout): (&Ros2, Duration),
     roster: &Roster,
     id: RobotId,
     period: Duration,
@@ -51,12 +51,8 @@ pub(crate) fn plant<const D: usize>(
         send_with(&out, bytes, &attachment(sequence, nanos, &publisher));
     };
     let base = ros.look_ahead_m.map_or(Base::Holonomic, |ahead_m| Base::Unicycle { ahead_m });
-    let source = Source {
-        odometry: ros.pose_type == PoseType::Odometry,
-        frame: ros.frame.clone(),
-        timeout: Duration::from_secs_f64(ros.source_timeout),
-        base,
-    };
+    let source =
+        Source { odometry: ros.pose_type == PoseType::Odometry, frame: ros.frame.clone(), timeout, base };
     let robots = u16::try_from(roster.robots().len()).unwrap_or(u16::MAX);
     Ok((Ros::new(id, robots, source, period, Box::new(drive)), shown))
 }

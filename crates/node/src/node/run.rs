@@ -5,12 +5,15 @@
 
 use core::sync::atomic::{AtomicBool, Ordering};
 use core::time::Duration;
+use std::sync::Arc;
 use std::sync::mpsc::{Receiver, RecvTimeoutError};
 
 use closeranks_core::{Instant, RobotId};
 
 use crate::clock::{Clock, tick};
+use crate::identity::roster::Roster;
 use crate::node::pilot::{Notice, Pilot};
+use crate::node::status::{Status, Watch};
 use crate::plant::PlantPort;
 use crate::wire::report::Report;
 
@@ -33,6 +36,10 @@ pub enum Event {
     Proof(Vec<u8>),
     /// A desired velocity.
     Want(Vec<u8>),
+    /// A word from outside on whether a robot is to be believed.
+    Trust(Vec<u8>),
+    /// Files that were changed: another roster, and who is not to be believed.
+    Files(Arc<Roster>, Vec<RobotId>),
 }
 
 /// What a robot publishes.
@@ -42,6 +49,9 @@ pub trait Voice<const D: usize> {
 
     /// Publishes a report, for a simulated plant and for whoever watches.
     fn report(&mut self, now: Instant, pilot: &mut Pilot<D>, report: &mut Report<D>);
+
+    /// Publishes what planners and people want to know.
+    fn status(&mut self, status: &Status);
 
     /// Publishes what was found out about others.
     fn notice(&mut self, notice: &Notice);
@@ -75,6 +85,7 @@ pub struct Node<'a, const D: usize> {
     /// When the look of this tick came, and how long was worked on it since.
     busy: Duration,
     fresh: bool,
+    watch: Watch,
 }
 
 impl<'a, const D: usize> Node<'a, D> {
@@ -89,7 +100,7 @@ impl<'a, const D: usize> Node<'a, D> {
         period: Duration,
     ) -> Self {
         let (own_m, last, busy, fresh) = ([f64::NAN; D], None, Duration::ZERO, false);
-        Self { pilot, port, voice, wish, clock, period, own_m, last, busy, fresh }
+        Self { pilot, port, voice, wish, clock, period, own_m, last, busy, fresh, watch: Watch::default() }
     }
 
     /// Runs until `stop`, or until nobody sends events any more. Then the robot stands still, and says so.
@@ -129,6 +140,20 @@ impl<'a, const D: usize> Node<'a, D> {
                 self.wish.arrived(now, &bytes);
                 Vec::new()
             }
+            Event::Trust(bytes) => {
+                match self.pilot.hear_trust(&bytes) {
+                    Some((id, true)) => eprintln!("robot {} is believed", id.0),
+                    Some((id, false)) => eprintln!("robot {} is not believed", id.0),
+                    None => eprintln!(
+                        "a word on trust is not used: it must be {{\"robot\": ID, \"trust\": 0 or 1}}"
+                    ),
+                }
+                Vec::new()
+            }
+            Event::Files(roster, distrusted) => {
+                self.renew(&roster, &distrusted);
+                Vec::new()
+            }
         };
         for notice in &notices {
             self.voice.notice(notice);
@@ -151,12 +176,25 @@ impl<'a, const D: usize> Node<'a, D> {
             self.pilot.miss();
         }
         let desired = self.wish.desired(now, &self.own_m);
+        let wished = desired.iter().all(|component| component.is_finite());
         let mut report = self.pilot.decide(desired);
         self.busy += self.clock.now().since(now);
         report.busy_us = u32::try_from(self.busy.as_micros()).unwrap_or(u32::MAX);
         self.port.drive(now, &report.velocity_m_s);
+        let status = self.pilot.status(&mut self.watch, now, wished, &report);
         self.voice.report(self.clock.now(), &mut self.pilot, &mut report);
+        self.voice.status(&status);
         self.last = Some(report);
+    }
+
+    fn renew(&mut self, roster: &Arc<Roster>, distrusted: &[RobotId]) {
+        match self.pilot.renew(roster) {
+            Ok(()) => eprintln!("the roster and the list of those who are not believed were read anew"),
+            Err(why) => return eprintln!("the new roster is not used: {why}"),
+        }
+        for id in (1..=u16::try_from(roster.robots().len()).unwrap_or(u16::MAX)).map(RobotId) {
+            self.pilot.trust(id, !distrusted.contains(&id));
+        }
     }
 
     fn stop(&mut self) {

@@ -12,6 +12,7 @@ use closeranks_sim::transport::Bytes;
 
 use crate::node::pilot::{Notice, Pilot};
 use crate::node::run::Voice;
+use crate::node::status::Status;
 use crate::session::{Net, Out, SessionError, send};
 use crate::wire::report::Report;
 
@@ -19,11 +20,17 @@ use crate::wire::report::Report;
 pub struct Plain {
     say: Out,
     report: Out,
+    status: Out,
     evidence: Vec<Out>,
     proof: Vec<Out>,
     /// Where proofs are written.
     folder: PathBuf,
+    /// Who else is shown the status.
+    viewer: Option<Viewer>,
 }
+
+/// Shows a status in another form.
+pub type Viewer = Box<dyn FnMut(&Status) + Send>;
 
 impl Plain {
     /// The voice of robot `id` in a team of so many, which writes proofs to `folder`.
@@ -34,10 +41,18 @@ impl Plain {
         Ok(Self {
             say: net.out(&format!("say/{}", id.0))?,
             report: net.out(&format!("report/{}", id.0))?,
+            status: net.out(&format!("status/{}", id.0))?,
             evidence: about("evidence")?,
             proof: about("proof")?,
             folder,
+            viewer: None,
         })
+    }
+
+    /// The same voice, which shows every status to `viewer` too.
+    #[must_use]
+    pub fn seen_by(self, viewer: Option<Viewer>) -> Self {
+        Self { viewer, ..self }
     }
 }
 
@@ -51,6 +66,15 @@ impl<const D: usize> Voice<D> for Plain {
     fn report(&mut self, now: Instant, pilot: &mut Pilot<D>, report: &mut Report<D>) {
         if let Some(bytes) = pilot.report(now, report) {
             send(&self.report, bytes);
+        }
+    }
+
+    fn status(&mut self, status: &Status) {
+        if let Ok(bytes) = serde_json::to_vec(status) {
+            send(&self.status, bytes);
+        }
+        if let Some(viewer) = &mut self.viewer {
+            viewer(status);
         }
     }
 
@@ -179,6 +203,10 @@ impl<const D: usize> Voice<D> for Lying {
         }
         report.value = self.told.unwrap_or(report.value);
         Voice::<D>::report(&mut self.plain, now, pilot, report);
+    }
+
+    fn status(&mut self, status: &Status) {
+        Voice::<D>::status(&mut self.plain, status);
     }
 
     /// A liar does not tell on others, nor on itself.

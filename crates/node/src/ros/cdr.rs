@@ -33,6 +33,23 @@ impl Writer {
         self.bytes.extend_from_slice(&number.to_le_bytes());
     }
 
+    /// Numbers of four bytes, one after another.
+    pub fn words(&mut self, numbers: &[u32]) {
+        for number in numbers {
+            self.word(*number);
+        }
+    }
+
+    /// A number of one byte.
+    pub fn byte(&mut self, number: u8) {
+        self.bytes.push(number);
+    }
+
+    /// A number of four bytes with a point.
+    pub fn single(&mut self, number: f32) {
+        self.word(number.to_bits());
+    }
+
     /// A number of eight bytes.
     pub fn double(&mut self, number: f64) {
         self.align(8);

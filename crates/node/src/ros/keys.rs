@@ -37,6 +37,17 @@ pub const ODOMETRY: Type = Type {
     hash: "3cc97dc7fb7502f8714462c526d369e35b603cfc34d946e3f2eda2766dfec6e0",
 };
 
+/// `diagnostic_msgs/msg/DiagnosticArray`.
+pub const DIAGNOSTICS: Type = Type {
+    name: "diagnostic_msgs::msg::dds_::DiagnosticArray_",
+    hash: "5a8a36efb05fb25070fa0fb3810290c0e6cd4862b54a8fb975a1ee8dc55a333e",
+};
+/// `visualization_msgs/msg/MarkerArray`.
+pub const MARKERS: Type = Type {
+    name: "visualization_msgs::msg::dds_::MarkerArray_",
+    hash: "86cb8800b6fb05b5eff1abd7a56f62a5641d3ae9a1c29e78e67e704f1d067dcf",
+};
+
 /// Which ROS 2 is on the other side.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]

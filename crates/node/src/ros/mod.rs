@@ -4,3 +4,4 @@ pub mod cdr;
 pub mod frame;
 pub mod keys;
 pub mod messages;
+pub mod seen;
