@@ -32,6 +32,9 @@ use crate::monitors::rule::Rule;
 use crate::monitors::truth::Truth;
 use crate::scenario::Scenario;
 
+/// Rounds in which what was heard in a void one may be taken up: clocks and messages may be a round late.
+const VOID_ROUNDS: u32 = 3;
+
 /// Watches the frames of one run.
 #[derive(Clone, Debug)]
 pub struct Monitors<const D: usize> {
@@ -49,6 +52,8 @@ pub struct Monitors<const D: usize> {
     carry: Carry<D>,
     verdicts: Verdicts,
     interval: Option<[f64; 2]>,
+    /// For how many rounds what was heard in a void one may still come.
+    void_rounds: u32,
     agreement: Agreement,
     heard: Heard,
     extremes: Extremes,
@@ -101,6 +106,7 @@ impl<const D: usize> Monitors<D> {
             heard: Heard::new(scenario, &rule),
             rule,
             interval: None,
+            void_rounds: 0,
             collisions: Vec::new(),
             extremes: Extremes {
                 degree_min: None,
@@ -267,11 +273,14 @@ impl<const D: usize> Monitors<D> {
         let (low, high) =
             (normal().fold(f64::INFINITY, f64::min), normal().fold(f64::NEG_INFINITY, f64::max));
         let met = self.heard.end_round(tick, frame, &self.malicious);
-        if met.is_void {
-            // What was promised of the interval is promised of the present one from now on.
-            self.interval = Some([low, high]);
+        let [least, most] = self.interval.get_or_insert([low, high]);
+        self.void_rounds = if met.is_void { VOID_ROUNDS } else { self.void_rounds.saturating_sub(1) };
+        if self.void_rounds > 0 {
+            // From now on values stay between these. A robot that forgets all returns with the value of its start, and one
+            // whose clock differs takes up what it heard a round or two later.
+            (*least, *most) = (low.min(*least), high.max(*most));
         }
-        let [least, most] = *self.interval.get_or_insert([low, high]);
+        let [least, most] = [*least, *most];
         for index in 0..frame.values.len() {
             let value = frame.values[index];
             if !self.malicious[index] && !(least..=most).contains(&value) {
