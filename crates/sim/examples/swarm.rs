@@ -6,7 +6,6 @@
 //! cargo build --release -p closeranks-sim --example swarm
 //! valgrind --tool=callgrind target/release/examples/swarm scenarios/swarm.toml 1000 20
 //! ```
-#![expect(clippy::print_stdout, reason = "a program")]
 
 use std::io::Write as _;
 use std::process::ExitCode;
