@@ -16,7 +16,7 @@ const LINKS: &str = "core/src/controller/links/control.rs";
 const SHARED: &str = "core/src/controller/rows.rs";
 const INEQUALITY: &str = "core/src/controller/budget/inequality.rs";
 
-pub(crate) const MUTANTS: [Mutant; 38] = [
+pub(crate) const MUTANTS: [Mutant; 35] = [
     Mutant {
         name: "gradient with the wrong sign",
         law: "decay",
@@ -186,33 +186,6 @@ pub(crate) const MUTANTS: [Mutant; 38] = [
         name: "begins anew without saying so",
         law: "decay",
         lines: &[("core/src/robot/assurance.rs", "self.anew = true;", "self.anew = false;")],
-    },
-    Mutant {
-        name: "tolerances that grow with R",
-        law: "mode",
-        lines: &[(
-            "core/src/controller/budget/recovery.rs",
-            "let hair_m2 = NEAR_ROUNDING * self.distance_min_m * self.distance_min_m;",
-            "let hair_m2 = NEAR_ROUNDING * self.curvature.link().radius_m * self.curvature.link().radius_m;",
-        )],
-    },
-    Mutant {
-        name: "rounding at the limit costs a promise",
-        law: "mode",
-        lines: &[(
-            "core/src/controller/budget/recovery.rs",
-            "const H_ROUNDING: f64 = 1e-11;",
-            "const H_ROUNDING: f64 = 0.0;",
-        )],
-    },
-    Mutant {
-        name: "robots out of sight counted as no neighbours",
-        law: "decay",
-        lines: &[(
-            "core/src/controller/budget/survey.rs",
-            "let (low, degree) = (*lows.get(index)?, count(unseen) + *degrees.get(index)?);",
-            "let (low, degree) = (*lows.get(index)?, 0.0 * count(unseen) + *degrees.get(index)?);",
-        )],
     },
     Mutant {
         name: "neighbours in need are followed",
