@@ -125,7 +125,7 @@ pub enum Problem {
     TooManyNodes,
     /// There is no node.
     NoNodes,
-    /// The text is longer than [`TEXT_LIMIT`].
+    /// The text is longer than `TEXT_LIMIT`.
     TextTooLong {
         /// Its length.
         bytes: usize,

@@ -40,7 +40,7 @@ pub struct Seen {
     /// j.
     pub robot: RobotId,
     /// The least that the level of j can be: the sum of the weights that i sees, its own link to j among them, in order of
-    /// numbers. Under [`Assume::Free`](super::settings::Assume::Free) it is the trimmed sum.
+    /// numbers. Under [`Assume::Free`](crate::controller::assume::Assume::Free) it is the trimmed sum.
     pub low: f64,
     /// How many links i sees, and every robot out of sight that counts for j.
     pub degree: f64,
@@ -62,7 +62,7 @@ impl Budget {
     /// low = Σ_{p seen} a_jp ≤ c_j,    b_ij = max(low − need, 0),    δ⁺_ij = links seen + robots out of sight
     /// ```
     ///
-    /// A robot that i does not see can only add to the level of j. Under [`Assume::Free`](super::settings::Assume::Free) the F
+    /// A robot that i does not see can only add to the level of j. Under [`Assume::Free`](crate::controller::assume::Assume::Free) the F
     /// largest of the same terms are left out; a trimmed sum falls too when terms are taken away. If offsets are known to 2E,
     /// every weight in `low` is that at `distance + 2E`.
     //= theory eq:known
