@@ -11,7 +11,7 @@ fn bench(arguments: &[&str]) -> Output {
     Command::new(env!("CARGO_BIN_EXE_closeranks")).arg("bench").args(arguments).output().unwrap()
 }
 
-/// The same numbers on every machine and for every number of threads; who breaks something gets nothing for it.
+/// Scores are the same on every machine and for every number of threads, and who breaks something gets nothing for it.
 #[test]
 fn scores_are_the_same_in_every_run_and_breaking_something_does_not_pay() {
     let folder = tempfile::tempdir().unwrap();

@@ -52,7 +52,7 @@ impl<'memory, const D: usize> Rows<'memory, D> {
         self.program.closest(&self.desired_m)
     }
 
-    /// The same displacement up to rounding, found faster where `before_m` is close to it ([`Program::closest_from`]).
+    /// This finds the same displacement up to rounding, faster where `before_m` is close to it ([`Program::closest_from`]).
     #[must_use]
     pub fn closest_from(&mut self, before_m: &Vector<D>) -> Closest<D> {
         self.program.closest_from(&self.desired_m, before_m)

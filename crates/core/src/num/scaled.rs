@@ -35,7 +35,7 @@ impl Scaled {
         Self { mantissa: f64::from_bits(mantissa_bits), exponent }
     }
 
-    /// The same number with its mantissa in [1, 2) up to sign.
+    /// This is the same number with its mantissa in [1, 2), up to the sign.
     #[must_use]
     pub fn normalized(self) -> Self {
         let inner = Self::new(self.mantissa);

@@ -84,7 +84,7 @@ impl<const D: usize, S: Slots<D>> Robot<D, S> {
         }
     }
 
-    /// The same for an observation that was refused.
+    /// An observation that was refused is noted in the same way.
     pub(crate) fn refuse(&mut self, error: ObserveError) -> ObserveError {
         self.overlook();
         error
