@@ -92,7 +92,7 @@ seed=$((16#$(git rev-parse --short=8 HEAD 2> /dev/null || echo 1)))
 cargo run --release --locked --quiet -- sweep scenarios/campaign.toml --runs 2000 --seed "$seed" -o "$out/campaign"
 
 step "packages of the libraries"
-cargo package -p closeranks-core -p closeranks-graph -p closeranks-sim -p closeranks-report --no-verify --allow-dirty --quiet
+cargo package -p closeranks-core -p closeranks-graph -p closeranks-sim -p closeranks-mcap -p closeranks-report --no-verify --allow-dirty --quiet
 
 step "benches are built, not timed"
 cargo test --release --locked --benches --quiet -p closeranks-core -p closeranks-sim

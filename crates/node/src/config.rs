@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 use serde::{Deserialize, Serialize};
 
 use crate::clock::Kind;
-use crate::ros::keys::Distro;
+use crate::ros::keys::{Distro, Form};
 
 /// What a robot is told besides its roster.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -68,6 +68,9 @@ pub struct Network {
     pub connect: Vec<String>,
     /// What all keys of the team begin with.
     pub prefix: String,
+    /// A file of Zenoh itself (JSON5) for what has no field here, such as certificates and access control. What stands here counts more.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub zenoh: Option<PathBuf>,
     /// Whether others are heard themselves, or through a relay that plays a bad network.
     pub hear: Hear,
 }
@@ -90,6 +93,7 @@ impl Default for Network {
             listen: Vec::new(),
             connect: Vec::new(),
             prefix: "closeranks".into(),
+            zenoh: None,
             hear: Hear::Direct,
         }
     }
@@ -119,6 +123,8 @@ pub struct Ros2 {
     pub domain: u16,
     /// `humble`, `jazzy` or `kilted`: Humble's keys have no hashes of types.
     pub ros_distro: Distro,
+    /// `rmw_zenoh`, or `ros2dds` behind a bridge to DDS, `zenoh-plugin-ros2dds`.
+    pub keys: Form,
     /// Where the pose of each robot is; all in one frame.
     pub pose_topic: String,
     /// `odometry` or `pose`: the type on that topic.
@@ -157,6 +163,7 @@ impl Default for Ros2 {
         Self {
             domain: 0,
             ros_distro: Distro::default(),
+            keys: Form::default(),
             pose_topic: "{name}/odom".into(),
             pose_type: PoseType::Odometry,
             frame: "map".into(),
@@ -262,7 +269,7 @@ impl Config {
             Desired::Scenario { file } => Some(file),
             Desired::Hold | Desired::Key { .. } | Desired::Ros2 { .. } => None,
         };
-        for path in paths.into_iter().chain(plant).chain(desired) {
+        for path in paths.into_iter().chain(plant).chain(desired).chain(&mut config.network.zenoh) {
             *path = folder.join(&*path);
         }
         config.file = Some(path.to_owned());
