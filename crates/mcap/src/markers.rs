@@ -2,8 +2,8 @@
 
 use closeranks_sim::output::snapshot::Snapshot;
 
-use crate::links::{Link, links_between};
 use crate::cdr::Writer;
+use crate::links::{Link, links_between};
 use crate::look::Look;
 use crate::messages::{MAP, pose};
 

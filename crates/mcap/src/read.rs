@@ -4,8 +4,8 @@ use std::collections::BTreeMap;
 
 use closeranks_sim::parse;
 
-use crate::history::{COLUMNS, History, MOMENTS_MAX};
 use crate::bytes::{MAGIC, code};
+use crate::history::{COLUMNS, History, MOMENTS_MAX};
 use crate::look::{METADATA, ROBOTS_MAX};
 
 /// The largest chunk that is unpacked, bytes; ours have 16 MiB and a message more.

@@ -10,8 +10,8 @@ use crate::diagnostics::diagnostics;
 use crate::look::{COMMAND, LIBRARY, Look, METADATA};
 use crate::markers::markers;
 use crate::messages::{name, odometry, pose_stamped, state, transforms, twist_stamped};
-use crate::schemas::{ROBOT_STATE, schema, spelt};
 use crate::metadata::Metadata;
+use crate::schemas::{ROBOT_STATE, schema, spelt};
 
 /// Topics of the whole team, before those of robots.
 const TEAM: [(&str, &str); 3] = [

@@ -5,8 +5,8 @@
 
 #![expect(clippy::print_stdout, reason = "what the user asked for")]
 
+use core::error::Error;
 use core::time::Duration;
-use std::error::Error;
 use std::fs;
 use std::path::Path;
 use std::process::{Command, Stdio};
@@ -56,7 +56,8 @@ fn play(
          tau_2_s = {}\n[start]\nkind = 'hexagon'\nspacing_m = 0.35\n",
         5.0 * tau_s
     );
-    let names: Vec<String> = (1..=robots).map(|id| format!("robot_{id}")).chain(["plant".to_owned()]).collect();
+    let names: Vec<String> =
+        (1..=robots).map(|id| format!("robot_{id}")).chain(["plant".to_owned()]).collect();
     let keys: Vec<_> = names
         .iter()
         .map(|name| keys::create(&folder.join(format!("{name}.key"))))

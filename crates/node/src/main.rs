@@ -132,9 +132,9 @@ fn execute(command: &Command) -> Result<bool, Failure> {
             let sinks = Sinks { record: record.clone(), moments: lines };
             let (text, good) = robots::fleet(file, &options, sinks, *json)?;
             if *moments {
-                eprintln!("{text}")
+                eprintln!("{text}");
             } else {
-                print(&text)
+                print(&text);
             }
             Ok(good)
         }

@@ -138,7 +138,10 @@ impl Fleet {
         let robots = scenario.team.robots;
         if let Some(liar) = self.liar.iter().find(|liar| !scenario.malicious.contains(&liar.robot)) {
             let allowed = &scenario.malicious;
-            return Err(format!("`fleet.liar.robot` is {}, allowed is one of team.malicious, {allowed:?}", liar.robot));
+            return Err(format!(
+                "`fleet.liar.robot` is {}, allowed is one of team.malicious, {allowed:?}",
+                liar.robot
+            ));
         }
         let times = self.kill.iter().flat_map(|kill| [Some(kill.at_s), kill.back_s]).flatten();
         for time_s in times.chain(self.restart_router_s.iter().copied()) {
@@ -185,7 +188,9 @@ mod tests {
         assert!(refused("seed = 1\n[fleet]\nkil = []").starts_with("f.toml:3: unknown field `kil`"));
         assert!(refused("[[fleet.kill]]\nrobot = 12\nat_s = 1.0").contains("allowed is 1 to 11"));
         let liar = |robot: u16, kind: &str| {
-            format!("[team]\nmalicious = [1, 2]\n[[fleet.liar]]\nrobot = {robot}\nattack = {{ level = {{ kind = '{kind}' }} }}")
+            format!(
+                "[team]\nmalicious = [1, 2]\n[[fleet.liar]]\nrobot = {robot}\nattack = {{ level = {{ kind = '{kind}' }} }}"
+            )
         };
         assert!(refused(&liar(3, "silent")).contains("allowed is one of team.malicious, [1, 2]"));
         assert!(refused(&liar(2, "rude")).contains("`fleet.liar` of robot 2: `attack.level.kind` is"));

@@ -21,7 +21,8 @@ const CHAOS: &str = include_str!("../../../scenarios/chaos.toml");
 fn a_fleet_holds_among_liars_losses_kills_and_garbage() {
     let folder = tempfile::tempdir().unwrap();
     fs::write(folder.path().join("chaos.toml"), CHAOS).unwrap();
-    let output = node(folder.path(), &["fleet", "chaos.toml", "--json", "--out", "kept", "--record", "chaos.mcap"]);
+    let output =
+        node(folder.path(), &["fleet", "chaos.toml", "--json", "--out", "kept", "--record", "chaos.mcap"]);
     let (said, wrong) = (text(&output.stdout), text(&output.stderr));
     assert_eq!(output.status.code(), Some(0), "{said}\n{wrong}");
     let verdict: serde_json::Value = serde_json::from_str(&said).unwrap();

@@ -135,7 +135,8 @@ fn endpoints_are_read_anew_without_a_restart() {
     let desired = "[desired]\nsource = 'scenario'\nfile = 'team.toml'";
     configure(at, &operator, 1, &format!("listen = ['{first_at}']\nconnect = ['{plant_at}']"), desired);
     configure(at, &operator, 2, "connect = ['tcp/127.0.0.1:1']", desired);
-    let arguments = ["plant", "--scenario", "team.toml", "--roster", "team/roster.toml", "--key", "team/plant.key"];
+    let arguments =
+        ["plant", "--scenario", "team.toml", "--roster", "team/roster.toml", "--key", "team/plant.key"];
     let arguments = [&arguments[..], &["--one-machine", "--listen", &plant_at]].concat();
     let mut plant = Process::start(at, "plant.log", &arguments);
     let mut robots = [1, 2].map(|robot| {
@@ -146,7 +147,8 @@ fn endpoints_are_read_anew_without_a_restart() {
     assert!(plant.0.try_wait().unwrap().is_none(), "the plant waits for robot 2");
     configure(at, &operator, 2, &format!("connect = ['{plant_at}', '{first_at}']"), desired);
     let code = plant.code();
-    let logs = ["plant.log", "robot_1.log", "robot_2.log"].map(|log| fs::read_to_string(at.join(log)).unwrap());
+    let logs =
+        ["plant.log", "robot_1.log", "robot_2.log"].map(|log| fs::read_to_string(at.join(log)).unwrap());
     assert_eq!(code, Some(0), "{logs:?}");
     assert!(logs[2].contains("connected anew"), "{logs:?}");
     for robot in &mut robots {

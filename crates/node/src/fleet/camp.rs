@@ -360,7 +360,8 @@ fn cpu_s(pid: u32) -> Option<f64> {
     let text = fs::read_to_string(format!("/proc/{pid}/stat")).ok()?;
     // What stands before is the name of the program in brackets.
     let (_, rest) = text.rsplit_once(')')?;
-    let ticks: Vec<f64> = rest.split_whitespace().skip(11).take(2).filter_map(|word| word.parse().ok()).collect();
+    let ticks: Vec<f64> =
+        rest.split_whitespace().skip(11).take(2).filter_map(|word| word.parse().ok()).collect();
     Some(ticks.iter().sum::<f64>() / 100.0)
 }
 

@@ -81,7 +81,8 @@ pub fn run(
 /// Least, middle and greatest share of a core that a robot used in so many s; robots that were started anew do not count.
 fn cpu_share(begin_s: &[Option<f64>], end_s: &[Option<f64>], seconds: f64) -> [f64; 3] {
     let both = begin_s.iter().zip(end_s).filter_map(|(begin, end)| Some(end.as_ref()? - begin.as_ref()?));
-    let mut shares: Vec<f64> = both.filter(|used| *used >= 0.0).map(|used| used / seconds.max(1e-9)).collect();
+    let mut shares: Vec<f64> =
+        both.filter(|used| *used >= 0.0).map(|used| used / seconds.max(1e-9)).collect();
     shares.sort_by(f64::total_cmp);
     let at = |place: usize| shares.get(place).copied().unwrap_or(0.0);
     [at(0), at(shares.len() / 2), at(shares.len().saturating_sub(1))]

@@ -27,11 +27,17 @@ pub(super) struct Link<'a> {
     pub(super) queue: SyncSender<Event>,
 }
 
+/// Where a robot among topics is, and where it wants to go if a topic says that too.
+struct Topics<const D: usize> {
+    port: Box<dyn PlantPort<D>>,
+    wish: Option<Box<dyn Wish<D>>>,
+}
+
 /// What connects a robot: it ends with its session.
 pub(super) struct Wires<const D: usize> {
     voice: Box<dyn Voice<D>>,
     /// Port and wish of a robot among topics.
-    topics: Option<(Box<dyn PlantPort<D>>, Option<Box<dyn Wish<D>>>)>,
+    topics: Option<Topics<D>>,
     ears: Vec<Ear>,
     tokens: Vec<Token>,
 }
@@ -40,7 +46,7 @@ impl<const D: usize> Wires<D> {
     /// Connects `node`; it is connected as long as what comes back is there.
     pub(super) fn into(self, node: &mut Node<'_, D>) -> (Vec<Ear>, Vec<Token>) {
         node.voice = self.voice;
-        if let Some((port, wish)) = self.topics {
+        if let Some(Topics { port, wish }) = self.topics {
             node.port = port;
             if let Some(wish) = wish {
                 node.wish = wish;
@@ -61,14 +67,15 @@ impl Link<'_> {
             let timeout = config.timeout(of.source_timeout);
             let (port, shown) = ros::plant((of, timeout), roster, *id, self.period, net)?;
             tokens.extend(shown);
+            let own = port.own();
+            let planner = |timeout_s| -> Box<dyn Wish<D>> {
+                Box::new(Planner::new(own, of, config.timeout(timeout_s)))
+            };
             let wish = match &config.desired {
-                Desired::Ros2 { timeout_s, .. } => {
-                    Some(Box::new(Planner::new(port.own(), of, config.timeout(*timeout_s)))
-                        as Box<dyn Wish<D>>)
-                }
+                Desired::Ros2 { timeout_s, .. } => Some(planner(*timeout_s)),
                 _ => None,
             };
-            topics = Some((Box::new(port) as Box<dyn PlantPort<D>>, wish));
+            topics = Some(Topics { port: Box::new(port), wish });
         }
         let ears = ears(net, network, config, roster, *id, &self.queue)?;
         Ok(Wires { voice, topics, ears, tokens })

@@ -98,7 +98,10 @@ mod tests {
     #[test]
     fn quantiles_are_members_of_the_list() {
         let all: Vec<u32> = (0..=100).collect();
-        assert_eq!((quantile(&all, 50), quantile(&all, 99), quantile(&[7], 99), quantile(&[], 50)), (50, 99, 7, 0));
+        assert_eq!(
+            (quantile(&all, 50), quantile(&all, 99), quantile(&[7], 99), quantile(&[], 50)),
+            (50, 99, 7, 0)
+        );
     }
 
     #[test]

@@ -168,7 +168,8 @@ fn run_in<const D: usize>(
         (net, network) = reconnect(net, network, *new)?;
         wires = link.wires(&network, &net)?;
     }
-    let figures = node.end(net.traffic());
+    // One write, so that the lines of processes that share a log do not mix.
+    let figures = node.end(net.traffic()).to_string();
     eprintln!("{figures}");
     net.close();
     Ok(())

@@ -192,6 +192,8 @@ impl<const D: usize> World<D> {
             frame.velocities_m_s[index] = [0.0; D];
             frame.modes[index] = Mode::Stopped;
             frame.outcomes[index] = Outcome::Free;
+            // It may have decided all the same, and counted on others than before: nothing is held against what is not known.
+            frame.counted[index].clear();
             self.late += u64::from(!malicious[index]);
             return;
         };

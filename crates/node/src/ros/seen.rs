@@ -39,7 +39,9 @@ fn count(writer: &mut Writer, of: usize) -> usize {
 }
 
 fn words(writer: &mut Writer, numbers: &[u32]) {
-    numbers.iter().for_each(|number| writer.word(*number));
+    for number in numbers {
+        writer.word(*number);
+    }
 }
 
 /// The bytes of a `DiagnosticArray` with one status, at `nanos` since 1970.

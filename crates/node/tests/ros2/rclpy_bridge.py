@@ -4,6 +4,7 @@ topic, a payload is the CDR of the message, nothing is attached. rclpy hands ove
 import sys
 
 import rclpy
+import rclpy.executors
 import zenoh
 from diagnostic_msgs.msg import DiagnosticArray
 from geometry_msgs.msg import TwistStamped
@@ -31,4 +32,7 @@ for topic, kind in TO_ZENOH.items():
 for topic, kind in FROM_ZENOH.items():
     into = node.create_publisher(kind, f"/{topic}", 10)
     held.append(session.declare_subscriber(topic, lambda sample, into=into: into.publish(bytes(sample.payload))))
-rclpy.spin(node)
+try:
+    rclpy.spin(node)
+except rclpy.executors.ExternalShutdownException:
+    pass  # the script asked it to stop
