@@ -2,6 +2,7 @@
 //!
 //! `cargo bench -p closeranks-core`
 
+use closeranks_core::controller::AnyController;
 use closeranks_core::equations::composition::Term;
 use closeranks_core::equations::link::Link;
 use closeranks_core::message::Message;
@@ -67,7 +68,8 @@ fn program_infeasible(bencher: Bencher<'_, '_>) {
 #[divan::bench]
 fn row_and_program_of_ten_neighbours(bencher: Bencher<'_, '_>) {
     let params = Params::<2>::new(Settings::default()).expect("defaults are valid");
-    let (composed, shape) = (*params.composed().expect("the default"), *params.link());
+    let AnyController::Composed(controller) = params.controller() else { return };
+    let (composed, shape) = (controller.composed, *params.link());
     let term = move |offset_m: &[f64; 2], told: f64| -> Option<Term<2>> {
         let link: Link<Scaled> = shape.link(offset_m)?;
         let collision = composed.collision_term(dot(offset_m, offset_m));

@@ -1,9 +1,6 @@
 //! Checked settings: what a robot is told once, constant from then on.
 
-use crate::controller::budget::settings::Budget;
-use crate::controller::links::Links;
 use crate::controller::{AnyController, Kept};
-use crate::equations::composition::Composed;
 use crate::equations::link::LinkShape;
 use crate::need::{Keep, Listen, Need};
 use crate::num::{Vector, is_finite};
@@ -20,6 +17,7 @@ pub struct Params<const D: usize> {
     link: LinkShape,
     need: Need,
     controller: AnyController<D>,
+    kept: Kept,
     reach: Reach<D>,
     sight_m2: f64,
     hold_s: f64,
@@ -49,6 +47,7 @@ impl<const D: usize> Params<D> {
         Ok(Self {
             link,
             need: *controller.need(),
+            kept: controller.kept(&link, settings.limits.distance_min_m),
             controller,
             reach: settings.reach(),
             sight_m2: sight_m * sight_m,
@@ -105,37 +104,10 @@ impl<const D: usize> Params<D> {
         &self.controller
     }
 
-    /// The paper's controller, if the robot runs it.
-    #[must_use]
-    pub fn composed(&self) -> Option<&Composed> {
-        match &self.controller {
-            AnyController::Composed(composed) => Some(&composed.composed),
-            _ => None,
-        }
-    }
-
-    /// Our controller that holds links, if the robot runs it.
-    #[must_use]
-    pub fn links(&self) -> Option<&Links> {
-        match &self.controller {
-            AnyController::Links(links) => Some(&links.links),
-            _ => None,
-        }
-    }
-
-    /// Our controller, if the robot runs it.
-    #[must_use]
-    pub fn budget(&self) -> Option<&Budget> {
-        match &self.controller {
-            AnyController::Budget(budget) => Some(&budget.budget),
-            _ => None,
-        }
-    }
-
     /// What the controller keeps. With stated errors this is about references and not about positions.
     #[must_use]
-    pub fn kept(&self) -> Kept {
-        self.controller.kept(&self.link, self.settings.limits.distance_min_m)
+    pub fn kept(&self) -> &Kept {
+        &self.kept
     }
 
     /// The displacements of one tick, `T U_i`.

@@ -61,7 +61,7 @@ impl Links {
             counted += usize::from(slot.peer.is_counted());
             in_range += usize::from(self.may_be_counted(own, slot, now));
         }
-        let keep = self.keep(own);
+        let keep = usize::from(self.keep(own));
         let slots_left = in_range.saturating_sub(keep);
         promise(slots, slots_left, values);
         ledger.price_m = price_m(slots, slots_left);

@@ -29,7 +29,7 @@ pub(crate) struct Carry<const D: usize> {
     params: Params<D>,
     malicious: Vec<bool>,
     rule: Arc<Rule>,
-    /// For how long a broken assumption is felt: under `budget`, which remembers nothing, for no longer than it lasts.
+    /// For how long a broken assumption is felt: as long as what was told in it is used.
     claim_ticks: u64,
     /// γ, the part of h that a tick may take; written down once more.
     gamma: f64,
@@ -55,12 +55,11 @@ impl<const D: usize> Carry<D> {
         let aged = settings.clock.told_max + settings.clock.error;
         let told_ticks = aged.as_nanos().div_ceil(settings.clock.level_period.as_nanos().max(1));
         let told_ticks = u64::try_from(told_ticks).unwrap_or(u64::MAX).saturating_add(1);
-        let settles = params.budget().is_some();
         Self {
             malicious: scenario.malicious_mask(),
             rule: Arc::clone(rule),
-            claim_ticks: if settles { 0 } else { told_ticks },
-            gamma: params.budget().map_or(1.0, |budget| budget.gamma),
+            claim_ticks: if params.controller().remembers() { told_ticks } else { 0 },
+            gamma: params.kept().gamma,
             mode: ModeWatch::new(scenario, params, rule, told_ticks),
             rest: RestWatch::new(scenario, params),
             distances: Distances::new(scenario, params),
