@@ -5,8 +5,8 @@ use core::time::Duration;
 use crate::controller::links::peer::Peer;
 use crate::controller::links::protocol::Number;
 use crate::equations::link::Link;
+pub use crate::id::{Member, RobotId};
 use crate::num::Vector;
-pub use crate::robot::id::{Member, RobotId};
 use crate::time::Instant;
 
 /// Stands for the link to a robot that is out of range.

@@ -37,9 +37,9 @@ use core::time::Duration;
 
 use crate::controller::assume::Assume;
 use crate::controller::errors::ErrorBounds;
+use crate::id::Member;
 use crate::need::Need;
 use crate::num::length;
-use crate::robot::id::Member;
 use crate::robot::neighbor::Slot;
 use crate::time::Instant;
 

@@ -20,8 +20,8 @@ use core::time::Duration;
 use crate::controller::links::Links;
 use crate::controller::links::peer::{Ledger, Peer};
 use crate::controller::links::protocol::Number;
+use crate::id::Member;
 use crate::num::{Vector, add_scaled, dot, length, subtract};
-use crate::robot::id::Member;
 use crate::robot::neighbor::Slot;
 use crate::time::Instant;
 
