@@ -141,34 +141,3 @@ impl<'a> Snapshot<'a> {
         if known && !self.down[index] { number } else { f64::NAN }
     }
 }
-
-/// The word for a mode in tables and files: what is guaranteed, or why it is not.
-#[must_use]
-pub fn mode_name(mode: Mode) -> &'static str {
-    match mode {
-        Mode::Guaranteed => "guaranteed",
-        Mode::Hold => "hold",
-        Mode::Stopped => "stopped",
-        Mode::Degraded(reason) => reason_name(reason),
-    }
-}
-
-fn reason_name(reason: Reason) -> &'static str {
-    match reason {
-        Reason::Degree => "degree",
-        Reason::Infeasible => "infeasible",
-        Reason::OutsideSafeSet => "outside safe set",
-        Reason::Late => "late",
-        Reason::Moved => "moved",
-        Reason::Overlooked => "overlooked",
-        Reason::Uncertain => "uncertain",
-        Reason::Untold => "untold",
-        Reason::Uncounted => "uncounted",
-        Reason::Unseen => "unseen",
-        Reason::Unfiltered => "unfiltered",
-        Reason::NotSensed => "not sensed",
-        Reason::NotShared => "not shared",
-        Reason::Scratch => "scratch",
-        Reason::ContinuousTime => "continuous time",
-    }
-}
