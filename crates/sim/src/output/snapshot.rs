@@ -2,7 +2,7 @@
 
 use closeranks_core::equations::barrier::degree_barrier;
 use closeranks_core::program::Outcome;
-use closeranks_core::robot::report::{Mode, Reason};
+use closeranks_core::robot::report::Mode;
 
 use crate::frame::Frame;
 use crate::monitors::truth::Truth;
