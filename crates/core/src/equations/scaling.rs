@@ -44,10 +44,11 @@ mod tests {
     /// Numbers of all sizes and signs, most of them usual ones.
     fn number(draw: u64) -> f64 {
         let special = [0.0, -0.0, 1e-100, -1e100, 1e-310, 3e-200, f64::MIN_POSITIVE, 1e250, -2.0];
+        let with_exponent = |biased: u64| f64::from_bits((draw & !(0x7ff << 52)) | (biased << 52));
         match draw % 16 {
             place @ 0..9 => special[usize::try_from(place).unwrap_or(0)],
-            9 | 10 => f64::from_bits(draw & !(0x7ff << 52) | (draw >> 5) % 0x7ff << 52),
-            _ => f64::from_bits(draw & !(0x7ff << 52) | (1023 - 300 + (draw >> 5) % 600) << 52),
+            9 | 10 => with_exponent((draw >> 5) % 0x7ff),
+            _ => with_exponent(1023 - 300 + (draw >> 5) % 600),
         }
     }
 
@@ -57,7 +58,7 @@ mod tests {
         let mut state = 1_u64;
         let mut draw = || {
             state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-            number(state ^ state >> 31)
+            number(state ^ (state >> 31))
         };
         for _ in 0..100_000 {
             let (normal, phi, alpha) = ([draw(), draw()], draw(), draw().abs());
