@@ -1,7 +1,8 @@
 //! What a robot answers.
 
-use closeranks_core::robot::report::{self, Mode, Reason};
+use closeranks_core::robot::report::{self, Mode};
 use closeranks_sim::output::record::outcome_name;
+use closeranks_sim::output::snapshot::mode_name;
 use numpy::PyArray1;
 use pyo3::prelude::*;
 
@@ -53,10 +54,11 @@ impl Output {
     /// The output of a robot of any dimension.
     pub(crate) fn new<const D: usize>(py: Python<'_>, output: &report::Output<D>) -> Self {
         let report = &output.report;
+        let (mode, reason) = words(report.mode);
         Self {
             velocity: PyArray1::from_slice(py, &output.velocity_m_s).unbind(),
-            mode: mode_word(report.mode),
-            reason: reason(report.mode),
+            mode,
+            reason,
             degree: report.degree,
             degree_margin: report.degree_margin,
             level: report.level,
@@ -79,39 +81,10 @@ impl Output {
     }
 }
 
-/// The word for a mode.
-fn mode_word(mode: Mode) -> &'static str {
+/// What an answer is worth, in a word, and why it is degraded.
+fn words(mode: Mode) -> (&'static str, Option<&'static str>) {
     match mode {
-        Mode::Guaranteed => "guaranteed",
-        Mode::Degraded(_) => "degraded",
-        Mode::Hold => "hold",
-        Mode::Stopped => "stopped",
+        Mode::Degraded(_) => ("degraded", Some(mode_name(mode))),
+        mode => (mode_name(mode), None),
     }
-}
-
-/// Why a mode is degraded.
-fn reason(mode: Mode) -> Option<&'static str> {
-    let Mode::Degraded(reason) = mode else { return None };
-    Some(match reason {
-        Reason::Degree => "degree",
-        Reason::Infeasible => "infeasible",
-        Reason::OutsideSafeSet => "outside safe set",
-        Reason::Late => "late",
-        Reason::Moved => "moved",
-        Reason::Overlooked => "overlooked",
-        Reason::Uncertain => "uncertain",
-        Reason::Untold => "untold",
-        Reason::Uncounted => "uncounted",
-        Reason::Unseen => "unseen",
-        Reason::Unfiltered => "unfiltered",
-        Reason::NotSensed => "not sensed",
-        Reason::NotShared => "not shared",
-        Reason::Scratch => "scratch",
-        Reason::ContinuousTime => "continuous time",
-    })
-}
-
-/// A mode in one word: why it is degraded, if it is.
-pub(crate) fn mode_name(mode: Mode) -> &'static str {
-    reason(mode).unwrap_or_else(|| mode_word(mode))
 }

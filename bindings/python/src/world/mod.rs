@@ -16,9 +16,9 @@ use pyo3::types::PyDict;
 
 use crate::columns::rows;
 use crate::errors;
-use crate::output::mode_name;
 use crate::run::{Run, laws};
 use crate::scenario::Scenario;
+use closeranks_sim::output::snapshot::mode_name;
 
 /// Ticks between two looks at the clock.
 const TICKS: u32 = 16;
