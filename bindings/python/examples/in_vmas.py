@@ -3,7 +3,7 @@
 Four worlds at once, each with eleven round robots of 0.149 m radius that stand in a patch. By their numbers they want to go east, north,
 west and south, through each other; in every world the four directions are dealt anew. VMAS moves bodies of 1 kg by forces, with drag, and
 pushes apart those that touch. Each body is driven by the force that gives it the velocity it wants, or the one that its
-`closeranks.Robot` allows. VMAS reckons in 32 bits, so the filter is told that bodies do not follow exactly (`tracking_m`).
+`closeranks.Robot` allows. VMAS reckons in 32 bits, so the filter is told that bodies do not follow exactly (`tracking_error_m`).
 
     pip install vmas            # brings torch
     python bindings/python/examples/in_vmas.py
@@ -36,8 +36,7 @@ WISHES = np.stack([DIRECTIONS[(np.arange(N) + world) % 4] for world in range(WOR
 SCENARIO = cr.Scenario(
     duration_s=TICK_S * STEPS,
     clock={"tau_1_s": TICK_S, "tau_2_s": 2 * TICK_S},
-    controller={"kind": "budget"},
-    errors={"tracking_m": 1e-5},
+    controller={"kind": "budget", "tracking_error_m": 1e-5},
     start={"kind": "listed", "positions_m": START},
 )
 
