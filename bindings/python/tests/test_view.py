@@ -21,6 +21,8 @@ PAGE = """<!doctype html><meta charset="utf-8"><div id="here"></div><pre id="tol
 const state = {{ team: {team}, ticks: {ticks}, frame: 0, playing: false }};
 state.numbers = new DataView(Uint8Array.from(atob("{numbers}"), (letter) => letter.charCodeAt(0)).buffer);
 const listeners = {{}};
+let now = 0;
+window.requestAnimationFrame = (call) => setTimeout(() => call((now += 16)), 0);
 const model = {{
   get: (name) => state[name],
   set: (name, value) => {{ state[name] = value; for (const call of listeners["change:" + name] ?? []) call(); }},
@@ -47,7 +49,7 @@ try {{
   button.click();
   lines.push("button " + button.textContent, "playing " + state.playing);
   const over = () => {{
-    if (state.playing) return setTimeout(over, 20);
+    if (state.playing) return setTimeout(over, 1);
     lines.push("frame " + state.frame, "button " + button.textContent, words.textContent);
     button.click();
     lines.push("again from " + state.frame);
@@ -73,7 +75,8 @@ def words(run: cr.Run, tick: int) -> str:
     normal = ~run.scenario.is_malicious
     values, degree = run.values[tick, normal].astype(np.float32), run.degree[tick, normal].min()
     spread = float(values.max()) - float(values.min())
-    return f"{tick * run.scenario.tick_s:.2f} s: least degree {degree} of {run.scenario.required_degree} needed, values {spread:#.3g} apart"
+    told = f"{spread:#.3g}".removesuffix(".")
+    return f"{tick * run.scenario.tick_s:.2f} s: least degree {degree} of {run.scenario.required_degree} needed, values {told} apart"
 
 
 def test_what_is_sent_is_the_run(short: cr.Run) -> None:
