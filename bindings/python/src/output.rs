@@ -2,7 +2,6 @@
 
 use closeranks_core::robot::report::{self, Mode};
 use closeranks_sim::output::record::outcome_name;
-use closeranks_sim::output::snapshot::mode_name;
 use numpy::PyArray1;
 use pyo3::prelude::*;
 
@@ -54,11 +53,10 @@ impl Output {
     /// The output of a robot of any dimension.
     pub(crate) fn new<const D: usize>(py: Python<'_>, output: &report::Output<D>) -> Self {
         let report = &output.report;
-        let (mode, reason) = words(report.mode);
         Self {
             velocity: PyArray1::from_slice(py, &output.velocity_m_s).unbind(),
-            mode,
-            reason,
+            mode: mode_word(report.mode),
+            reason: reason(report.mode),
             degree: report.degree,
             degree_margin: report.degree_margin,
             level: report.level,
@@ -81,10 +79,16 @@ impl Output {
     }
 }
 
-/// What an answer is worth, in a word, and why it is degraded.
-fn words(mode: Mode) -> (&'static str, Option<&'static str>) {
+/// The word for a mode.
+fn mode_word(mode: Mode) -> &'static str {
     match mode {
-        Mode::Degraded(_) => ("degraded", Some(mode_name(mode))),
-        mode => (mode_name(mode), None),
+        Mode::Degraded(_) => "degraded",
+        other => other.name(),
     }
+}
+
+/// Why a mode is degraded.
+fn reason(mode: Mode) -> Option<&'static str> {
+    let Mode::Degraded(reason) = mode else { return None };
+    Some(reason.name())
 }

@@ -18,7 +18,6 @@ use crate::columns::rows;
 use crate::errors;
 use crate::run::{Run, laws};
 use crate::scenario::Scenario;
-use closeranks_sim::output::snapshot::mode_name;
 
 /// Ticks between two looks at the clock.
 const TICKS: u32 = 16;
@@ -179,7 +178,7 @@ impl World {
     }
 
     fn modes(&self) -> PyResult<Vec<&'static str>> {
-        Ok(self.open()?.modes().iter().map(|mode: &Mode| mode_name(*mode)).collect())
+        Ok(self.open()?.modes().iter().map(|mode: &Mode| mode.name()).collect())
     }
 
     fn laws<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
