@@ -32,7 +32,7 @@ RADIUS_M, MASS_KG, DRAG, FORCE_MAX_N = 0.149, 1.0, 0.25, 100.0  # the filter kee
 N = 11
 START = cr.Scenario().positions
 DIRECTIONS = np.array([[1.0, 0.0], [0.0, 1.0], [-1.0, 0.0], [0.0, -1.0]])
-WISHES = np.stack([DIRECTIONS[(np.arange(N) + world) % 4] for world in range(WORLDS)])
+WANTED = np.stack([DIRECTIONS[(np.arange(N) + world) % 4] for world in range(WORLDS)])
 SCENARIO = cr.Scenario(
     duration_s=TICK_S * STEPS,
     clock={"tau_1_s": TICK_S, "tau_2_s": 2 * TICK_S},
@@ -107,9 +107,9 @@ def play(with_filter: bool) -> Played:
     teams = [[cr.Robot(SCENARIO, number, values[number - 1]) for number in range(1, N + 1)] for _ in range(WORLDS)]
     ways, collisions = [state(env.world, "pos")], 0
     for step in range(STEPS):
-        moves = WISHES
+        moves = WANTED
         if with_filter:
-            moves = np.stack([filtered(*one) for one in zip(teams, [step * TICK_S] * WORLDS, ways[-1], WISHES, strict=True)])
+            moves = np.stack([filtered(*one) for one in zip(teams, [step * TICK_S] * WORLDS, ways[-1], WANTED, strict=True)])
         forces = MASS_KG * (moves - (1.0 - DRAG) * state(env.world, "vel")) / TICK_S
         env.step([torch.tensor(forces[:, robot].tolist()) for robot in range(N)])
         ways.append(state(env.world, "pos"))
