@@ -6,7 +6,7 @@ use closeranks_core::controller::links::wire::bytes_max;
 use closeranks_core::num::Vector;
 use closeranks_core::robot as core_robot;
 use closeranks_core::robot::error::Observed;
-use closeranks_core::robot::id::Member;
+use closeranks_core::robot::neighbor::Member;
 use closeranks_core::{Instant, MESSAGE_BYTES, RobotId, Slot};
 use closeranks_sim::engine::memory::Memory;
 use closeranks_sim::scenario as sim;
