@@ -35,7 +35,9 @@ fn main() -> ExitCode {
     };
     for target in &targets {
         let Some((folder, check)) = find(target) else {
-            eprintln!("no target is called `{target}`, allowed are message, link_message, scenario, robot, graph, recording");
+            eprintln!(
+                "no target is called `{target}`, allowed are message, link_message, scenario, robot, graph, recording"
+            );
             eprintln!("and graph_FORMAT with the name of a format, such as graph_gml or graph_counted_edges");
             return ExitCode::from(2);
         };
@@ -69,7 +71,10 @@ fn find(target: &str) -> Option<(&'static str, Check)> {
 fn spend(target: &str, folder: &str, check: &Check, time: Duration) -> bool {
     let (files, before) = (corpus(folder), executions(target));
     let mut random = Seeded(before ^ 0x636c_6f73_6572_616e);
-    #[expect(clippy::disallowed_methods, reason = "a time box needs a clock; what is tried does not depend on it")]
+    #[expect(
+        clippy::disallowed_methods,
+        reason = "a time box needs a clock; what is tried does not depend on it"
+    )]
     let start = Instant::now();
     let mut done = 0;
     while start.elapsed() < time {
@@ -95,7 +100,8 @@ fn table() -> PathBuf {
 fn rows() -> Vec<(String, u64)> {
     let text = fs::read_to_string(table()).unwrap_or_default();
     let rows = text.lines().filter_map(|line| line.split_once(' '));
-    rows.map(|(target, count)| (target.to_string(), count.trim().parse().expect("a number of executions"))).collect()
+    rows.map(|(target, count)| (target.to_string(), count.trim().parse().expect("a number of executions")))
+        .collect()
 }
 
 fn executions(target: &str) -> u64 {
