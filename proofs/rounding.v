@@ -21,6 +21,7 @@ Definition u := / 2 * bpow radix2 (-53 + 1).
 Definition eta := / 2 * bpow radix2 (-1074).
 Definition fl x := round radix2 (FLT_exp (-1074) 53) ZnearestE x.
 
+Local Instance prec_53 : Prec_gt_0 53 := eq_refl.
 Lemma u_value : u = / 9007199254740992. Proof. unfold u; simpl; lra. Qed.
 Lemma u_pos : 0 < u. Proof. rewrite u_value; lra. Qed.
 Lemma eta_pos : 0 < eta. Proof. unfold eta; assert (H := bpow_gt_0 radix2 (-1074)); lra. Qed.
@@ -265,11 +266,11 @@ intros k3 doubles r r_fl; assert (U := u_pos); assert (E := eta_pos); assert (sm
 assert (each : forall d, Rabs (r_fl d * r_fl d - r d * r d) <= 3 * u * (r d * r d)).
   intro d; destruct (doubles d) as [fx fy].
   destruct (FLT_plus_error_N_ex radix2 (-1074) 53 (fun n => negb (Z.even n)) (x d) (- y d) fx (generic_format_opp _ _ _ fy)) as [e [He Ee]].
-  unfold r_fl, fl, Rminus; rewrite Ee; fold (x d - y d); fold (r d).
-  replace (_ - _) with (r d * r d * (2 * e + e * e)) by (unfold r; ring).
+  assert (F : r_fl d = r d * (1 + e)) by exact Ee.
+  rewrite F; replace (r d * (1 + e) * (r d * (1 + e)) - r d * r d) with (r d * r d * (2 * e + e * e)) by ring.
   assert (Hu : Rabs e <= u).
-    apply Rle_trans with (1 := He); unfold u_ro; fold u; apply Rmult_le_reg_r with (1 + u); [lra |].
-    unfold Rdiv; rewrite Rmult_assoc, Rinv_l by lra; nra.
+    change (u_ro radix2 53) with u in He; apply Rle_trans with (1 := He); apply Rmult_le_reg_r with (1 + u); [lra |].
+    unfold Rdiv; rewrite Rmult_assoc, Rinv_l, Rmult_1_r by lra; assert (0 <= u * u) by (apply Rmult_le_pos; lra); lra.
   apply Rabs_le_inv in Hu; rewrite u_value in Hu.
   rewrite Rabs_mult, (Rabs_pos_eq (r d * r d)) by apply Rle_0_sqr.
   assert (Rabs (2 * e + e * e) <= 3 * u) by (apply Rabs_le; rewrite u_value; nra).

@@ -3,8 +3,8 @@
 //! With `CLOSERANKS_CERTIFICATES` set to the name of a file, all of them are written there with the verdicts, for the checker that is
 //! extracted from the proofs (`proofs/check.sh`).
 
-use std::fmt::Write as _;
-use std::ops::ControlFlow;
+use core::fmt::Write as _;
+use core::ops::ControlFlow;
 use std::{env, fs};
 
 use closeranks_graph::definition::{counterexample, is_robust};
