@@ -1,6 +1,6 @@
 //! `closeranks check --certificate`: what proves the answer, as a file that others can check (docs/proofs.md).
 
-use std::fmt::Write as _;
+use core::fmt::Write as _;
 use std::fs::OpenOptions;
 use std::io::Write as _;
 use std::path::Path;
