@@ -7,9 +7,12 @@
 //! The time in seconds is for each target. The random numbers of a run begin with the executions so far, so no run repeats
 //! another one. Unlike cargo-fuzz it does not see which code was reached; it needs no nightly toolchain and is fast.
 
+#![allow(clippy::print_stdout, reason = "a program for a terminal")]
+
+use core::time::Duration;
 use std::path::PathBuf;
 use std::process::ExitCode;
-use std::time::{Duration, Instant};
+use std::time::Instant;
 use std::{env, fs, panic};
 
 use mutated::{corpus, mutated};
