@@ -9,17 +9,15 @@ use anyhow::{Context as _, Result, bail};
 use closeranks_graph::evidence::{Claim, Evidence};
 use closeranks_graph::network::Network;
 
-use super::answer::Answer;
-
 /// Writes what proves the answer to a new file; an error if there is nothing that can be checked without a search. `name` is what
 /// the file of the graph calls a robot.
 pub(super) fn save(
     target: &Path,
     network: Network,
-    answer: &Answer,
+    claim: Option<Claim>,
     name: &dyn Fn(usize) -> String,
 ) -> Result<()> {
-    let Some(claim) = answer.claim.clone() else {
+    let Some(claim) = claim else {
         bail!(
             "no certificate was written to `{}`, because nothing but a search proves this answer; allowed are answers that two sets \
              of robots, degrees or ranks prove (--local and graphs of more than 128 robots have ranks)",

@@ -203,7 +203,9 @@ fn graph(arguments: &Check, input: &Input, folder: Option<Folder>) -> Result<boo
     tell(arguments, &answer, "report.html, graph.svg, graph.png");
     if let Some(target) = &arguments.certificate {
         let named = &input.reading.named;
-        certificate::save(target, Network::from(&named.graph), &answer, &|node| named.names[node].clone())?;
+        certificate::save(target, Network::from(&named.graph), answer.claim.clone(), &|node| {
+            named.names[node].clone()
+        })?;
     }
     Ok(answer.holds)
 }

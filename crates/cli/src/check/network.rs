@@ -43,7 +43,7 @@ pub(super) fn check(arguments: &Check, input: &NetworkInput) -> Result<bool> {
     super::tell(arguments, &answer, "");
     if let Some(target) = &arguments.certificate {
         let name = |node: usize| input.reading.names.get(node).cloned().unwrap_or_default();
-        certificate::save(target, network.clone(), &answer, &name)?;
+        certificate::save(target, network.clone(), answer.claim.clone(), &name)?;
     }
     Ok(answer.holds)
 }
