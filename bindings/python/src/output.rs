@@ -102,7 +102,6 @@ fn reason(mode: Mode) -> Option<&'static str> {
         Reason::Uncertain => "uncertain",
         Reason::Untold => "untold",
         Reason::Uncounted => "uncounted",
-        Reason::Unseen => "unseen",
         Reason::Unfiltered => "unfiltered",
         Reason::NotSensed => "not sensed",
         Reason::NotShared => "not shared",

@@ -48,6 +48,33 @@ fn a_robot_that_nobody_senses_is_not_left() {
     assert!(reckoned > 20 && overlooked > 100, "{reckoned} ticks reckoned, {overlooked} overlooked");
 }
 
+/// A. The same under `links`, whose theorem did not say what becomes of a neighbour that is not sensed: every such tick counted as a
+/// broken assumption, in which nothing was promised and nothing looked at. Robots that lists do not bind are among those that are
+/// not sensed.
+//= theory sec:unseen-links type=test
+#[test]
+fn a_robot_that_nobody_senses_is_neither_left_nor_hit_under_links() {
+    let unseen = Some(Spell { robot: 3, from_s: 0.5, to_s: 3.0 });
+    let sensing = Sensing { dropouts: Dropouts { unseen, ..Dropouts::default() }, ..Sensing::default() };
+    let faults = Faults { sensing, ..Faults::default() };
+    let scenario = Scenario { controller: Controller::Links, faults, duration_s: 4.0, ..Scenario::default() };
+    assert_eq!(violations(&scenario), Vec::<&str>::new());
+    let mut world = World::<2>::new(&scenario, Options::default()).unwrap();
+    let (mut reckoned, mut overlooked, mut nearest_m) = (0, 0, f64::INFINITY);
+    while !world.is_over() {
+        let frame = world.step();
+        if frame.assumptions.unsensed.contains(&true) {
+            reckoned += u32::from(!frame.assumptions.broken);
+            overlooked += u32::from(frame.modes.contains(&Mode::Degraded(Reason::Overlooked)));
+        }
+        let others = frame.positions_m.iter().enumerate().filter(|(other, _)| *other != 2);
+        let to_3 = |x: &[f64; 2]| (x[0] - frame.positions_m[2][0]).hypot(x[1] - frame.positions_m[2][1]);
+        nearest_m = others.map(|(_, x)| to_3(x)).fold(nearest_m, f64::min);
+    }
+    assert!(reckoned > 20 && overlooked > 50, "{reckoned} ticks reckoned, {overlooked} overlooked");
+    assert!(nearest_m >= 0.3, "{nearest_m} m from the robot that nobody senses");
+}
+
 /// A. Short dropouts of single neighbours break nothing, and most of the time everything is guaranteed.
 #[test]
 fn short_dropouts_cost_little() {
@@ -113,6 +140,19 @@ fn who_misses_ticks_and_lags_keeps_its_bound() {
     }
     assert!(late > 100 && most_m > 0.5 * eps_m, "{late}, {most_m}");
     assert!(most_m <= eps_m * (1.0 + 1e-9), "{most_m} m where {eps_m} m is stated");
+    assert_eq!(violations(&scenario), Vec::<&str>::new());
+}
+
+/// C. The law that sees it: a robot that calls its answer guaranteed is as near to where it counts itself as is stated. Here it is stated
+/// that robots lag by less than they do, so the law has nothing to say.
+#[test]
+fn who_lags_more_than_is_stated_is_not_held_to_it() {
+    let scenario = Scenario {
+        plant: Plant::Lag { lag_s: 0.02 },
+        errors: Errors { position_m: 0.0, tracking_m: 0.02 },
+        desired: Desired::Wander,
+        ..budget()
+    };
     assert_eq!(violations(&scenario), Vec::<&str>::new());
 }
 

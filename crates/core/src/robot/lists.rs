@@ -4,7 +4,7 @@ use crate::controller::links::protocol::{Entry, Word};
 use crate::controller::links::wire::{Head, Item, LinkMessage, Notice, VERSION};
 use crate::equations::link::Link;
 use crate::message::{Message, MessageError};
-use crate::num::{Vector, length, subtract};
+use crate::num::{Vector, subtract};
 use crate::robot::error::ReceiveError;
 use crate::robot::neighbor::{NO_LINK, RobotId, Slot, Told};
 use crate::robot::{Robot, Slots};
@@ -102,11 +102,11 @@ impl<const D: usize, S: Slots<D>> Robot<D, S> {
     }
 
     /// Reckons where neighbours are that keep their slots although they are not sensed: where they were sensed last, with an
-    /// error that grows by the longest move a tick. What they tell of their value does not count.
+    /// error as large as they can have gone since ([`missing`](crate::robot::missing)). What they tell of their value does not count.
+    //= theory sec:unsensed
     pub(crate) fn reckon(&mut self) {
         let Some(own) = self.position.filter(|_| self.params.controller().tells_lists()) else { return };
-        let (kept, horizon) = (self.params.kept(), self.horizon());
-        let room_m = 2.0 * self.params.reach().longest_m() + kept.errors.offset_m;
+        let horizon = self.horizon();
         for slot in &mut self.slots.as_mut()[..self.count] {
             if slot.sensed {
                 (slot.peer.unseen_ticks, slot.peer.vanished, slot.peer.inside) = (0, false, false);
@@ -114,10 +114,10 @@ impl<const D: usize, S: Slots<D>> Robot<D, S> {
             }
             slot.peer.unseen_ticks = slot.peer.unseen_ticks.saturating_add(1);
             (slot.offset_m, slot.linked) = (subtract(&own, &slot.position_m), false);
+            slot.peer.inside = horizon.surely_holds(&slot.offset_m, slot.gone_m);
             if slot.peer.unseen_ticks == 1 {
-                slot.peer.vanished = length(&slot.offset_m) + room_m <= kept.link.radius_m;
+                slot.peer.vanished = slot.peer.inside;
             }
-            slot.peer.inside = slot.peer.vanished && horizon.surely_holds(&slot.offset_m, slot.gone_m);
             slot.told = slot.told.map(|told| Told { value: None, ..told });
         }
     }

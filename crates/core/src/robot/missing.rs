@@ -14,8 +14,8 @@
 //! it may have left unseen, it is given up, and the robot says [`Reason::Overlooked`].
 //! One that was last sensed so near the rim that it may have left in a tick is taken for gone at once: nobody can tell.
 //!
-//! This is for controllers that reckon with those whom they do not see, such as `budget`; others forget who is not observed, or
-//! keep whom they hold.
+//! This is for controllers that reckon with those whom they do not see. `links` does so too, and keeps whom it holds beside
+//! (docs/theory, sec:unseen-links). All others forget who is not observed.
 
 use core::time::Duration;
 

@@ -8,6 +8,7 @@ mod heard;
 mod held;
 mod mode;
 mod pairs;
+mod report;
 mod rest;
 pub mod robustness;
 mod rule;

@@ -164,7 +164,6 @@ fn reason_name(reason: Reason) -> &'static str {
         Reason::Uncertain => "uncertain",
         Reason::Untold => "untold",
         Reason::Uncounted => "uncounted",
-        Reason::Unseen => "unseen",
         Reason::Unfiltered => "unfiltered",
         Reason::NotSensed => "not sensed",
         Reason::NotShared => "not shared",
