@@ -208,6 +208,22 @@ fn laws_see_in_large_and_in_tiny_worlds() {
     assert!(run.summary.broken(Law::Distance) > 0 && run.summary.broken(Law::Path) > 0);
 }
 
+/// E. What counts as standing still scales too. A team of a millimetre whose bodies lag, which nobody stated, came to rest up to a tenth of
+/// a picometre: as far as a body at R = 3 m is rounded, but enough to bring two robots closer than the law allows here. It was counted as
+/// a violation (run 550 of seed 7 of the campaign when it first drew such teams).
+#[test]
+fn a_tiny_body_that_lags_breaks_an_assumption_until_it_stands() {
+    let text = "duration_s = 1.0\nseed = 538532848328997\n[attack.level]\nbias = 7.5588119267491685\nfrom_s = 0.8\nkind = \"step\"\n\
+        [clock]\ntau_1_s = 0.01\ntau_2_s = 0.1\ntold_max_s = 0.5\n\
+        [controller]\nkind = \"budget\"\ndistance_min_m = 1e-4\ninput_min_m_s = [-5e-4, -5e-4]\ninput_max_m_s = [5e-4, 5e-4]\n\
+        [link]\nradius_m = 1e-3\nq2 = 1.6667870481258979e13\n[plant]\nlag_s = 0.011358764220296781\n\
+        [start]\nkind = \"random\"\nhalf_side_m = 2.1720443109952286e-4\ndistance_min_m = 1.385574010853377e-4\n[team]\nrobots = 10\nfaults = 2\n";
+    let scenario = closeranks_sim::parse::scenario(text).unwrap();
+    let run = run(&scenario, Options::default(), &mut |_| ()).unwrap();
+    assert!(run.summary.broken(Law::Distance) > 0, "who lags and does not say so may hit others");
+    assert_eq!(violations(&scenario), Vec::<&str>::new());
+}
+
 /// G. At the limit of h rounding costs nobody its promise: a long run in a perfect world is guaranteed throughout.
 #[test]
 fn a_perfect_world_is_guaranteed_throughout() {

@@ -174,7 +174,11 @@ fn a_part_of_a_choice_that_can_never_be_run_is_refused() {
         "`start.positions_m[0][1]` is true, allowed is a finite number (y_m), -1000000 to 1000000",
     );
     let whole = "[team]\nrobots = { draw = [4, 6] }\nrobot = 3";
-    refused(whole, "3", "`team.robot` is not a field here, allowed is `robots`, `faults`, `malicious`, `ranks`");
+    refused(
+        whole,
+        "3",
+        "`team.robot` is not a field here, allowed is `robots`, `faults`, `malicious`, `ranks`",
+    );
 }
 
 /// What a plain text with one mistake is refused with.
@@ -207,7 +211,7 @@ fn what_belongs_together_is_drawn_together() {
     refused(
         "choose = [{ }, { link = { radius = 1.0 } }]\n[link]\nq2 = { draw = [0.1, 0.9] }",
         "{ link = { radius = 1.0 } }",
-        "`link.radius` is not a field here, allowed is `epsilon`, `q2`, `radius_m`",
+        "`link.radius` is not a field here, allowed is `radius_m`, `epsilon`, `q2`",
     );
 }
 
@@ -218,7 +222,9 @@ fn what_some_draw_makes_sense_of_is_not_refused() {
     let text = "[attack.level]\nkind = { choose = [\"none\", \"bias\"] }\nbias = { draw = [1.0, 2.0] }";
     let problem = "`attack.level.bias` is not a field here, allowed is `kind`";
     refused(text, "\"none\"", problem);
-    plan("dimension = { choose = [2, 3] }\n[controller]\ninput_max_m_s = { choose = [[1.0, 1.0], [1.0, 1.0, 1.0]] }");
+    plan(
+        "dimension = { choose = [2, 3] }\n[controller]\ninput_max_m_s = { choose = [[1.0, 1.0], [1.0, 1.0, 1.0]] }",
+    );
     plan("[team]\nrobots = { draw = [1, 4] }\nfaults = { choose = [0, 1] }");
 }
 

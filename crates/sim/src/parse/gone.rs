@@ -11,10 +11,7 @@ const GONE: [(&str, &str); 4] = [
         "controller.rise",
         "`controller.gamma`: a larger one lets robots spread faster, and does it better than `rise` did",
     ),
-    (
-        "clock.drift_s",
-        "nothing: no told level has an age any more, and missing robots are reckoned in ticks",
-    ),
+    ("clock.drift_s", "nothing: no told level has an age any more, and missing robots are reckoned in ticks"),
     (
         "clocks.slow",
         "`clocks.drift_max`, by which each clock may be slow or fast; no guarantee rests on clocks any more",
@@ -63,6 +60,8 @@ mod tests {
             assert_eq!(scenario(&text).err(), None, "{text}");
         }
         let named = |name: &str| GONE.iter().any(|(_, instead)| instead.contains(&format!("`{name}")));
-        assert!(["controller.kind = \"links\"`", "controller.gamma`", "clocks.drift_max`"].into_iter().all(named));
+        assert!(
+            ["controller.kind = \"links\"`", "controller.gamma`", "clocks.drift_max`"].into_iter().all(named)
+        );
     }
 }

@@ -36,7 +36,8 @@ impl Plan {
             let refused = self.unread(&root);
             if !refused.is_empty() {
                 seen.push(place.clone());
-                problems.extend(refused.into_iter().map(|problem| Problem { span: place.clone(), ..problem }));
+                problems
+                    .extend(refused.into_iter().map(|problem| Problem { span: place.clone(), ..problem }));
             }
         }
         problems

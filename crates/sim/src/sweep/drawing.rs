@@ -29,8 +29,7 @@ struct Drawer<'a> {
 pub(super) fn draw(root: &Root, random: &mut Random) -> (toml::Table, BTreeMap<String, Drawn>) {
     let mut drawer = Drawer { random, drawn: BTreeMap::new() };
     let entries = root.entries.iter();
-    let mut values: toml::Table =
-        entries.map(|(key, node)| (key.clone(), drawer.value(key, node))).collect();
+    let mut values: toml::Table = entries.map(|(key, node)| (key.clone(), drawer.value(key, node))).collect();
     let mut drawn = core::mem::take(&mut drawer.drawn);
     if let Some(Value::Table(chosen)) = root.together.as_ref().map(|node| drawer.value("", node)) {
         drawn.retain(|path, _| {

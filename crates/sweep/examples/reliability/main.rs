@@ -94,7 +94,9 @@ fn shard(file: &Path, tally: &mut Option<Tally>, commits: &mut Vec<String>) -> R
     let mut shards = CONTROLLERS.map(of);
     read(open()?, &[], &mut |rows| {
         all.add(&rows);
-        shards.iter_mut().for_each(|shard| add(shard, &rows));
+        for shard in &mut shards {
+            add(shard, &rows);
+        }
     })?;
     commits.push(commit);
     Ok(shards.into_iter().filter(|shard| shard.runs > 0).collect())

@@ -1,7 +1,7 @@
 //! The counts of docs/reliability as CSV, and its tables as Markdown.
 
+use core::fmt::Write as _;
 use std::collections::BTreeMap;
-use std::fmt::Write as _;
 
 use closeranks_report::sweep::confidence::upper_95;
 
@@ -125,9 +125,10 @@ pub(crate) fn shards_table(shards: &[Shard]) -> String {
     for shard in shards {
         by_shard.entry((shard.seed, &shard.commit)).or_default().push(shard);
     }
-    let mut out = "| seed | commit | runs | `budget`, violating | `links`, violating | `composed`, violating |\n\
+    let mut out =
+        "| seed | commit | runs | `budget`, violating | `links`, violating | `composed`, violating |\n\
                    | --- | --- | --- | --- | --- | --- |\n"
-        .to_owned();
+            .to_owned();
     for ((seed, commit), of) in by_shard {
         let runs = of.iter().map(|shard| shard.runs).max().unwrap_or(0);
         let cells = CONTROLLERS.map(|name| {
@@ -158,9 +159,10 @@ pub(crate) fn laws_table(counts: &[Count]) -> String {
 
 /// Of every drawn value how many runs had it, and how many of them are violating.
 pub(crate) fn values_table(counts: &[Count]) -> String {
-    let mut out = "| drawn | value | runs | `budget`, violating | `links`, violating | `composed`, violating |\n\
+    let mut out =
+        "| drawn | value | runs | `budget`, violating | `links`, violating | `composed`, violating |\n\
                    | --- | --- | --- | --- | --- | --- |\n"
-        .to_owned();
+            .to_owned();
     let mut before = String::new();
     let mut seen = Vec::new();
     for count in counts {

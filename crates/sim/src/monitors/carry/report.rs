@@ -62,7 +62,8 @@ impl Reports {
             return Some(Untrue { seen: f64::from(degree), demanded: f64::from(neighbors) });
         }
         let (h, own) = (frame.h[index], truth.h_own[index]);
-        if self.exact && !self.lists && !((h - own).abs() <= ROUNDING) {
+        let differs = (h - own).abs() > ROUNDING || h.is_nan();
+        if self.exact && !self.lists && differs {
             return Some(Untrue { seen: h, demanded: own });
         }
         let away_m2 = squared_distance(&frame.references_m[index], &frame.positions_m[index]);

@@ -10,9 +10,9 @@ use crate::faults::Clocks;
 use crate::faults::network::Network;
 use crate::frame::Frame;
 use crate::law::{Law, Verdicts, Violation};
-use crate::monitors::report::{Reports, Untrue};
+use crate::monitors::carry::report::{Reports, Untrue};
+use crate::monitors::carry::time::{fraction, longer_ago, since};
 use crate::monitors::rule::Rule;
-use crate::monitors::time::{fraction, longer_ago, since};
 use crate::monitors::truth::{ROUNDING, Truth};
 use crate::scenario::Scenario;
 
@@ -84,7 +84,8 @@ impl<const D: usize> ModeWatch<D> {
     /// Nobody promises or reports what is not so, as far as it can know; and all promise again soon after everything holds.
     pub(crate) fn watch(&mut self, tick: u32, frame: &Frame<D>, truth: &Truth, verdicts: &mut Verdicts) {
         let stopped = frame.modes.contains(&Mode::Stopped);
-        let safe = (0..truth.h_own.len()).all(|robot| truth.h_own[robot] >= -H_HAIR)
+        let safe = (0..truth.h_own.len())
+            .all(|robot| truth.h_own[robot] >= -H_HAIR && self.can_count(robot, truth))
             && !self.crowd(truth, true).contains(&true);
         let crowded = self.crowd(truth, false);
         // Who senses a robot where it is not may reckon with it long after it has left.
@@ -127,6 +128,13 @@ impl<const D: usize> ModeWatch<D> {
         if well && !all {
             self.recovery_ticks = self.recovery_ticks.max(since(self.unwell, tick).min(tick));
         }
+    }
+
+    /// True unless a normal robot keeps lists and may not find as many as it must count on. Where malicious robots move as they like that
+    /// is more than it needs, and they may be the ones that are out of range.
+    fn can_count(&self, robot: usize, truth: &Truth) -> bool {
+        let lists = self.params.controller().tells_lists();
+        !lists || self.malicious[robot] || truth.degrees[robot] >= self.rule.keep(robot)
     }
 
     /// True when a robot that senses within the stated errors must know that its h is negative, its degree too low, or another
