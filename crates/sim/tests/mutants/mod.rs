@@ -227,7 +227,7 @@ pub(crate) const MUTANTS: [Mutant; 41] = [
         name: "reports a larger h than it has",
         law: "mode",
         lines: &[(
-            "core/src/robot/answer.rs",
+            "core/src/robot/tick.rs",
             "let h = degree_barrier(self.level, need);",
             "let h = degree_barrier(self.level, need) + 1e-6;",
         )],
