@@ -4,8 +4,8 @@ use closeranks_core::robot::report::{Mode, Reason};
 use closeranks_sim::output::record::outcome_name;
 use closeranks_sim::output::snapshot::Snapshot;
 
-use crate::recording::mcap::cdr::Writer;
-use crate::recording::mcap::messages::{header, name};
+use crate::cdr::Writer;
+use crate::messages::name;
 
 const OK: u8 = 0;
 const WARN: u8 = 1;
@@ -13,9 +13,9 @@ const ERROR: u8 = 2;
 const STALE: u8 = 3;
 
 /// `diagnostic_msgs/DiagnosticArray`: one status a robot.
-pub(super) fn diagnostics(now: &Snapshot<'_>, time_ns: u64, malicious: &[bool]) -> Vec<u8> {
+pub(crate) fn diagnostics(now: &Snapshot<'_>, time_ns: u64, malicious: &[bool]) -> Vec<u8> {
     let mut writer = Writer::default();
-    header(&mut writer, time_ns, "");
+    writer.header(time_ns, "");
     writer.count(now.robots());
     for index in 0..now.robots() {
         status(&mut writer, now, index, malicious.get(index).copied().unwrap_or(false));

@@ -8,7 +8,7 @@ const HEAD: [u8; 4] = [0, 1, 0, 0];
 /// Longest text that is read, bytes. Frames have names of some tens.
 pub const TEXT_MAX: usize = 256;
 
-/// Writes a message.
+/// Writes one message.
 #[derive(Clone, Debug)]
 pub struct Writer {
     bytes: Vec<u8>,
@@ -21,46 +21,58 @@ impl Default for Writer {
 }
 
 impl Writer {
-    fn align(&mut self, to: usize) {
-        while !(self.bytes.len() - HEAD.len()).is_multiple_of(to) {
+    fn put<const SIZE: usize>(&mut self, bytes: [u8; SIZE]) {
+        while !(self.bytes.len() - HEAD.len()).is_multiple_of(SIZE) {
             self.bytes.push(0);
         }
+        self.bytes.extend_from_slice(&bytes);
+    }
+
+    /// A number of one byte, or a truth value.
+    pub fn byte(&mut self, number: u8) {
+        self.put([number]);
+    }
+
+    /// A number of two bytes.
+    pub fn short(&mut self, number: u16) {
+        self.put(number.to_le_bytes());
     }
 
     /// A number of four bytes.
     pub fn word(&mut self, number: u32) {
-        self.align(4);
-        self.bytes.extend_from_slice(&number.to_le_bytes());
+        self.put(number.to_le_bytes());
     }
 
-    /// Numbers of four bytes, one after another.
-    pub fn words(&mut self, numbers: &[u32]) {
+    /// Floating, four bytes.
+    pub fn float(&mut self, number: f32) {
+        self.put(number.to_le_bytes());
+    }
+
+    /// Floating, eight bytes each.
+    pub fn doubles(&mut self, numbers: &[f64]) {
         for number in numbers {
-            self.word(*number);
+            self.put(number.to_le_bytes());
         }
     }
 
-    /// A number of one byte.
-    pub fn byte(&mut self, number: u8) {
-        self.bytes.push(number);
-    }
-
-    /// A number of four bytes with a point.
-    pub fn single(&mut self, number: f32) {
-        self.word(number.to_bits());
-    }
-
-    /// A number of eight bytes.
-    pub fn double(&mut self, number: f64) {
-        self.align(8);
-        self.bytes.extend_from_slice(&number.to_le_bytes());
+    /// How many elements of a sequence follow.
+    pub fn count(&mut self, count: usize) {
+        self.word(u32::try_from(count).unwrap_or(u32::MAX));
     }
 
     /// A text, with its length and a zero at the end.
     pub fn text(&mut self, text: &str) {
-        self.word(u32::try_from(text.len() + 1).unwrap_or(u32::MAX));
+        self.count(text.len() + 1);
         self.bytes.extend_from_slice(text.as_bytes());
         self.bytes.push(0);
+    }
+
+    /// `std_msgs/Header`: a time and a frame.
+    pub fn header(&mut self, time_ns: u64, frame: &str) {
+        // Seconds are signed 32 bits in ROS 2: 68 years.
+        self.word(u32::try_from((time_ns / 1_000_000_000).min(0x7fff_ffff)).unwrap_or(0));
+        self.word(u32::try_from(time_ns % 1_000_000_000).unwrap_or(0));
+        self.text(frame);
     }
 
     /// The bytes of the message.
@@ -114,6 +126,13 @@ impl<'a> Reader<'a> {
         if *zero == 0 { str::from_utf8(text).ok() } else { None }
     }
 
+    /// `std_msgs/Header`, of which the frame is told.
+    pub fn header(&mut self) -> Option<&'a str> {
+        self.word()?;
+        self.word()?;
+        self.text()
+    }
+
     /// Numbers one after another, whatever they are.
     pub fn skip_doubles(&mut self, count: usize) -> Option<()> {
         self.take(count.checked_mul(8)?, 8).map(|_| ())
@@ -136,13 +155,25 @@ mod tests {
     fn numbers_stand_at_multiples_of_their_size() {
         let mut writer = Writer::default();
         writer.text("ab");
-        writer.double(1.0);
+        writer.doubles(&[1.0]);
+        writer.byte(7);
+        writer.short(8);
         let bytes = writer.end();
         assert_eq!(&bytes[..12], &[0, 1, 0, 0, 3, 0, 0, 0, b'a', b'b', 0, 0]);
-        assert_eq!(bytes.len(), 4 + 8 + 8);
-        let mut reader = Reader::new(&bytes).unwrap();
+        assert_eq!(bytes[12..20], 1.0_f64.to_le_bytes());
+        assert_eq!(bytes[20..], [7, 0, 8, 0]);
+        let mut reader = Reader::new(&bytes[..20]).unwrap();
         assert_eq!((reader.text(), reader.finite(), reader.end()), (Some("ab"), Some(1.0), Some(())));
         assert_eq!((reader.word(), reader.text()), (None, None));
+    }
+
+    #[test]
+    fn a_header_is_read_as_it_is_written() {
+        let mut writer = Writer::default();
+        writer.header(5_000_000_007, "map");
+        let bytes = writer.end();
+        assert_eq!(bytes[4..12], [5, 0, 0, 0, 7, 0, 0, 0]);
+        assert_eq!(Reader::new(&bytes).unwrap().header(), Some("map"));
     }
 
     proptest! {

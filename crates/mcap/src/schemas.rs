@@ -4,7 +4,7 @@
 use core::fmt::Write as _;
 
 /// What a robot is like in a tick: our own type, last in the table.
-pub(super) const ROBOT_STATE: &str = "closeranks_msgs/RobotState";
+pub(crate) const ROBOT_STATE: &str = "closeranks_msgs/RobotState";
 
 /// Every type: its name and its fields, one a line. Layouts are those of ROS 2 Humble and later.
 const TYPES: &[(&str, &str)] = &[
@@ -71,7 +71,7 @@ const TYPES: &[(&str, &str)] = &[
 const RULE: &str = "================================================================================";
 
 /// The definition of `name` with those of all types that it uses, each once.
-pub(super) fn schema(name: &str) -> String {
+pub(crate) fn schema(name: &str) -> String {
     let mut used = vec![name];
     let mut text = fields(name).to_owned();
     let mut next = 0;
@@ -88,7 +88,7 @@ pub(super) fn schema(name: &str) -> String {
 }
 
 /// The name of a type as bags and channels spell it.
-pub(super) fn spelt(name: &str) -> String {
+pub(crate) fn spelt(name: &str) -> String {
     name.replacen('/', "/msg/", 1)
 }
 

@@ -3,37 +3,29 @@
 use closeranks_sim::output::record::outcome_name;
 use closeranks_sim::output::snapshot::Snapshot;
 
-use crate::recording::mcap::cdr::Writer;
+use crate::cdr::Writer;
 
 /// The frame of all positions.
-pub(super) const MAP: &str = "map";
+pub(crate) const MAP: &str = "map";
 /// No rotation: robots are points.
 const NO_ROTATION: [f64; 4] = [0.0, 0.0, 0.0, 1.0];
 /// The numbers of a covariance, all 0: nothing is claimed.
 const COVARIANCE: [f64; 36] = [0.0; 36];
 
 /// The frame and the beginning of the topics of robot `index`.
-pub(super) fn name(index: usize) -> String {
+pub(crate) fn name(index: usize) -> String {
     format!("robot_{}", index + 1)
-}
-
-/// `std_msgs/Header`.
-pub(super) fn header(writer: &mut Writer, time_ns: u64, frame: &str) {
-    // Seconds are signed 32 bits in ROS 2: 68 years.
-    writer.word(u32::try_from((time_ns / 1_000_000_000).min(0x7fff_ffff)).unwrap_or(0));
-    writer.word(u32::try_from(time_ns % 1_000_000_000).unwrap_or(0));
-    writer.text(frame);
 }
 
 /// A message that begins with the header of the map.
 fn headed(time_ns: u64) -> Writer {
     let mut writer = Writer::default();
-    header(&mut writer, time_ns, MAP);
+    writer.header(time_ns, MAP);
     writer
 }
 
 /// `geometry_msgs/Pose` without rotation.
-pub(super) fn pose(writer: &mut Writer, position_m: &[f64; 3]) {
+pub(crate) fn pose(writer: &mut Writer, position_m: &[f64; 3]) {
     writer.doubles(position_m);
     writer.doubles(&NO_ROTATION);
 }
@@ -44,11 +36,11 @@ fn twist(writer: &mut Writer, velocity_m_s: &[f64; 3]) {
 }
 
 /// `tf2_msgs/TFMessage`: where all robots are.
-pub(super) fn transforms(now: &Snapshot<'_>, time_ns: u64) -> Vec<u8> {
+pub(crate) fn transforms(now: &Snapshot<'_>, time_ns: u64) -> Vec<u8> {
     let mut writer = Writer::default();
     writer.count(now.robots());
     for index in 0..now.robots() {
-        header(&mut writer, time_ns, MAP);
+        writer.header(time_ns, MAP);
         writer.text(&name(index));
         pose(&mut writer, &now.vector(now.positions_m, index));
     }
@@ -56,14 +48,14 @@ pub(super) fn transforms(now: &Snapshot<'_>, time_ns: u64) -> Vec<u8> {
 }
 
 /// `geometry_msgs/PoseStamped`.
-pub(super) fn pose_stamped(now: &Snapshot<'_>, time_ns: u64, index: usize) -> Vec<u8> {
+pub(crate) fn pose_stamped(now: &Snapshot<'_>, time_ns: u64, index: usize) -> Vec<u8> {
     let mut writer = headed(time_ns);
     pose(&mut writer, &now.vector(now.positions_m, index));
     writer.end()
 }
 
 /// `nav_msgs/Odometry`. Robots do not turn, so the axes of the body are those of the map.
-pub(super) fn odometry(now: &Snapshot<'_>, time_ns: u64, index: usize) -> Vec<u8> {
+pub(crate) fn odometry(now: &Snapshot<'_>, time_ns: u64, index: usize) -> Vec<u8> {
     let mut writer = headed(time_ns);
     writer.text(&name(index));
     pose(&mut writer, &now.vector(now.positions_m, index));
@@ -74,14 +66,14 @@ pub(super) fn odometry(now: &Snapshot<'_>, time_ns: u64, index: usize) -> Vec<u8
 }
 
 /// `geometry_msgs/TwistStamped` of one of the flat velocities of a tick.
-pub(super) fn twist_stamped(now: &Snapshot<'_>, time_ns: u64, flat: &[f64], index: usize) -> Vec<u8> {
+pub(crate) fn twist_stamped(now: &Snapshot<'_>, time_ns: u64, flat: &[f64], index: usize) -> Vec<u8> {
     let mut writer = headed(time_ns);
     twist(&mut writer, &now.vector(flat, index));
     writer.end()
 }
 
 /// `closeranks_msgs/RobotState`.
-pub(super) fn state(now: &Snapshot<'_>, time_ns: u64, index: usize, malicious: bool) -> Vec<u8> {
+pub(crate) fn state(now: &Snapshot<'_>, time_ns: u64, index: usize, malicious: bool) -> Vec<u8> {
     let mut writer = headed(time_ns);
     writer.word(now.tick);
     writer.short(u16::try_from(index + 1).unwrap_or(u16::MAX));

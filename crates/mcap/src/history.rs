@@ -2,6 +2,8 @@
 
 use core::fmt::Write as _;
 
+use closeranks_sim::output::snapshot::Snapshot;
+
 /// Moments that are kept at most; of longer runs every second one, fourth one, and so on.
 pub const MOMENTS_MAX: usize = 3000;
 /// What is known of every robot, by the names of the columns of our Parquet files.
@@ -22,7 +24,7 @@ pub struct History {
 
 /// Every how many ticks there is a moment, of a run with so many.
 #[must_use]
-pub(crate) fn stride(ticks: usize) -> usize {
+pub fn stride(ticks: usize) -> usize {
     ticks.div_ceil(MOMENTS_MAX).next_power_of_two()
 }
 
@@ -30,18 +32,38 @@ impl History {
     /// The moments as lines of JSON: first the scenario, then a line a moment. A number that is none is `null`.
     #[must_use]
     pub fn lines(&self) -> String {
-        let mut text = serde_json::json!({ "scenario": self.scenario }).to_string();
-        text.push('\n');
+        let mut text = opening(&self.scenario);
         for (place, tick) in self.ticks.iter().enumerate() {
             let rows = place * self.robots..(place + 1) * self.robots;
-            let _ = write!(text, "{{\"tick\":{tick}");
-            for (name, column) in COLUMNS.iter().zip(&self.columns) {
-                let _ = write!(text, ",\"{name}\":{}", serde_json::json!(column[rows.clone()]));
-            }
-            text.push_str("}\n");
+            text.push_str(&line(*tick, self.columns.each_ref().map(|column| &column[rows.clone()])));
         }
         text
     }
+}
+
+/// The first line, which says the scenario.
+#[must_use]
+pub fn opening(scenario: &str) -> String {
+    format!("{}\n", serde_json::json!({ "scenario": scenario }))
+}
+
+/// The line of one moment, as [`History::lines`] has it, while a run goes on.
+#[must_use]
+pub fn moment(now: &Snapshot<'_>) -> String {
+    let [x_m, y_m] = [0, 1].map(|axis| now.axis(now.positions_m, axis).collect::<Vec<f64>>());
+    let degree: Vec<f64> = now.degree.iter().copied().map(f64::from).collect();
+    let h: Vec<f64> = (0..now.robots()).map(|index| now.h(index)).collect();
+    line(now.tick, [&x_m, &y_m, &degree, now.level, &h, now.value])
+}
+
+fn line(tick: u32, columns: [&[f64]; COLUMNS.len()]) -> String {
+    let mut text = format!("{{\"tick\":{tick}");
+    for (name, numbers) in COLUMNS.iter().zip(columns) {
+        // Writing into a text does not fail.
+        let _ = write!(text, ",\"{name}\":{}", serde_json::json!(numbers));
+    }
+    text.push_str("}\n");
+    text
 }
 
 #[cfg(test)]

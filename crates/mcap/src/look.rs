@@ -2,28 +2,28 @@
 
 use closeranks_sim::scenario::Scenario;
 
-use crate::recording::mcap::bytes::{MAGIC, code};
+use crate::bytes::{MAGIC, code};
 
 /// Robots of a recording at most: each has five topics.
 pub const ROBOTS_MAX: u16 = 200;
 /// Begins the name of the library that wrote a file of ours.
-pub(super) const LIBRARY: &str = "closeranks ";
+pub(crate) const LIBRARY: &str = "closeranks ";
 /// Name of our record of metadata.
-pub(super) const METADATA: &str = "closeranks";
+pub(crate) const METADATA: &str = "closeranks";
 /// Key of the command in it.
-pub(super) const COMMAND: &str = "command";
+pub(crate) const COMMAND: &str = "command";
 
 /// What markers need to know that does not change.
 #[derive(Clone, Debug)]
-pub(super) struct Look {
-    pub(super) malicious: Vec<bool>,
-    pub(super) radius_m: f64,
+pub(crate) struct Look {
+    pub(crate) malicious: Vec<bool>,
+    pub(crate) radius_m: f64,
     /// How wide robots are drawn, m: half of how near they may come.
-    pub(super) body_m: f64,
+    pub(crate) body_m: f64,
 }
 
 impl Look {
-    pub(super) fn new(scenario: &Scenario) -> Self {
+    pub(crate) fn new(scenario: &Scenario) -> Self {
         Self {
             malicious: scenario.malicious_mask(),
             radius_m: scenario.link.radius_m,

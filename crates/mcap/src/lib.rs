@@ -1,4 +1,5 @@
-//! A run as an MCAP file with messages of ROS 2, which Foxglove, Lichtblick, Rerun and `ros2 bag` open.
+//! A run as an MCAP file with messages of ROS 2, which Foxglove, Lichtblick, Rerun and `ros2 bag` open, and as lines of JSON for the page
+//! ([`history`]). Simulated runs and fleets of processes are recorded alike. [`cdr`] is how messages of ROS 2 are written and read.
 //!
 //! Time is that of the run and begins at 0. Robots are numbered from 1, positions are in the frame `map`:
 //!
@@ -17,16 +18,20 @@
 //! gives the same bytes. Memory is bounded but for the index: some ten bytes for each chunk and topic.
 
 mod bytes;
-mod cdr;
+pub mod cdr;
 mod container;
 mod diagnostics;
+pub mod history;
+pub mod links;
 mod look;
 mod markers;
 mod messages;
+mod metadata;
 mod read;
 mod schemas;
 mod writer;
 
 pub use self::look::{ROBOTS_MAX, opened_by};
+pub use self::metadata::Metadata;
 pub use self::read::{McapError, read};
 pub use self::writer::RunWriter;

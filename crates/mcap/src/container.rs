@@ -9,7 +9,7 @@
 use core::mem::take;
 use std::io::{self, Seek, SeekFrom, Write};
 
-use crate::recording::mcap::bytes::{Fields, MAGIC, append, code};
+use crate::bytes::{Fields, MAGIC, append, code};
 
 /// A chunk is written once it holds so many bytes, or a part of all bytes before: so chunks are few in long recordings.
 const CHUNK_LEAST: usize = 1 << 20;
@@ -19,17 +19,17 @@ const CHUNK_PART: u64 = 64;
 const LEVEL: i32 = 3;
 
 /// What the file says about itself before its first message.
-pub(super) struct Opening<'a> {
-    pub(super) library: String,
-    pub(super) metadata: (&'a str, Vec<(&'a str, String)>),
+pub(crate) struct Opening<'a> {
+    pub(crate) library: String,
+    pub(crate) metadata: (&'a str, Vec<(&'a str, String)>),
     /// Names and texts of schemas.
-    pub(super) schemas: Vec<(String, String)>,
+    pub(crate) schemas: Vec<(String, String)>,
     /// Topics with the place of their schema.
-    pub(super) topics: Vec<(String, usize)>,
+    pub(crate) topics: Vec<(String, usize)>,
 }
 
 /// The file.
-pub(super) struct Container<W: Write + Seek> {
+pub(crate) struct Container<W: Write + Seek> {
     sink: W,
     /// Where the next chunk begins.
     end: u64,
@@ -64,7 +64,7 @@ struct Summary {
 
 impl<W: Write + Seek> Container<W> {
     /// Begins a file, which is whole at once: it has topics and no messages.
-    pub(super) fn new(sink: W, opening: &Opening<'_>) -> io::Result<Self> {
+    pub(crate) fn new(sink: W, opening: &Opening<'_>) -> io::Result<Self> {
         let mut bytes = MAGIC.to_vec();
         bytes.extend(Fields::default().text("ros2").text(&opening.library).record(code::HEADER));
         let (name, pairs) = &opening.metadata;
@@ -90,7 +90,7 @@ impl<W: Write + Seek> Container<W> {
     }
 
     /// Adds a message to the topic at `place` of those that the file began with.
-    pub(super) fn message(&mut self, place: usize, time_ns: u64, data: &[u8]) -> io::Result<()> {
+    pub(crate) fn message(&mut self, place: usize, time_ns: u64, data: &[u8]) -> io::Result<()> {
         let chunk = &mut self.chunk;
         let at = chunk.records.len() as u64;
         let sequence = u32::try_from(self.summary.messages[place] & 0xffff_ffff).unwrap_or(0);
@@ -104,7 +104,7 @@ impl<W: Write + Seek> Container<W> {
     }
 
     /// Writes what waits; the file is whole after it.
-    pub(super) fn flush(&mut self) -> io::Result<()> {
+    pub(crate) fn flush(&mut self) -> io::Result<()> {
         let Some((first_ns, last_ns)) = self.chunk.times_ns.take() else { return Ok(()) };
         let records = take(&mut self.chunk.records);
         let packed = zstd::bulk::compress(&records, LEVEL)?;

@@ -1,10 +1,10 @@
 //! Records of an MCAP file as bytes: a code, a length, and fields that follow each other without gaps.
 
 /// What an MCAP file begins and ends with.
-pub(super) const MAGIC: [u8; 8] = [0x89, b'M', b'C', b'A', b'P', b'0', b'\r', b'\n'];
+pub(crate) const MAGIC: [u8; 8] = [0x89, b'M', b'C', b'A', b'P', b'0', b'\r', b'\n'];
 
 /// Codes of records.
-pub(super) mod code {
+pub(crate) mod code {
     pub(crate) const HEADER: u8 = 0x01;
     pub(crate) const FOOTER: u8 = 0x02;
     pub(crate) const SCHEMA: u8 = 0x03;
@@ -21,52 +21,52 @@ pub(super) mod code {
 
 /// The fields of a record.
 #[derive(Clone, Debug, Default)]
-pub(super) struct Fields(Vec<u8>);
+pub(crate) struct Fields(Vec<u8>);
 
 impl Fields {
-    pub(super) fn short(mut self, number: u16) -> Self {
+    pub(crate) fn short(mut self, number: u16) -> Self {
         self.0.extend_from_slice(&number.to_le_bytes());
         self
     }
 
-    pub(super) fn word(mut self, number: u32) -> Self {
+    pub(crate) fn word(mut self, number: u32) -> Self {
         self.0.extend_from_slice(&number.to_le_bytes());
         self
     }
 
-    pub(super) fn long(mut self, number: u64) -> Self {
+    pub(crate) fn long(mut self, number: u64) -> Self {
         self.0.extend_from_slice(&number.to_le_bytes());
         self
     }
 
     /// Bytes as they are.
-    pub(super) fn raw(mut self, bytes: &[u8]) -> Self {
+    pub(crate) fn raw(mut self, bytes: &[u8]) -> Self {
         self.0.extend_from_slice(bytes);
         self
     }
 
     /// Bytes behind their number.
-    pub(super) fn sized(self, bytes: &[u8]) -> Self {
+    pub(crate) fn sized(self, bytes: &[u8]) -> Self {
         self.word(u32::try_from(bytes.len()).unwrap_or(u32::MAX)).raw(bytes)
     }
 
-    pub(super) fn text(self, text: &str) -> Self {
+    pub(crate) fn text(self, text: &str) -> Self {
         self.sized(text.as_bytes())
     }
 
     /// A map, or an array of pairs, behind the number of its bytes.
-    pub(super) fn map<T>(self, items: impl IntoIterator<Item = T>, item: impl Fn(Self, T) -> Self) -> Self {
+    pub(crate) fn map<T>(self, items: impl IntoIterator<Item = T>, item: impl Fn(Self, T) -> Self) -> Self {
         let all = items.into_iter().fold(Self::default(), item);
         self.sized(&all.0)
     }
 
     /// The fields alone.
-    pub(super) fn bytes(&self) -> &[u8] {
+    pub(crate) fn bytes(&self) -> &[u8] {
         &self.0
     }
 
     /// The whole record.
-    pub(super) fn record(self, code: u8) -> Vec<u8> {
+    pub(crate) fn record(self, code: u8) -> Vec<u8> {
         let mut bytes = Vec::with_capacity(9 + self.0.len());
         append(&mut bytes, code, &[&self.0]);
         bytes
@@ -74,7 +74,7 @@ impl Fields {
 }
 
 /// Appends a record whose fields are `parts` to `bytes`.
-pub(super) fn append(bytes: &mut Vec<u8>, code: u8, parts: &[&[u8]]) {
+pub(crate) fn append(bytes: &mut Vec<u8>, code: u8, parts: &[&[u8]]) {
     let length: usize = parts.iter().map(|part| part.len()).sum();
     bytes.push(code);
     bytes.extend_from_slice(&(length as u64).to_le_bytes());

@@ -5,13 +5,13 @@ use std::io::{self, Seek, Write};
 use closeranks_sim::output::snapshot::Snapshot;
 use closeranks_sim::scenario::Scenario;
 
-use crate::recording::mcap::container::{Container, Opening};
-use crate::recording::mcap::diagnostics::diagnostics;
-use crate::recording::mcap::look::{COMMAND, LIBRARY, Look, METADATA};
-use crate::recording::mcap::markers::markers;
-use crate::recording::mcap::messages::{name, odometry, pose_stamped, state, transforms, twist_stamped};
-use crate::recording::mcap::schemas::{ROBOT_STATE, schema, spelt};
-use crate::recording::write::Metadata;
+use crate::container::{Container, Opening};
+use crate::diagnostics::diagnostics;
+use crate::look::{COMMAND, LIBRARY, Look, METADATA};
+use crate::markers::markers;
+use crate::messages::{name, odometry, pose_stamped, state, transforms, twist_stamped};
+use crate::metadata::Metadata;
+use crate::schemas::{ROBOT_STATE, schema, spelt};
 
 /// Topics of the whole team, before those of robots.
 const TEAM: [(&str, &str); 3] = [

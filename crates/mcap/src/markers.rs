@@ -2,10 +2,10 @@
 
 use closeranks_sim::output::snapshot::Snapshot;
 
-use crate::figure::formation::links::{Link, links_between};
-use crate::recording::mcap::cdr::Writer;
-use crate::recording::mcap::look::Look;
-use crate::recording::mcap::messages::{MAP, header, pose};
+use crate::cdr::Writer;
+use crate::links::{Link, links_between};
+use crate::look::Look;
+use crate::messages::{MAP, pose};
 
 /// Kinds of `visualization_msgs/Marker`.
 const CUBE: u32 = 1;
@@ -37,7 +37,7 @@ struct Marker<'a> {
 }
 
 /// `visualization_msgs/MarkerArray` of a tick.
-pub(super) fn markers(now: &Snapshot<'_>, time_ns: u64, look: &Look) -> Vec<u8> {
+pub(crate) fn markers(now: &Snapshot<'_>, time_ns: u64, look: &Look) -> Vec<u8> {
     let positions_m: Vec<[f64; 3]> =
         (0..now.robots()).map(|index| now.vector(now.positions_m, index)).collect();
     let links = links_between(&positions_m, &look.malicious, look.radius_m);
@@ -104,7 +104,7 @@ impl<'a> Marker<'a> {
     }
 
     fn write(&self, writer: &mut Writer, time_ns: u64) {
-        header(writer, time_ns, MAP);
+        writer.header(time_ns, MAP);
         writer.text(self.space);
         writer.count(self.id);
         writer.word(self.kind);
@@ -123,7 +123,7 @@ impl<'a> Marker<'a> {
         }
         writer.count(0); // one colour for all points
         writer.text(""); // no texture, and the image of none
-        header(writer, 0, "");
+        writer.header(0, "");
         writer.text("");
         writer.count(0);
         writer.count(0);

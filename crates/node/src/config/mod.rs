@@ -1,5 +1,7 @@
 //! The file of one robot. Paths in it are relative to the folder that it is in.
 
+mod ros2;
+
 use core::time::Duration;
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -7,7 +9,7 @@ use std::path::{Path, PathBuf};
 use serde::{Deserialize, Serialize};
 
 use crate::clock::Kind;
-use crate::ros::keys::Distro;
+pub use crate::config::ros2::{PoseType, Ros2};
 
 /// What a robot is told besides its roster.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -68,6 +70,9 @@ pub struct Network {
     pub connect: Vec<String>,
     /// What all keys of the team begin with.
     pub prefix: String,
+    /// A file of Zenoh itself (JSON5) for what has no field here, such as certificates and access control. What stands here counts more.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub zenoh: Option<PathBuf>,
     /// Whether others are heard themselves, or through a relay that plays a bad network.
     pub hear: Hear,
 }
@@ -90,6 +95,7 @@ impl Default for Network {
             listen: Vec::new(),
             connect: Vec::new(),
             prefix: "closeranks".into(),
+            zenoh: None,
             hear: Hear::Direct,
         }
     }
@@ -109,66 +115,6 @@ pub enum Plant {
     },
     /// Topics of ROS 2, in rmw_zenoh's form.
     Ros2(Ros2),
-}
-
-/// The topics of a robot in ROS 2. `{name}` stands for the name of a robot in the roster.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields, default)]
-pub struct Ros2 {
-    /// ROS_DOMAIN_ID.
-    pub domain: u16,
-    /// `humble`, `jazzy` or `kilted`: Humble's keys have no hashes of types.
-    pub ros_distro: Distro,
-    /// Where the pose of each robot is; all in one frame.
-    pub pose_topic: String,
-    /// `odometry` or `pose`: the type on that topic.
-    pub pose_type: PoseType,
-    /// The frame of all poses.
-    pub frame: String,
-    /// Older poses are not seen, s; 0 switches this off. Left out: `source_timeout_s` of the robot.
-    pub source_timeout: Option<f64>,
-    /// Where the velocity of the base goes.
-    pub cmd_vel_out_topic: String,
-    /// `TwistStamped` and not `Twist`, in and out.
-    pub enable_stamped_cmd_vel: bool,
-    /// Where diagnoses go, for the tools of ROS 2.
-    pub diagnostics_topic: String,
-    /// Where links, mode and degree go to be drawn.
-    pub markers_topic: String,
-    /// The frame of that velocity.
-    pub base_frame_id: String,
-    /// For bases that drive forward and turn: how far ahead of the axle the point is that is steered, m. Left out for bases that move
-    /// in every direction.
-    pub look_ahead_m: Option<f64>,
-}
-
-/// A type with a pose.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(rename_all = "lowercase")]
-pub enum PoseType {
-    /// `nav_msgs/Odometry`.
-    Odometry,
-    /// `geometry_msgs/PoseStamped`.
-    Pose,
-}
-
-impl Default for Ros2 {
-    fn default() -> Self {
-        Self {
-            domain: 0,
-            ros_distro: Distro::default(),
-            pose_topic: "{name}/odom".into(),
-            pose_type: PoseType::Odometry,
-            frame: "map".into(),
-            source_timeout: None,
-            cmd_vel_out_topic: "{name}/cmd_vel".into(),
-            enable_stamped_cmd_vel: true,
-            diagnostics_topic: "diagnostics".into(),
-            markers_topic: "{name}/closeranks_markers".into(),
-            base_frame_id: "base_link".into(),
-            look_ahead_m: None,
-        }
-    }
 }
 
 /// Where the robot wants to go.
@@ -262,7 +208,7 @@ impl Config {
             Desired::Scenario { file } => Some(file),
             Desired::Hold | Desired::Key { .. } | Desired::Ros2 { .. } => None,
         };
-        for path in paths.into_iter().chain(plant).chain(desired) {
+        for path in paths.into_iter().chain(plant).chain(desired).chain(&mut config.network.zenoh) {
             *path = folder.join(&*path);
         }
         config.file = Some(path.to_owned());

@@ -4,9 +4,9 @@ use std::collections::BTreeMap;
 
 use closeranks_sim::parse;
 
-use crate::recording::history::{COLUMNS, History, MOMENTS_MAX};
-use crate::recording::mcap::bytes::{MAGIC, code};
-use crate::recording::mcap::look::{METADATA, ROBOTS_MAX};
+use crate::bytes::{MAGIC, code};
+use crate::history::{COLUMNS, History, MOMENTS_MAX};
+use crate::look::{METADATA, ROBOTS_MAX};
 
 /// The largest chunk that is unpacked, bytes; ours have 16 MiB and a message more.
 const CHUNK_MAX: u64 = 1 << 26;
