@@ -7,6 +7,7 @@ mod distance;
 mod heard;
 mod held;
 mod mode;
+mod numbers;
 mod pairs;
 mod rest;
 pub mod robustness;
@@ -22,12 +23,14 @@ use closeranks_core::num::sqrt;
 use closeranks_core::program::{InputBox, Outcome};
 use closeranks_core::settings::params::Params;
 
+use crate::consensus::Consensus;
 use crate::frame::Frame;
 use crate::law::{Law, Verdicts, Violation};
 use crate::monitors::agreement::Agreement;
 use crate::monitors::carry::Carry;
 use crate::monitors::heard::Heard;
 pub use crate::monitors::heard::Void;
+use crate::monitors::numbers::{Numbers, Outside};
 use crate::monitors::rule::Rule;
 use crate::monitors::truth::Truth;
 use crate::scenario::Scenario;
@@ -47,11 +50,13 @@ pub struct Monitors<const D: usize> {
     /// Whether the robots know their true levels, and no more of them lie than the team is prepared for.
     plain: bool,
     few_lie: bool,
+    consensus: Consensus,
     rule: Arc<Rule>,
     truth: Truth,
     carry: Carry<D>,
     verdicts: Verdicts,
     interval: Option<[f64; 2]>,
+    numbers: Numbers,
     /// For how many rounds what was heard in a void one may still come.
     void_rounds: u32,
     agreement: Agreement,
@@ -106,6 +111,8 @@ impl<const D: usize> Monitors<D> {
             heard: Heard::new(scenario, &rule),
             rule,
             interval: None,
+            numbers: Numbers::new(&scenario.consensus),
+            consensus: scenario.consensus.clone(),
             void_rounds: 0,
             collisions: Vec::new(),
             extremes: Extremes {
@@ -203,7 +210,7 @@ impl<const D: usize> Monitors<D> {
     }
 
     fn broke(&mut self, law: Law, violation: Violation) {
-        let covered = self.few_lie && law.is_kept_by(self.params.settings().consensus);
+        let covered = self.few_lie && law.is_kept_by(&self.consensus);
         self.verdicts.broke(law, violation, covered);
     }
 
@@ -295,10 +302,22 @@ impl<const D: usize> Monitors<D> {
         {
             self.broke(Law::Agreement, Violation { tick, robots: [0, 0], seen: spread, demanded });
         }
+        let spread = spread.max(self.watch_numbers(tick, frame));
         if spread < 1.0 && self.extremes.rounds_to_agree.is_none() {
             self.extremes.rounds_to_agree = Some(tick / self.ticks_per_round);
         }
         self.extremes.spread = spread;
+    }
+
+    /// Numbers beyond the first; their largest spread, 0 if there are none.
+    fn watch_numbers(&mut self, tick: u32, frame: &Frame<D>) -> f64 {
+        let mut broken = Vec::new();
+        let spread = self.numbers.watch(frame, &self.malicious, &mut |outside| broken.push(outside));
+        for Outside { robot, seen, demanded } in broken {
+            let robots = [u16::try_from(robot + 1).unwrap_or(u16::MAX), 0];
+            self.broke(Law::Interval, Violation { tick, robots, seen, demanded });
+        }
+        spread
     }
 }
 

@@ -7,7 +7,6 @@ pub mod route;
 mod scatter;
 pub mod start;
 
-pub use closeranks_core::consensus::Rule;
 use closeranks_core::equations::composition::Composed;
 use closeranks_core::equations::link::LinkShape;
 use closeranks_core::need::{Keep, Need, Ranks};
@@ -21,6 +20,7 @@ use closeranks_core::settings::{
 };
 
 use crate::attack::Attack;
+pub use crate::consensus::{Consensus, Rule};
 pub use crate::controllers::Controller;
 use crate::controllers::Parameters;
 use crate::faults::Faults;
@@ -67,7 +67,7 @@ pub struct Scenario {
     /// Where robots start.
     pub start: Start,
     /// How values are updated.
-    pub consensus: Rule,
+    pub consensus: Consensus,
     /// y_i(t₀).
     pub values: Values,
     /// Where robots want to go.
@@ -94,6 +94,8 @@ pub enum Values {
     },
     /// The value of each robot is listed.
     Listed(Vec<f64>),
+    /// The numbers of the value of each robot are listed.
+    Points(Vec<Vec<f64>>),
 }
 
 /// What no controller may exceed, in a number of dimensions that is known when the scenario is read.
@@ -134,7 +136,7 @@ impl Default for Scenario {
             clock: Clock::default(),
             errors: Errors::default(),
             start: Start::Inside,
-            consensus: Rule::default(),
+            consensus: Consensus::default(),
             values: Values::Random { min: -500.0, max: 500.0 },
             desired: Desired::Paper,
             attack: Attack::default(),
@@ -172,7 +174,7 @@ impl Scenario {
     /// taken it, and promises nothing where the two differ; only single robots keep that account.
     #[must_use]
     pub fn is_plain(&self) -> bool {
-        let followed = self.plant == Plant::Single || !self.controller.row().guarantees;
+        let followed = self.plant.follows() || !self.controller.row().guarantees;
         self.faults.is_none() && self.attack.is_plain() && followed
     }
 
@@ -187,7 +189,7 @@ impl Scenario {
 
     /// The laws that a run under `controller` is expected to keep if the scenario names none.
     pub(crate) fn usual(&self, controller: Controller) -> Vec<Law> {
-        let kept = |law: &Law| law.is_kept_by(self.consensus);
+        let kept = |law: &Law| law.is_kept_by(&self.consensus);
         controller.row().expects.iter().copied().filter(kept).collect()
     }
 
@@ -237,7 +239,7 @@ impl Scenario {
             clock: self.clock,
             errors: self.errors,
             ranks: self.ranking().map(|ranks| Ranks { core: ranks.core(), listen: ranks.listen }),
-            consensus: self.consensus,
+            consensus: self.consensus.rule.of_robots().unwrap_or_default(),
         })
     }
 
@@ -273,9 +275,14 @@ impl Scenario {
 
     /// ρ, the longest move of a robot in a tick, m.
     fn move_max_m(&self) -> f64 {
+        self.clock.hold_max().as_secs_f64() * self.speed_max_m_s()
+    }
+
+    /// The greatest speed that a robot can be asked for, m/s.
+    pub(crate) fn speed_max_m_s(&self) -> f64 {
         let Limits { input_min_m_s, input_max_m_s, .. } = &self.limits;
         let corner = input_min_m_s.iter().zip(input_max_m_s).map(|(low, high)| low.abs().max(high.abs()));
-        self.clock.hold_max().as_secs_f64() * sqrt(corner.fold(0.0, |sum, speed| sum + speed * speed))
+        sqrt(corner.fold(0.0, |sum, speed| sum + speed * speed))
     }
 
     /// The paper's composition, for whoever wants to know φ and φ_i, whatever the controller.

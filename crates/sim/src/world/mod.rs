@@ -9,6 +9,7 @@ use closeranks_core::robot::error::RobotError;
 use closeranks_core::settings::params::{Params, ParamsError};
 
 use crate::attack::liars::Liars;
+use crate::consensus::exchange::Exchange;
 use crate::controllers::{Answer, Global, TeamView, Velocities};
 use crate::engine;
 pub use crate::engine::Engine;
@@ -101,14 +102,27 @@ pub fn run(scenario: &Scenario, options: Options, progress: &mut dyn FnMut(u32))
     Ok(world.finish())
 }
 
-/// y_i(t₀).
+/// The first number of y_i(t₀), and the only one where values have one.
 pub fn initial_values(scenario: &Scenario) -> Result<Vec<f64>, RunError> {
+    initial_numbers(scenario).map(|mut numbers| numbers.swap_remove(0))
+}
+
+/// y_i(t₀), a list for each of its numbers.
+pub fn initial_numbers(scenario: &Scenario) -> Result<Vec<Vec<f64>>, RunError> {
+    let (robots, dimension) = (scenario.team.robots, scenario.consensus.dimension.max(1));
+    let found = |found: usize| {
+        if found == usize::from(robots) { Ok(()) } else { Err(RunError::Values { found, robots }) }
+    };
     match &scenario.values {
-        Values::Listed(values) if values.len() == usize::from(scenario.team.robots) => Ok(values.clone()),
-        Values::Listed(values) => Err(RunError::Values { found: values.len(), robots: scenario.team.robots }),
+        Values::Listed(values) => found(values.len()).map(|()| vec![values.clone(); dimension]),
+        Values::Points(points) => found(points.len()).map(|()| {
+            let column = |d: usize| points.iter().map(|point| point.get(d).copied().unwrap_or(0.0)).collect();
+            (0..dimension).map(column).collect()
+        }),
         Values::Random { min, max } => {
             let mut random = Random::new(scenario.seed, Stream::Values);
-            Ok((0..scenario.team.robots).map(|_| random.uniform(*min, *max)).collect())
+            let mut column = || (0..robots).map(|_| random.uniform(*min, *max)).collect();
+            Ok((0..dimension).map(|_| column()).collect())
         }
     }
 }
@@ -134,6 +148,7 @@ pub struct World<const D: usize> {
     scenario: Scenario,
     params: Params<D>,
     robots: Box<dyn Robots<D>>,
+    exchange: Option<Exchange>,
     global: Option<Global>,
     answers: Vec<Answer<D>>,
     frame: Frame<D>,
@@ -166,6 +181,7 @@ impl<const D: usize> World<D> {
         Ok(Self {
             params,
             robots: engine::robots(scenario, params, &frame, &values, options.engine)?,
+            exchange: Exchange::new(scenario, &initial_numbers(scenario)?),
             global: scenario.controller.global(&scenario.parameters()),
             answers: Vec::new(),
             bodies: Bodies::new(scenario.plant, scenario.tick_s(), &frame.positions_m),
@@ -208,6 +224,12 @@ impl<const D: usize> World<D> {
         let tick = self.done.checked_sub(1)?;
         let (tick_s, required) = (self.scenario.tick_s(), self.scenario.composition().required);
         Some(Snapshot::new(tick, tick_s, required, &self.frame, self.monitors.truth()))
+    }
+
+    /// Where the bodies are, m: the axles of unicycles, whose positions are the points ahead of them.
+    #[must_use]
+    pub fn axles_m(&self) -> Vec<Vector<D>> {
+        self.bodies.axles_m(&self.frame.positions_m)
     }
 
     /// What is run.
@@ -268,6 +290,9 @@ impl<const D: usize> World<D> {
         let tick = self.done;
         self.ask();
         self.robots.step(&mut self.frame, &mut self.liars);
+        if let Some(exchange) = &mut self.exchange {
+            exchange.step(tick, &mut self.frame, self.robots.as_ref(), self.liars.given_values());
+        }
         for (outcome, answer) in self.frame.outcomes.iter_mut().zip(&self.answers) {
             *outcome = answer.outcome;
         }
