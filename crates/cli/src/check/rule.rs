@@ -39,7 +39,7 @@ pub(super) fn answer(
         Needs::JointlyRobust => question::robust(named, (2 * faults + 1, 1), None, limit, meter),
         Needs::FromLeaders if !leaders.is_empty() => question::leaders(named, leaders, Some(2 * faults + 1)),
         Needs::NoLiars if faults == 0 => question::robust(named, (1, 1), Some(0), limit, meter),
-        Needs::NoLiars => said(named, rule, "no", "No: one liar leads all.".to_owned(), json!({})),
+        Needs::NoLiars => said(named, rule, "no", "No: one liar leads all.".to_owned(), &json!({})),
         Needs::RobustInTwoHops => two_hops(named, faults, meter),
         Needs::Degrees => degrees(named, rule, faults),
         Needs::FromLeaders => unknown(named, rule, "it needs --leaders"),
@@ -53,14 +53,14 @@ pub(super) fn answer(
     Answer { why, ..answer }
 }
 
-fn said(named: &Named, rule: Rule, answer: &str, sentence: String, more: Value) -> Answer {
+fn said(named: &Named, rule: Rule, answer: &str, sentence: String, more: &Value) -> Answer {
     let question = json!({ "rule": rule.name() });
-    let numbers = numbers(named, &question, answer, &more);
+    let numbers = numbers(named, &question, answer, more);
     Answer { holds: answer == "yes", sentence, numbers, ..Answer::default() }
 }
 
 fn unknown(named: &Named, rule: Rule, why: &str) -> Answer {
-    said(named, rule, "undecided", format!("Not known: {why}."), json!({}))
+    said(named, rule, "undecided", format!("Not known: {why}."), &json!({}))
 }
 
 /// Enough neighbours are enough; with fewer nobody knows.
@@ -69,17 +69,17 @@ fn degrees(named: &Named, rule: Rule, faults: usize) -> Answer {
     let more = json!({ "degree_min": least, "enough": enough });
     if least >= enough {
         let sentence = format!("Yes: every robot hears at least {least} others, and {enough} are enough.");
-        return said(named, rule, "yes", sentence, more);
+        return said(named, rule, "yes", sentence, &more);
     }
     let sentence = format!("Not known: {enough} neighbours are enough, and a robot hears {least}.");
-    said(named, rule, "undecided", sentence, more)
+    said(named, rule, "undecided", sentence, &more)
 }
 
 fn two_hops(named: &Named, faults: usize, meter: &mut Meter<'_>) -> Answer {
     let rule = Rule::TwoHop;
     let what = format!("({},{})-robust with two hops", faults + 1, faults + 1);
     match hops::witness(&named.graph, faults, meter) {
-        Ok(None) => said(named, rule, "yes", format!("Yes: {what}, proved by trying all sets."), json!({})),
+        Ok(None) => said(named, rule, "yes", format!("Yes: {what}, proved by trying all sets."), &json!({})),
         Ok(Some(HopWitness { liars, first, second, .. })) => {
             let sets = json!({ "liars": words::values(named, liars), "S1": words::values(named, first),
                 "S2": words::values(named, second) });
@@ -88,7 +88,7 @@ fn two_hops(named: &Named, faults: usize, meter: &mut Meter<'_>) -> Answer {
                 rule,
                 "no",
                 format!("No: not {what}, proved by a witness."),
-                json!({ "witness": sets }),
+                &json!({ "witness": sets }),
             );
             let why = format!(
                 "If {} lie and pass on lies, too few paths lead from outside into {} and into {}.",

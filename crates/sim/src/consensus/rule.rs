@@ -85,6 +85,18 @@ impl Rule {
         self.row().name
     }
 
+    /// Which graphs it needs so that up to F liars cannot keep normal robots from agreeing, in words.
+    #[must_use]
+    pub fn condition(self) -> &'static str {
+        self.row().needs.words()
+    }
+
+    /// True if a scenario must say more than its name: leaders, or trusts.
+    #[must_use]
+    pub fn asks_for_more(self) -> bool {
+        matches!(self, Self::BpMsr | Self::Trust)
+    }
+
     /// The rule as a robot of the core runs it, if it does.
     #[must_use]
     pub fn of_robots(self) -> Option<OfRobots> {
