@@ -1,11 +1,10 @@
 //! Rules of consensus that the world runs, and values of several numbers: each rule shows what its source claims.
 #![expect(clippy::unwrap_used, reason = "helpers of tests")]
 
-use closeranks_core::settings::Team;
 use closeranks_graph::effort::Meter;
 use closeranks_graph::graph::Graph;
 use closeranks_graph::hops;
-use closeranks_sim::attack::{LevelAttack, ValueAttack};
+use closeranks_sim::attack::ValueAttack;
 use closeranks_sim::consensus::{Combine, Consensus, Rule, Told, Update};
 use closeranks_sim::faults::{Faults, Network};
 use closeranks_sim::law::Law;
@@ -234,19 +233,21 @@ fn every_rule_meets_the_worst_values() {
     }
 }
 
-/// Half of all messages lost and the rest late: everybody who has a message has all that it says.
+/// Half of all messages lost and the rest late: everybody who has a message has all that it says. Who trims on both sides keeps little then
+/// and is slow, but nobody is led away.
 #[test]
 fn what_is_lost_is_lost_for_every_rule() {
     let network = Network { loss: 0.5, delay_max_s: 0.05, ..Network::default() };
-    for consensus in every_rule().into_iter().filter(|of| of.rule != Rule::Linear) {
+    for consensus in every_rule().into_iter().filter(Consensus::keeps_interval) {
+        let agrees = matches!(consensus.rule, Rule::WMsr | Rule::SwMsr);
         let scenario = Scenario {
             faults: Faults { network, ..Faults::default() },
-            duration_s: 8.0,
+            duration_s: if agrees { 8.0 } else { 2.0 },
             ..team(Consensus { dimension: 2, ..consensus.clone() })
         };
         let summary = recorded(&scenario, Engine::Robots).summary;
         assert_eq!(summary.broken(Law::Interval), 0, "{consensus:?}");
-        assert!(summary.extremes.spread < 10.0, "{consensus:?}: {}", summary.extremes.spread);
+        assert!(!agrees || summary.extremes.spread < 10.0, "{consensus:?}: {}", summary.extremes.spread);
     }
 }
 
@@ -262,7 +263,7 @@ fn safe_points_agree_inside_of_the_hull() {
     ];
     let consensus = Consensus { dimension: 2, combine: Combine::SafePoint, ..Consensus::default() };
     for attack in lies {
-        let scenario = Scenario { attack: attack.into(), duration_s: 6.0, ..team(consensus.clone()) };
+        let scenario = Scenario { attack: attack.into(), duration_s: 4.0, ..team(consensus.clone()) };
         let summary = recorded(&scenario, Engine::Team).summary;
         assert_eq!(summary.broken(Law::Interval), 0, "{attack:?}");
         assert!(summary.extremes.spread < 1.0, "{attack:?}: {}", summary.extremes.spread);
@@ -309,5 +310,4 @@ fn what_does_not_fit_is_refused_by_name() {
         let told = refused(text);
         assert!(told.contains(place) && told.contains(allowed), "{text}: {told}");
     }
-    let _ = LevelAttack::None;
 }
