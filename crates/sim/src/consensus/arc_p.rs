@@ -1,5 +1,5 @@
-//! ARC-P, the adversarial robust consensus protocol in continuous time (LeBlanc and Koutsoukos, HSCC 2012, "Low complexity resilient
-//! consensus in networked multi-agent systems with adversaries"; built from its description in the paper and in abstracts).
+//! ARC-P, the adversarial robust consensus protocol in continuous time (LeBlanc and Koutsoukos, HSCC 2012; built from
+//! its description in the paper and in abstracts).
 //!
 //! ```text
 //! ẏ_i = gain Σ_{j ∈ K} (y_j − y_i),   K: the neighbours without the F of largest and the F of smallest value; nobody if there are no more than 2F

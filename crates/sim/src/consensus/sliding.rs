@@ -1,5 +1,5 @@
-//! SW-MSR, a sliding window (Saldaña, Prorok, Sundaram, Campos, Kumar 2017, "Resilient consensus for time-varying networks of dynamic
-//! agents"; built from its description in the paper and in the abstract).
+//! SW-MSR, a sliding window (Saldaña, Prorok, Sundaram, Campos, Kumar 2017, resilient consensus for networks that change; built from
+//! its description in the paper and in the abstract).
 //!
 //! ```text
 //! W_i(t) = the newest value of everybody heard in the rounds t − window + 1 … t;   y_i(t+1) = W-MSR(y_i(t), W_i(t))
