@@ -149,7 +149,8 @@ impl Exchange {
         }
     }
 
-    /// Notes whose messages have come by now. In a perfect network these are those within R when values are told.
+    /// Notes whose messages have come by now. In a perfect network these are those within R when values are told, and of them, for rules of
+    /// continuous time, who has stayed there.
     fn note<const D: usize>(
         &mut self,
         positions_m: &[Vector<D>],
@@ -158,23 +159,27 @@ impl Exchange {
         begins: bool,
     ) {
         let continuous = self.is_continuous();
-        let mut looked = false;
-        for robot in 0..down.len() {
-            if down[robot] {
-                continue;
-            }
-            let senders = &mut self.senders[robot];
-            if continuous {
-                senders.clear();
-            }
-            if robots.heard(robot, senders) {
+        let (mut looked, mut heard) = (false, Vec::new());
+        for robot in (0..down.len()).filter(|robot| !down[*robot]) {
+            heard.clear();
+            if robots.heard(robot, &mut heard) {
+                let senders = &mut self.senders[robot];
+                if continuous {
+                    senders.clear();
+                }
+                senders.append(&mut heard);
                 senders.sort_unstable();
                 senders.dedup();
             } else if begins || continuous {
                 if !core::mem::replace(&mut looked, true) {
                     self.around.look(positions_m, self.radius_m);
                 }
-                senders.extend(self.around.of(robot));
+                let (senders, around) = (&mut self.senders[robot], self.around.of(robot));
+                if begins {
+                    senders.extend(around);
+                } else {
+                    senders.retain(|sender| around.binary_search(sender).is_ok());
+                }
             }
         }
     }
