@@ -1,6 +1,6 @@
 //! Who counts for whom, and how many of them a robot must keep: one rule for a whole team.
 
-use crate::robot::id::Member;
+use crate::id::Member;
 use crate::robot::neighbor::RobotId;
 
 /// Which neighbours a robot must keep enough of.

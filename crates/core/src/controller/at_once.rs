@@ -92,13 +92,13 @@ pub struct Motion<const D: usize> {
 /// A controller whose robots can be computed all at once where nothing goes wrong.
 pub trait AtOnce<const D: usize>: Control<D> {
     /// What both ends of a link share. Two robots of which [`pair`](Self::pair) makes nothing do not bound each other.
-    type Pair: Copy + core::fmt::Debug + 'static;
+    type Pair: Copy + core::fmt::Debug + Send + Sync + 'static;
     /// What others make of a level that a robot told.
-    type Told: Copy + core::fmt::Debug + Default;
+    type Told: Copy + core::fmt::Debug + Default + Send + Sync + 'static;
     /// What a robot adds up over its neighbours.
-    type Sums: Copy + core::fmt::Debug + Default;
+    type Sums: Copy + core::fmt::Debug + Default + Send + Sync + 'static;
     /// What a robot knows of a neighbour when it decides.
-    type Known: Copy + core::fmt::Debug + Default;
+    type Known: Copy + core::fmt::Debug + Default + Send + Sync + 'static;
 
     /// True if it adds up anything over neighbours.
     const ADDS: bool = false;

@@ -3,6 +3,7 @@
 //!
 //! Every single number has one row in [`field`]: its name in files, what it is, and what it may be.
 
+mod check;
 pub mod clock;
 pub mod controller;
 pub mod field;
@@ -17,8 +18,9 @@ use crate::consensus::Rule;
 use crate::controller::budget::weight::Conditions;
 use crate::controller::errors::ErrorBounds;
 use crate::equations::link::LinkShape;
-use crate::need::Ranks;
+use crate::need::{Keep, Need, Ranks};
 use crate::program::InputBox;
+use crate::program::balls::reach::Reach;
 use crate::robot::neighbor::RobotId;
 
 /// Who is in the team.
@@ -141,5 +143,25 @@ impl<const D: usize> Settings<D> {
             }
             Controller::Composed(_) | Controller::None => ErrorBounds::NONE,
         }
+    }
+
+    /// The displacements `T U_i`, with T the longest that a velocity is held.
+    pub(crate) fn reach(&self) -> Reach<D> {
+        Reach::new(&self.limits.input, self.clock.hold_max().as_secs_f64())
+    }
+
+    /// Who counts for whom in the team, and how many of them a robot must `keep`.
+    #[must_use]
+    pub fn need(&self, keep: Keep) -> Need {
+        let Team { robots, faults } = self.team;
+        match self.ranks {
+            None => Need::new(robots, faults, keep),
+            Some(ranks) => Need::ranked(robots, ranks.core, faults, keep),
+        }
+    }
+
+    /// The need F′ of controllers that count all neighbours.
+    pub(crate) fn need_of_neighbors(&self) -> Need {
+        Need::new(self.team.robots, self.team.faults, Keep::Neighbors)
     }
 }

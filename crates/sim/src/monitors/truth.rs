@@ -199,5 +199,5 @@ fn trimmed<const D: usize>(params: &Params<D>, frame: &Frame<D>, robot: usize) -
     let sightings: Vec<Sighting<D>> =
         others.map(|(other, x)| Sighting::new(id(other), subtract(&own, x))).collect();
     let scratch = &mut vec![0.0; sightings.len()];
-    params.budget().map_or(0.0, |budget| budget.level(id(robot), &sightings, scratch))
+    params.controller().certain_level(id(robot), &sightings, scratch).unwrap_or(0.0)
 }

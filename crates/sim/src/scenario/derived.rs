@@ -25,7 +25,7 @@ impl Scenario {
     pub fn ranks<const D: usize>(&self) -> Result<Option<Vec<u16>>, RanksError> {
         let Some(ranking) = self.ranking() else { return Ok(None) };
         let Ok(params) = self.params::<D>() else { return Ok(None) };
-        let keep = |rank| params.links().map_or(0, |links| links.keep(Member { id: RobotId(0), rank }));
+        let keep = |rank| usize::from(params.controller().keep(Member { id: RobotId(0), rank }));
         let (core, above) = (keep(0), keep(1));
         let Ok(positions_m) = self.positions::<D>() else { return Ok(None) };
         ranking.choose(&positions_m, self.link.radius_m, Keeps { core, above }).map(Some)

@@ -39,6 +39,7 @@ pub mod knowledge;
 pub mod margin;
 mod recovery;
 pub mod settings;
+mod sums;
 pub mod survey;
 pub mod weight;
 

@@ -1,5 +1,7 @@
 //! How far robots move, against how far they wish to: nobody is towed.
 
+use closeranks_core::controller::Kept;
+use closeranks_core::controller::errors::ErrorBounds;
 use closeranks_core::equations::link::Link;
 use closeranks_core::num::{Vector, add_scaled, length, sqrt, subtract};
 use closeranks_core::settings::params::Params;
@@ -36,8 +38,7 @@ pub(crate) struct RestWatch<const D: usize> {
 impl<const D: usize> RestWatch<D> {
     /// For the robots of `scenario`.
     pub(crate) fn new(scenario: &Scenario, params: Params<D>) -> Self {
-        let offset_m = params.kept().errors.offset_m;
-        let fall_max = params.budget().map_or(0.0, |budget| budget.curvature.fall_max());
+        let Kept { errors: ErrorBounds { offset_m, .. }, fall_max, .. } = *params.kept();
         Self {
             malicious: scenario.malicious_mask(),
             blur: 4.0 * offset_m * fall_max * f64::from(scenario.team.robots),
