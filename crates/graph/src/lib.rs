@@ -24,6 +24,7 @@
 //! | leaders, and adversaries few in every neighbourhood | [`leaders`], [`local`] |
 //! | what two hops survive | [`hops`] |
 //! | which edges to add | [`additions`] |
+//! | a claim with what proves it, for others to check | [`evidence`] |
 //! | networks of any size; a proof by ranks in linear time | [`network`], [`ranks`] |
 //! | graphs by name, graphs as text | [`makers`], [`formats`] |
 //!
@@ -53,6 +54,7 @@ pub mod connectivity;
 pub mod decide;
 pub mod definition;
 pub mod effort;
+pub mod evidence;
 pub mod formats;
 pub mod graph;
 pub mod hops;

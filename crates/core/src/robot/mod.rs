@@ -70,6 +70,19 @@ impl<const D: usize, S: AsRef<[Slot<D>]> + AsMut<[Slot<D>]>> Slots<D> for S {}
 ///
 /// Numbers from 1 to n without the own one are n − 1, so there can be no more neighbours. The answer does not depend on the order
 /// of `observe` or `receive`, unless there are more neighbours than slots.
+///
+/// [`Mode::Stopped`]: report::Mode::Stopped
+/// [`ObserveError::Full`]: error::ObserveError::Full
+/// [`ObserveError::NotFinite`]: error::ObserveError::NotFinite
+/// [`ObserveError::OwnId`]: error::ObserveError::OwnId
+/// [`ObserveError::UnknownId`]: error::ObserveError::UnknownId
+/// [`Reason::Late`]: report::Reason::Late
+/// [`Reason::NotSensed`]: report::Reason::NotSensed
+/// [`Reason::NotShared`]: report::Reason::NotShared
+/// [`Reason::Overlooked`]: report::Reason::Overlooked
+/// [`Reason::Scratch`]: report::Reason::Scratch
+/// [`ReceiveError::NotNeighbor`]: error::ReceiveError::NotNeighbor
+/// [`SenseError`]: error::SenseError
 #[derive(Debug)]
 pub struct Robot<const D: usize, S> {
     pub(crate) params: Params<D>,

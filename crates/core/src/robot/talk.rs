@@ -11,11 +11,13 @@ use crate::robot::{Robot, Slots};
 use crate::time::Instant;
 
 impl<const D: usize, S: Slots<D>> Robot<D, S> {
-    /// What to tell now: the level when τ₁ has passed, if the controller tells levels, and the value when τ₂ has. A robot that is late for a round by more
-    /// than a velocity may be held, as after a crash, waits for the next one, so that all have theirs at the same time.
+    /// What to tell now: the level when τ₁ has passed, if the controller tells levels, and the value when τ₂ has.
     ///
-    /// Forgets robots that were not observed in this tick, but for those that are missing ([`missing`]). `None` while nothing is due, the own position is unknown, or `scratch` is
-    /// too short for the robot.
+    /// A robot that is late for a round by more than a velocity may be held, as after a crash, waits for the next one, so that all
+    /// have theirs at the same time. Robots that were not observed in this tick are forgotten, but for those that are missing
+    /// ([`missing`](crate::robot::missing)).
+    ///
+    /// `None` while nothing is due, the own position is unknown, or `scratch` is too short for the robot.
     //= paper eq:connectivity
     pub fn share(&mut self, scratch: &mut Scratch<'_, D>) -> Option<Message> {
         self.position.filter(|_| scratch.is_for(self.slots.as_ref().len()))?;
