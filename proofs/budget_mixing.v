@@ -75,7 +75,7 @@ split; [intros []; unfold apart; numbers; lra |].
 split; [| numbers; simple].
 split.
   assert (lim : forall j, 0.55 < h start j -> 0.0051 / (4 * L) <= Rmin (h start K / 2) (h start j / 2) / (4 * L)).
-    intros j hj; apply Rmult_le_compat_r; [numbers; interval |]; apply Rmin_glb; lra.
+    intros j hj; apply Rmult_le_compat_r; [numbers; interval with (i_prec 60) |]; apply Rmin_glb; lra.
   split; unfold far_for.
   - apply Rle_trans with (2 := lim _ pos1); numbers; interval with (i_prec 60).
   - apply Rle_trans with (2 := lim _ pos2); numbers; interval with (i_prec 60).

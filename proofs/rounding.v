@@ -246,7 +246,7 @@ apply Rle_trans with (1 := sum_error w a 1e-14 300 ltac:(lra) ltac:(lra) wrong k
 assert (K : 0 <= INR k <= 200) by (split; [apply pos_INR | replace 200 with (INR 200) by (simpl; lra); apply le_INR; lia]).
 assert (p : (1 + u) ^ k <= 1.01).
   apply Rle_trans with ((1 + u) ^ 200); [apply Rle_pow; [lra | lia] |].
-  rewrite u_value; interval.
+  rewrite u_value; interval with (i_prec 60).
 assert (eta <= 1e-30).
   apply Rle_trans with (1 := small); unfold least.
   assert (/ IZR (10 ^ 300) <= / IZR (10 ^ 30)) by (apply Rinv_le_contravar; [apply IZR_lt; reflexivity | apply IZR_le; vm_compute; discriminate]).
