@@ -22,7 +22,7 @@ impl Consensus {
     /// For the robots of `scenario` with initial `values`.
     pub(crate) fn new(scenario: &Scenario, values: &[f64]) -> Self {
         Self {
-            rule: scenario.consensus,
+            rule: scenario.consensus.rule.of_robots().unwrap_or_default(),
             faults: scenario.team.faults,
             ticks_per_round: scenario.ticks_per_round(),
             malicious: scenario.malicious_mask(),
