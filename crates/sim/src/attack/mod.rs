@@ -50,10 +50,12 @@ impl Attack {
             && self.motion == MotionAttack::Obedient
     }
 
-    /// True when no two neighbours of a liar are told different values, as the paper's definition wants it (misbeh).
+    /// True when no two neighbours of a liar are told different values, as the paper's definition wants it (misbeh). Bits that are
+    /// changed at random may be those of a value.
     #[must_use]
     pub fn has_one_voice(&self) -> bool {
-        self.value.has_one_voice() && self.level != LevelAttack::Garbage
+        let whole = self.level != LevelAttack::Garbage && self.lists != ListsAttack::Garbage;
+        self.value.has_one_voice() && whole
     }
 }
 

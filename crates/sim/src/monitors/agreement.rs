@@ -42,7 +42,9 @@ impl Agreement {
     //= paper thm:rs_robust
     //= theory thm:ranks
     pub(crate) fn end_round(&mut self, spread: f64, magnitude: f64, met: Met) -> Option<f64> {
-        if !met.suffices {
+        if met.suffices {
+            self.most_heard = self.most_heard.max(met.most_heard);
+        } else {
             self.spreads.clear();
             self.most_heard = 0;
         }
@@ -51,9 +53,6 @@ impl Agreement {
             let over_all = long_ago.map_or(f64::INFINITY, |then| then * self.left(self.rounds));
             next.min(over_all) + ROUNDING * magnitude
         });
-        if met.suffices {
-            self.most_heard = self.most_heard.max(met.most_heard);
-        }
         self.spreads.push_back(spread);
         if self.spreads.len() > self.rounds.min(ROUNDS_MAX) {
             self.spreads.pop_front();
