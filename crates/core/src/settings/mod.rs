@@ -19,7 +19,6 @@ use crate::controller::errors::ErrorBounds;
 use crate::equations::link::LinkShape;
 use crate::need::Ranks;
 use crate::program::InputBox;
-use crate::robot::neighbor::RobotId;
 
 /// Who is in the team.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -122,10 +121,10 @@ impl<const D: usize> Settings<D> {
     /// What `budget` chooses its own weight for.
     #[must_use]
     pub fn conditions(&self, parameters: &BudgetSettings) -> Conditions {
-        let need = parameters.need(self.team.robots, self.team.faults);
+        let need = self.need(parameters.assume.keep());
         Conditions {
             radius_m: self.link.radius_m,
-            need: need.need(RobotId(1)),
+            need: need.most(),
             period_s: self.clock.level_period.as_secs_f64(),
             move_max_m: self.reach().longest_m(),
             offset_error_m: self.error_bounds().offset_m,

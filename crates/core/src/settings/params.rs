@@ -196,11 +196,7 @@ impl<const D: usize> Settings<D> {
     /// Who counts for whom in the team, and how many of them a robot must `keep`.
     #[must_use]
     pub fn need(&self, keep: Keep) -> Need {
-        let Team { robots, faults } = self.team;
-        match self.ranks {
-            None => Need::new(robots, faults, keep),
-            Some(ranks) => Need::ranked(robots, ranks.core, faults, keep),
-        }
+        Need::of(self.team, self.ranks, keep)
     }
 
     /// The need F′ of controllers that count all neighbours.
@@ -212,7 +208,7 @@ impl<const D: usize> Settings<D> {
     fn check_ranks(&self) -> Result<(), ParamsError> {
         let Some(ranks) = self.ranks else { return Ok(()) };
         let (core, Team { robots, faults }) = (f64::from(ranks.core), self.team);
-        let ranked = matches!(self.controller, Controller::Links(_));
+        let ranked = matches!(self.controller, Controller::Links(_) | Controller::Budget(_));
         let least = if ranked { f64::from(faults) * 2.0 + 1.0 } else { f64::from(robots) };
         let allowed = Allowed::Closed(least, f64::from(robots));
         if allowed.holds(core) {

@@ -16,6 +16,7 @@ use closeranks_core::settings::params::Params;
 
 use crate::attack::liars::{Face, Liars};
 use crate::engine::memory::Memory;
+use crate::engine::roster::Roster;
 use crate::faults::edges::Edges;
 use crate::faults::network::{FaultyNetwork, LATE_MAX};
 use crate::faults::outages::Downtime;
@@ -87,7 +88,8 @@ impl<const D: usize, T: Transport> Fleet<D, T> {
     ) -> Result<Self, RobotError> {
         let others = values.len().saturating_sub(1);
         let slots = scenario.faults.sensing.dropouts.slots.map_or(others, usize::from);
-        let (members, edges) = (members::<D>(scenario), Edges::new(scenario, &params));
+        let (members, edges) =
+            (Roster::new(scenario, &params).members().to_vec(), Edges::new(scenario, &params));
         // Where it is known who is near, robots get slots when they need them.
         let first = if edges.sight.is_whole() { slots.min(SLOTS_FIRST) } else { slots };
         let robots = members
@@ -300,7 +302,8 @@ impl<const D: usize, T: Transport> Fleet<D, T> {
             frame.levels[index] = if self.lists {
                 output.report.level
             } else {
-                robot.neighbors().iter().fold(0.0, |level, slot| level + slot.link().weight)
+                let counted = robot.neighbors().iter().filter(|slot| robot.counts(slot));
+                counted.fold(0.0, |level, slot| level + slot.link().weight)
             };
             frame.h[index] = output.report.h;
             frame.told[index] = robot.told_level();
@@ -364,13 +367,6 @@ fn make_room<const D: usize>(robot: &mut Robot<D, Vec<Slot<D>>>, others: usize, 
             slots.resize(needed.next_multiple_of(SLOTS_FIRST).min(most), Slot::default());
         });
     }
-}
-
-/// The robots of `scenario` as the roster has them.
-fn members<const D: usize>(scenario: &Scenario) -> Vec<Member> {
-    let ranks = scenario.ranks::<D>().ok().flatten();
-    let rank = |index: usize| ranks.as_ref().map_or(0, |ranks| ranks[index]);
-    (0..usize::from(scenario.team.robots)).map(|index| Member { id: id(index), rank: rank(index) }).collect()
 }
 
 /// φ_i of a robot whose controller does not use it, from what it senses and was told.

@@ -5,11 +5,14 @@ mod dense;
 pub mod fleet;
 pub(crate) mod judge;
 mod links;
+mod marks;
 pub mod memory;
 pub(crate) mod phi;
 pub(crate) mod robots;
+mod roster;
 mod sees;
 pub mod team;
+pub mod workers;
 
 use closeranks_core::controller::AnyController;
 use closeranks_core::robot::error::RobotError;

@@ -55,7 +55,7 @@ impl<const D: usize> Carry<D> {
             claim_ticks: if settles { 0 } else { told_ticks },
             gamma: params.budget().map_or(1.0, |budget| budget.gamma),
             mode: ModeWatch::new(scenario, params, rule, told_ticks),
-            rest: RestWatch::new(scenario, params),
+            rest: RestWatch::new(scenario, params, rule),
             distances: Distances::new(scenario, params),
             held: Held::new(scenario, params, rule),
             params,

@@ -3,6 +3,8 @@
 pub mod any;
 pub mod given;
 
+use std::sync::Arc;
+
 use closeranks_core::num::Vector;
 use closeranks_core::program::Outcome;
 use closeranks_core::robot::error::RobotError;
@@ -15,6 +17,7 @@ pub use crate::engine::Engine;
 use crate::engine::judge::Judge;
 use crate::engine::phi::PaperPhi;
 use crate::engine::robots::Robots;
+use crate::engine::workers::{Alone, Workers};
 use crate::frame::Frame;
 use crate::monitors::Monitors;
 use crate::monitors::robustness::{Round, Watcher};
@@ -134,6 +137,7 @@ pub struct World<const D: usize> {
     scenario: Scenario,
     params: Params<D>,
     robots: Box<dyn Robots<D>>,
+    workers: Arc<dyn Workers>,
     global: Option<Global>,
     answers: Vec<Answer<D>>,
     frame: Frame<D>,
@@ -166,6 +170,7 @@ impl<const D: usize> World<D> {
         Ok(Self {
             params,
             robots: engine::robots(scenario, params, &frame, &values, options.engine)?,
+            workers: Arc::new(Alone),
             global: scenario.controller.global(&scenario.parameters()),
             answers: Vec::new(),
             bodies: Bodies::new(scenario.plant, scenario.tick_s(), &frame.positions_m),
@@ -182,6 +187,11 @@ impl<const D: usize> World<D> {
             done: 0,
             prepared: None,
         })
+    }
+
+    /// Lends whoever computes a large team from now on. No bit of the run depends on it.
+    pub fn employ(&mut self, workers: Arc<dyn Workers>) {
+        self.workers = workers;
     }
 
     /// How many ticks were computed.
@@ -267,7 +277,7 @@ impl<const D: usize> World<D> {
     fn end(&mut self) -> &Frame<D> {
         let tick = self.done;
         self.ask();
-        self.robots.step(&mut self.frame, &mut self.liars);
+        self.robots.step(&mut self.frame, &mut self.liars, self.workers.as_ref());
         for (outcome, answer) in self.frame.outcomes.iter_mut().zip(&self.answers) {
             *outcome = answer.outcome;
         }
