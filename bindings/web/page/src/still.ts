@@ -42,7 +42,7 @@ function formation(moment: Moment, title: string, half_m: number): string {
   for (const robot of moment.all()) {
     const { fill, ink } = valueColour(moment.value(robot), -500, 500);
     const [cx, cy] = [x(robot), y(robot)];
-    const short = moment.degree(robot) < moment.facts.required && !moment.isLiar(robot) && moment.facts.faults > 0;
+    const short = moment.degree(robot) < moment.required(robot) && !moment.isLiar(robot) && moment.facts.faults > 0;
     if (short) parts.push(`<circle cx="${at(cx)}" cy="${at(cy)}" r="17" fill="none" stroke="${SHORT}" stroke-width="2.5" stroke-dasharray="5 3"/>`);
     const edge = `fill="${fill}" stroke="${moment.isLiar(robot) ? LIAR : "#ffffff"}" stroke-width="${moment.isLiar(robot) ? 4 : 2}"`;
     parts.push(

@@ -21,11 +21,13 @@ await build({
 const model = await import(pathToFileURL(join(folder, "model.mjs")).href);
 after(() => rmSync(folder, { recursive: true, force: true }));
 
+const W_MSR = { name: "w-msr", condition: "an (F+1,F+1)-robust graph", proved: true };
+
 /** A moment of robots at `places`, with neighbours within 3 m and a value of 0 each. */
-function moment(places, { malicious = [], tick = 0, table = {}, faults = 1, keeps_degrees = true } = {}) {
+function moment(places, { malicious = [], tick = 0, table = {}, faults = 1, keeps_degrees = true, ranks = null, needs = null, rule = W_MSR } = {}) {
   const facts = {
     robots: places.length, faults, required: faults + Math.floor(places.length / 2), malicious, radius_m: 3, distance_min_m: 0.3,
-    tick_s: 0.1, ticks: 100, ticks_per_round: 2, controller: { name: "budget", keeps_degrees }, head: 2, fields: 12,
+    tick_s: 0.1, ticks: 100, ticks_per_round: 2, controller: { name: "budget", keeps_degrees }, ranks, needs, rule, head: 2, fields: 12,
   };
   const degree = ([x, y]) => places.filter(([u, v]) => Math.hypot(x - u, y - v) <= 3).length - 1;
   const robots = places.flatMap((place) => [...place, 0, 0, degree(place), 0, 0, 0, 0, 0, 0, 0]);
@@ -90,6 +92,32 @@ test("the banner names who is short, at the edge, too close, or outvoted", () =>
   assert.equal(many.why[0], "2 robots lie, and the team is prepared for 1: nothing is promised.");
   assert.equal(many.tone, "bad");
   assert.equal(said([[0, 0], [1, 0], [0, 1], [1, 1], [2, 2]]).tone, "good");
+});
+
+test("under ranks the banner goes by who counts, and by the liars around one robot", () => {
+  // Robots 1 to 4 are the core; each needs 3. The fifth has the rank 1, and needs 3 of them.
+  const ranks = { ranks: [0, 0, 0, 0, 1], needs: [3, 3, 3, 3, 3] };
+  const said = (places, options) => model.safety(moment(places, { ...ranks, ...options }), null, null);
+  assert.match(said(LINE).main, /^Robot 5 has only 2 neighbours that count for it and needs 3; /);
+  const whole = [[0, 0], [1, 0], [0, 1], [1, 1], [2, 2]];
+  assert.equal(said(whole).why[0], "Proved by ranks: this network survives any 1 liar around each robot, however many there are in all.");
+  assert.match(said(whole, { malicious: [1, 2] }).why[0], /^2 robots in range of one robot lie, and the team is prepared for 1: /);
+  // Two liars, and no robot has both in range.
+  assert.doesNotMatch(said([[0, 0], [1, 0], [2, 0], [9, 9], [19, 9]], { malicious: [1, 4] }).why.join(), /nothing is promised/);
+});
+
+test("the banner promises nothing of other rules than W-MSR", () => {
+  const linear = { name: "linear", condition: "no liars at all, and a connected graph", proved: false };
+  const said = model.safety(moment([[0, 0], [1, 0], [0, 1], [1, 1], [2, 2]], { rule: linear }), null, { f_least: 2, f_most: 2, robust: true, sets: null });
+  assert.equal(said.why.join(), "Robots agree by linear, which needs no liars at all, and a connected graph: what is promised here is about W-MSR alone.");
+});
+
+test("ranks that a start gave stay with the robots, and follow n and F", () => {
+  const table = { team: { robots: 5, faults: 1, ranks: { core: 4 } } };
+  assert.deepEqual(model.present(moment(LINE, { table, ranks: [0, 0, 0, 0, 1], needs: [3, 3, 3, 3, 3] })).team.ranks, [0, 0, 0, 0, 1]);
+  assert.deepEqual(model.withRanks({ team: { robots: 11, faults: 2 } }, true).team.ranks, { core: 7 });
+  assert.deepEqual(model.withRobots(table, 20).team, { robots: 20, faults: 1, malicious: [], ranks: { core: 4 } });
+  assert.equal(model.withRanks(table, false).team.ranks, undefined);
 });
 
 test("the banner says what the search found", () => {

@@ -130,6 +130,34 @@ test("act 4: a click makes a liar, a drag draws a robot, charts move, and time g
     assert.equal(await page.$eval("#act-4 .play", (button) => button.textContent), "Play");
   }));
 
+test("the sandbox: ranks and another rule of consensus are chosen, shown and said", () =>
+  on({}, async (page) => {
+    await see(page, "#act-4");
+    await page.$eval("#act-4 .more", (more) => {
+      more.open = true;
+    });
+    const select = async (label, value) => {
+      const found = await page.$$eval("#act-4 .field", (fields, label) => fields.findIndex((field) => field.querySelector("span").textContent === label), label);
+      const menu = (await page.$$("#act-4 .field"))[found];
+      await (await menu.$("select")).select(value);
+    };
+    const disabled = () => page.$$eval("#act-4 .more select", ([ranks]) => ranks.disabled);
+    await select("Filter", "orca");
+    assert.equal(await disabled(), true, "orca counts nobody");
+    await select("Filter", "links");
+    assert.equal(await disabled(), false);
+    await page.$eval("#act-4 .more .field input", (input) => {
+      input.value = "40";
+      input.dispatchEvent(new Event("input"));
+    });
+    await select("Who counts", "ranks");
+    await page.waitForFunction(() => document.querySelector("#act-4 .robot:nth-child(40)")?.getAttribute("aria-label").includes("neighbours that count, rank"));
+    await text(page, "#act-4 .banner-why", /Proved by ranks: this network survives any 2 liars around each robot/);
+    await select("Robots agree by", "median");
+    await text(page, "#act-4 .banner-why", /Robots agree by median, which needs/);
+    assert.match(await page.$eval("#act-4 .digest", (digest) => digest.textContent), /^[0-9a-f]{16} after/);
+  }));
+
 test("a link restores the state, to the bit", () =>
   on({}, async (page) => {
     await see(page, "#act-4");

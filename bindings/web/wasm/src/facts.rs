@@ -2,16 +2,18 @@
 
 use closeranks_sim::controllers::{Controller, Counted, Knows};
 use closeranks_sim::law::Law;
+use closeranks_sim::scenario::Rule;
 use serde_json::{Value, json};
 
 /// The largest whole number that a page holds exactly, 2^53 - 1.
 const WHOLE_MAX: i64 = 9_007_199_254_740_991;
 
-/// Version, controllers and laws.
+/// Version, controllers, rules of consensus and laws.
 pub fn about() -> Value {
     json!({
         "version": env!("CARGO_PKG_VERSION"),
         "controllers": Controller::ALL.iter().map(|one| controller(*one)).collect::<Value>(),
+        "rules": Rule::ALL.map(|(_, one)| rule(one)),
         "laws": Law::ALL.map(|law| json!({ "name": law.name(), "demand": law.demand() })),
     })
 }
@@ -22,11 +24,17 @@ pub fn controller(controller: Controller) -> Value {
     json!({
         "name": row.name,
         "about": row.about,
+        "ranks": row.ranks,
         "local": row.knows == Knows::Local,
         "guarantees": row.guarantees,
         "keeps_degrees": row.promises.contains(&Law::Degree) && row.counted != Counted::All,
         "promises": row.promises.iter().map(|law| law.name()).collect::<Vec<_>>(),
     })
+}
+
+/// A rule of consensus, and the graphs on which it agrees.
+pub fn rule(rule: Rule) -> Value {
+    json!({ "name": rule.name(), "condition": rule.condition(), "proved": rule == Rule::default() })
 }
 
 /// A TOML text as a value, or what is wrong with it.

@@ -1,5 +1,8 @@
 //! One open world, in the plane.
 
+use closeranks_core::need::{Keep, Need};
+use closeranks_core::num::{Vector, subtract};
+use closeranks_core::robot::neighbor::{Member, RobotId};
 use closeranks_sim::attack::MotionAttack;
 use closeranks_sim::law::Verdict;
 use closeranks_sim::parse;
@@ -19,7 +22,7 @@ const ARRIVAL_M: f64 = 0.1;
 
 /// Numbers before those of robots: ticks computed, number of links.
 pub const HEAD: usize = 2;
-/// Numbers a robot: x, y, m; u_x, u_y, m/s; degree, level, told level, h, value, outcome (0 free, 1 active, 2 infeasible,
+/// Numbers a robot: x, y, m; u_x, u_y, m/s; degree (neighbours that count for it), level, told level, h, value, outcome (0 free, 1 active, 2 infeasible,
 /// 3 recovering), values used in the last round, and those of normal robots among them.
 pub const FIELDS: usize = 12;
 
@@ -27,6 +30,36 @@ pub const FIELDS: usize = 12;
 pub struct Session {
     world: World<2>,
     frame: Vec<f64>,
+    /// Who counts for whom, where the scenario has ranks.
+    ranked: Option<Ranked>,
+}
+
+/// The rule of a team with ranks.
+struct Ranked {
+    need: Need,
+    members: Vec<Member>,
+}
+
+impl Ranked {
+    /// The rule of a scenario; `None` without ranks.
+    fn new(scenario: &Scenario) -> Option<Self> {
+        let ranks = scenario.ranks::<2>().ok()??;
+        let (team, core) = (scenario.team, scenario.ranking()?.core());
+        let need = Need::ranked(team.robots, core, team.faults, Keep::Neighbors);
+        let members =
+            (1..=team.robots).zip(ranks).map(|(robot, rank)| Member { id: RobotId(robot), rank }).collect();
+        Some(Self { need, members })
+    }
+
+    /// How many robots in range count for the robot of an index.
+    fn degree(&self, index: usize, positions_m: &[Vector<2>], radius_m: f64) -> u32 {
+        let me = self.members[index];
+        let counted = self.members.iter().zip(positions_m).filter(|(other, position_m)| {
+            let [x, y] = subtract(position_m, &positions_m[index]);
+            self.need.counts(me, **other) && x * x + y * y <= radius_m * radius_m
+        });
+        counted.map(|_| 1).sum()
+    }
 }
 
 impl Session {
@@ -46,7 +79,7 @@ impl Session {
         }
         let options = Options { digest: true, without_phi: true, ..Options::default() };
         let world = World::new(&scenario, options).map_err(|error| json!([problem(1, error.to_string())]))?;
-        let mut session = Self { world, frame: Vec::new() };
+        let mut session = Self { world, frame: Vec::new(), ranked: Ranked::new(&scenario) };
         session.step(1);
         Ok(session)
     }
@@ -84,13 +117,15 @@ impl Session {
 
     /// The last tick, [`HEAD`] numbers and then [`FIELDS`] for each robot.
     pub fn frame(&mut self) -> &[f64] {
-        let frame = self.world.frame();
+        let (frame, radius_m) = (self.world.frame(), self.world.scenario().link.radius_m);
         self.frame.clear();
         self.frame.extend([f64::from(self.world.ticks_done()), f64::from(frame.links)]);
         for index in 0..frame.positions_m.len() {
             self.frame.extend(frame.positions_m[index]);
             self.frame.extend(frame.velocities_m_s[index]);
-            self.frame.extend([f64::from(frame.degrees[index]), frame.levels[index], frame.told[index]]);
+            let among = |ranked: &Ranked| f64::from(ranked.degree(index, &frame.positions_m, radius_m));
+            let degree = self.ranked.as_ref().map_or(f64::from(frame.degrees[index]), among);
+            self.frame.extend([degree, frame.levels[index], frame.told[index]]);
             self.frame.extend([frame.h[index], frame.values[index], f64::from(frame.outcomes[index] as u8)]);
             self.frame.extend(frame.heard[index].map(f64::from));
         }
@@ -105,12 +140,15 @@ impl Session {
             "robots": scenario.team.robots,
             "faults": scenario.team.faults,
             "required": self.world.monitors().required_degree(),
+            "ranks": self.ranked.as_ref().map(|ranked| ranked.members.iter().map(|member| member.rank).collect::<Vec<_>>()),
+            "needs": self.ranked.as_ref().map(|ranked| ranked.members.iter().map(|member| ranked.need.need(*member)).collect::<Vec<_>>()),
             "malicious": scenario.malicious,
             "radius_m": scenario.link.radius_m,
             "distance_min_m": scenario.limits.distance_min_m,
             "tick_s": scenario.tick_s(),
             "ticks": scenario.ticks(),
             "ticks_per_round": scenario.ticks_per_round(),
+            "rule": facts::rule(scenario.consensus),
             "controller": facts::controller(scenario.controller),
             "obedient": scenario.attack.motion == MotionAttack::Obedient,
             "one_voice": scenario.attack.has_one_voice(),

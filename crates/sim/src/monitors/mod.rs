@@ -1,18 +1,14 @@
 //! The theorems as code: each law names what must hold and remembers where it first did not.
 
 mod agreement;
-mod before;
 mod carry;
-mod distance;
+mod extremes;
 mod heard;
-mod held;
-mod mode;
 mod pairs;
-mod rest;
 pub mod robustness;
 mod rule;
-mod time;
 pub(crate) mod truth;
+mod values;
 
 use std::sync::Arc;
 
@@ -24,16 +20,15 @@ use closeranks_core::settings::params::Params;
 
 use crate::frame::Frame;
 use crate::law::{Law, Verdicts, Violation};
-use crate::monitors::agreement::Agreement;
 use crate::monitors::carry::Carry;
+pub use crate::monitors::extremes::Extremes;
+use crate::monitors::extremes::lower;
 use crate::monitors::heard::Heard;
 pub use crate::monitors::heard::Void;
 use crate::monitors::rule::Rule;
 use crate::monitors::truth::Truth;
+use crate::monitors::values::Values;
 use crate::scenario::Scenario;
-
-/// Rounds in which what was heard in a void one may be taken up: clocks and messages may be a round late.
-const VOID_ROUNDS: u32 = 3;
 
 /// Watches the frames of one run.
 #[derive(Clone, Debug)]
@@ -51,39 +46,11 @@ pub struct Monitors<const D: usize> {
     truth: Truth,
     carry: Carry<D>,
     verdicts: Verdicts,
-    interval: Option<[f64; 2]>,
-    /// For how many rounds what was heard in a void one may still come.
-    void_rounds: u32,
-    agreement: Agreement,
+    values: Values,
     heard: Heard,
     extremes: Extremes,
     /// Memory for E^c of the pairs of a tick.
     collisions: Vec<f64>,
-}
-
-/// Least and greatest over a run.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Extremes {
-    /// Least degree of normal robots, if there are any.
-    pub degree_min: Option<u16>,
-    /// Least degree of malicious robots, if there are any.
-    pub malicious_degree_min: Option<u16>,
-    /// Least h_i of normal robots.
-    pub h_min: f64,
-    /// Least distance of two robots, m.
-    pub distance_min_m: f64,
-    /// Least global φ.
-    pub phi_global_min: f64,
-    /// Least φ_i.
-    pub phi_min: f64,
-    /// First tick at which every φ_i ≥ 0.
-    pub inside_from: Option<u32>,
-    /// First tick of the last stretch in which degrees and distances hold to the end.
-    pub safe_from: Option<u32>,
-    /// First round after which the spread of normal values is below 1.
-    pub rounds_to_agree: Option<u32>,
-    /// Spread of normal values at the end.
-    pub spread: f64,
 }
 
 impl<const D: usize> Monitors<D> {
@@ -101,25 +68,12 @@ impl<const D: usize> Monitors<D> {
             few_lie: rule.ranks().is_some() || scenario.malicious.len() <= usize::from(scenario.team.faults),
             truth: Truth::default(),
             carry: Carry::new(scenario, params, &rule),
-            agreement: Agreement::new(&rule),
+            values: Values::new(&rule),
             verdicts: Verdicts::default(),
             heard: Heard::new(scenario, &rule),
             rule,
-            interval: None,
-            void_rounds: 0,
             collisions: Vec::new(),
-            extremes: Extremes {
-                degree_min: None,
-                malicious_degree_min: None,
-                h_min: f64::INFINITY,
-                distance_min_m: f64::INFINITY,
-                phi_global_min: f64::INFINITY,
-                phi_min: f64::INFINITY,
-                inside_from: None,
-                safe_from: None,
-                rounds_to_agree: None,
-                spread: 0.0,
-            },
+            extremes: Extremes::new(),
         }
     }
 
@@ -268,42 +222,17 @@ impl<const D: usize> Monitors<D> {
 
     /// Values are updated once a round, so they are looked at once a round.
     fn watch_values(&mut self, tick: u32, frame: &Frame<D>) {
-        let normal =
-            || frame.values.iter().zip(&self.malicious).filter(|(_, liar)| !**liar).map(|(value, _)| *value);
-        let (low, high) =
-            (normal().fold(f64::INFINITY, f64::min), normal().fold(f64::NEG_INFINITY, f64::max));
         let met = self.heard.end_round(tick, frame, &self.malicious);
-        let [least, most] = self.interval.get_or_insert([low, high]);
-        self.void_rounds = if met.is_void { VOID_ROUNDS } else { self.void_rounds.saturating_sub(1) };
-        if self.void_rounds > 0 {
-            // From now on values stay between these. A robot that forgets all returns with the value of its start, and one
-            // whose clock differs takes up what it heard a round or two later.
-            (*least, *most) = (low.min(*least), high.max(*most));
-        }
-        let [least, most] = [*least, *most];
-        for index in 0..frame.values.len() {
-            let value = frame.values[index];
-            if !self.malicious[index] && !(least..=most).contains(&value) {
-                let robots = [u16::try_from(index + 1).unwrap_or(u16::MAX), 0];
-                let demanded = if value < least { least } else { most };
-                self.broke(Law::Interval, Violation { tick, robots, seen: value, demanded });
-            }
-        }
-        let (spread, magnitude) = ((high - low).max(0.0), least.abs().max(most.abs()));
-        if let Some(demanded) = self.agreement.end_round(spread, magnitude, met)
-            && spread > demanded
-        {
-            self.broke(Law::Agreement, Violation { tick, robots: [0, 0], seen: spread, demanded });
-        }
+        let (few_lie, consensus) = (self.few_lie, self.params.settings().consensus);
+        let verdicts = &mut self.verdicts;
+        let spread = self.values.end_round(tick, &frame.values, &self.malicious, met, |law, violation| {
+            verdicts.broke(law, violation, few_lie && law.is_kept_by(consensus));
+        });
         if spread < 1.0 && self.extremes.rounds_to_agree.is_none() {
             self.extremes.rounds_to_agree = Some(tick / self.ticks_per_round);
         }
         self.extremes.spread = spread;
     }
-}
-
-fn lower(least: &mut Option<u16>, degree: u16) {
-    *least = Some(least.map_or(degree, |least| least.min(degree)));
 }
 
 /// The first component outside its bounds, and the bound.

@@ -3,7 +3,6 @@
 use closeranks_core::consensus::Rule;
 use closeranks_core::controller::assume::Assume;
 use closeranks_core::equations::composition::PhiSplit;
-use closeranks_core::need::Listen;
 use closeranks_core::settings::field::TABLE;
 use closeranks_core::settings::range::{Allowed, MAGNITUDE_MAX, ROBOTS_MAX};
 use toml::de::{DeTable, DeValue};
@@ -17,7 +16,7 @@ use crate::law::Law;
 use crate::plant::Plant;
 use crate::scenario::desired::Desired;
 use crate::scenario::liars::Local;
-use crate::scenario::ranks::{How, Ranking};
+use crate::scenario::ranks::Ranking;
 use crate::scenario::route::{KINDS, Route, Whose};
 use crate::scenario::start::Start;
 use crate::scenario::{Controller, Scenario, Values};
@@ -46,7 +45,9 @@ pub(super) fn read(reader: &mut Reader, table: &DeTable<'_>) -> Scenario {
     }
     let team = root.table("team");
     let drawn = team.filter(|team| team.has_table("malicious")).map(|mut team| {
-        reader.table(&mut team, "malicious", |reader, section| local(reader, section, &scenario))
+        reader.table(&mut team, "malicious", |reader, section| {
+            Local::read(reader, section, scenario.team.robots, scenario.link.radius_m)
+        })
     });
     if let Some(local) = drawn {
         draw_liars(reader, &local, &mut scenario);
@@ -95,13 +96,7 @@ fn team(reader: &mut Reader, section: &mut Section<'_>, scenario: &mut Scenario)
         set(&mut scenario.malicious, reader.list(section, "malicious", &allowed, robot));
         scenario.malicious.sort_unstable();
     }
-    scenario.ranks = ranks(reader, section, scenario.team.robots);
-}
-
-/// How liars are drawn, `{ local = .., within_m = .. }`; by default those within R count as neighbours.
-fn local(reader: &mut Reader, section: &mut Section<'_>, scenario: &Scenario) -> Local {
-    let most = reader.whole(section, "local", 0..u64::from(scenario.team.robots) + 1).map_or(0, small);
-    Local { most, within_m: reader.number_or(section, "within_m", POSITIVE, scenario.link.radius_m) }
+    scenario.ranks = Ranking::read(reader, section, scenario.team.robots);
 }
 
 /// Draws liars once it is known where robots start. A start that does not exist is refused later.
@@ -115,31 +110,6 @@ fn draw_liars(reader: &Reader, local: &Local, scenario: &mut Scenario) {
         _ => scenario.positions::<2>().map(|positions_m| local.draw(&positions_m, faults, seed)),
     };
     set(&mut scenario.malicious, liars.ok());
-}
-
-/// A list of ranks, or a table that says how they are chosen from the start.
-fn ranks(reader: &mut Reader, section: &mut Section<'_>, robots: u16) -> Option<Ranking> {
-    let listed = |reader: &mut Reader, section: &mut Section<'_>, key| {
-        let rank = move |value: &DeValue<'_>| whole(value).map(small).filter(|rank| *rank < robots);
-        reader.list(section, key, &format!("a rank, 0 to {}", robots - 1), rank).map(How::Listed)
-    };
-    if !section.has_table("ranks") {
-        let how = listed(reader, section, "ranks")?;
-        return Some(Ranking { how, listen: Listen::All });
-    }
-    reader.table(section, "ranks", |reader, section| {
-        let listen = [("all", Listen::All), ("counted", Listen::Counted)];
-        let listen = reader.word(section, "listen", &listen).unwrap_or_default();
-        if section.has("list") {
-            return listed(reader, section, "list").map(|how| Ranking { how, listen });
-        }
-        let core = small(reader.whole(section, "core", 1..u64::from(robots) + 1)?);
-        let kinds = [("own", How::Own { core }), ("layers", How::Layers { core })];
-        let places: Vec<(&str, usize)> = kinds.iter().enumerate().map(|(k, (name, _))| (*name, k)).collect();
-        let kind = reader.word(section, "kind", &places).unwrap_or(0);
-        let [(_, own), (_, layers)] = kinds;
-        Some(Ranking { how: if kind == 0 { own } else { layers }, listen })
-    })
 }
 
 /// Reads every number of the settings that stands in `table`.

@@ -3,6 +3,8 @@
 use closeranks_core::num::Vector;
 
 use crate::geometry::near::Near;
+use crate::parse::common::{POSITIVE, small};
+use crate::parse::reader::{Reader, Section};
 use crate::random::{Random, Stream};
 
 /// Liars that are drawn.
@@ -15,6 +17,13 @@ pub struct Local {
 }
 
 impl Local {
+    /// Reads the table `malicious` of a team of so many robots, whose links reach `radius_m`: by default those within it count
+    /// as neighbours.
+    pub(crate) fn read(reader: &mut Reader, section: &mut Section<'_>, robots: u16, radius_m: f64) -> Self {
+        let most = reader.whole(section, "local", 0..u64::from(robots) + 1).map_or(0, small);
+        Self { most, within_m: reader.number_or(section, "within_m", POSITIVE, radius_m) }
+    }
+
     /// Robots by number, in order, such that at the start no robot has more than `faults` of them within the distance, itself
     /// counted: drawn one after another as long as that holds.
     pub(crate) fn draw<const D: usize>(&self, positions_m: &[Vector<D>], faults: u16, seed: u64) -> Vec<u16> {

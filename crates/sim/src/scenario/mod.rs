@@ -1,33 +1,27 @@
 //! What to run, as plain data that was checked.
 
+mod derived;
 pub mod desired;
 pub mod liars;
 pub mod ranks;
 pub mod route;
 mod scatter;
+
 pub mod start;
 
 pub use closeranks_core::consensus::Rule;
-use closeranks_core::equations::composition::Composed;
-use closeranks_core::equations::link::{Link, LinkShape};
-use closeranks_core::need::{Keep, Need, Ranks};
-use closeranks_core::num::{Vector, sqrt};
-use closeranks_core::program::InputBox;
-use closeranks_core::robot::neighbor::{Member, RobotId};
-use closeranks_core::settings::field::Parts;
-use closeranks_core::settings::params::{Params, ParamsError, Settings};
+use closeranks_core::num::Vector;
 use closeranks_core::settings::{
     self, BudgetSettings, Clock, ComposedSettings, Errors, LinkSettings, LinksSettings, Team,
 };
 
 use crate::attack::Attack;
 pub use crate::controllers::Controller;
-use crate::controllers::Parameters;
 use crate::faults::Faults;
 use crate::law::Law;
 use crate::plant::Plant;
 use crate::scenario::desired::Desired;
-use crate::scenario::ranks::{Keeps, Ranking, RanksError};
+use crate::scenario::ranks::Ranking;
 use crate::scenario::start::{Start, StartError};
 
 /// One run, complete. [`crate::parse::scenario`] makes it from TOML and checks every field.
@@ -207,110 +201,4 @@ impl Scenario {
     pub fn malicious_mask(&self) -> Vec<bool> {
         (1..=self.team.robots).map(|robot| self.malicious.contains(&robot)).collect()
     }
-
-    /// The ranks, if the controller has any use for them: others count everybody.
-    #[must_use]
-    pub fn ranking(&self) -> Option<&Ranking> {
-        self.ranks.as_ref().filter(|_| self.controller.row().ranks)
-    }
-
-    /// The rank of each robot, listed or chosen from the start; `None` without ranks.
-    pub fn ranks<const D: usize>(&self) -> Result<Option<Vec<u16>>, RanksError> {
-        let Some(ranking) = self.ranking() else { return Ok(None) };
-        let Ok(params) = self.params::<D>() else { return Ok(None) };
-        let need = |rank| usize::from(params.need().need(Member { id: RobotId(0), rank }));
-        // Who moves as it likes may leave: so many more must be there.
-        let spare = if params.controller().is_obeyed() { 0 } else { usize::from(self.team.faults) };
-        let keep = |rank| need(rank) + spare;
-        let (core, above) = (keep(0), keep(1));
-        let Ok(positions_m) = self.positions::<D>() else { return Ok(None) };
-        ranking.choose(&positions_m, counted_within_m(&params), Keeps { core, above }).map(Some)
-    }
-
-    /// The robot's own parameters; an error names the field.
-    pub fn params<const D: usize>(&self) -> Result<Params<D>, ParamsError> {
-        let corner = |numbers: &[f64]| core::array::from_fn(|d| numbers.get(d).copied().unwrap_or(f64::NAN));
-        let Limits { distance_min_m, input_min_m_s, input_max_m_s } = &self.limits;
-        let input = InputBox { min_m_s: corner(input_min_m_s), max_m_s: corner(input_max_m_s) };
-        Params::new(Settings {
-            team: self.team,
-            link: self.link,
-            limits: settings::Limits { distance_min_m: *distance_min_m, input },
-            controller: self.controller.settings(&self.parameters()),
-            clock: self.clock,
-            errors: self.errors,
-            ranks: self.ranking().map(|ranks| Ranks { core: ranks.core(), listen: ranks.listen }),
-            consensus: self.consensus,
-        })
-    }
-
-    /// The shape that the controller gives to links. Levels and h of a run are about it; φ is about that of `link`.
-    pub fn link_shape(&self) -> Result<LinkShape, ParamsError> {
-        match self.dimension {
-            3 => self.params::<3>().map(|params| *params.link()),
-            _ => self.params::<2>().map(|params| *params.link()),
-        }
-    }
-
-    /// Parameters of all controllers.
-    pub(crate) fn parameters(&self) -> Parameters {
-        Parameters { composed: self.composed, budget: self.budget, links: self.links }
-    }
-
-    /// Every number of the settings, for the table of [`settings::field`], whatever the controller.
-    pub(crate) fn parts(&mut self) -> Parts<'_> {
-        let move_max_m = self.move_max_m();
-        let ranks = self.ranking().map(|ranks| Ranks { core: ranks.core(), listen: ranks.listen });
-        Parts {
-            team: &mut self.team,
-            ranks,
-            link: &mut self.link,
-            distance_min_m: &mut self.limits.distance_min_m,
-            composed: Some(&mut self.composed),
-            budget: Some(&mut self.budget),
-            links: Some(&mut self.links),
-            clock: &mut self.clock,
-            errors: &mut self.errors,
-            distance_limit_m: f64::INFINITY,
-            move_max_m,
-        }
-    }
-
-    /// ρ, the longest move of a robot in a tick, m.
-    fn move_max_m(&self) -> f64 {
-        let Limits { input_min_m_s, input_max_m_s, .. } = &self.limits;
-        let corner = input_min_m_s.iter().zip(input_max_m_s).map(|(low, high)| low.abs().max(high.abs()));
-        self.clock.hold_max().as_secs_f64() * sqrt(corner.fold(0.0, |sum, speed| sum + speed * speed))
-    }
-
-    /// The paper's composition, for whoever wants to know φ and φ_i, whatever the controller.
-    #[must_use]
-    pub fn composition(&self) -> Composed {
-        let ComposedSettings { phi_split, w_r, w_c, alpha } = self.composed;
-        let (robots, distance_min_m) = (self.team.robots, self.limits.distance_min_m);
-        let required = Need::new(robots, self.team.faults, Keep::Neighbors).need(RobotId(1));
-        Composed { split: phi_split, w_r, w_c, alpha, robots, required, distance_min_m }
-    }
 }
-
-/// Up to this distance, m, a neighbour counts in full: R, or where weights are added up, as far as they are at least 1.
-fn counted_within_m<const D: usize>(params: &Params<D>) -> f64 {
-    let shape = params.link();
-    if params.controller().tells_lists() {
-        return shape.radius_m;
-    }
-    let (mut within_m, mut beyond_m) = (0.0, shape.radius_m);
-    for _ in 0..HALVINGS {
-        let middle_m = 0.5 * (within_m + beyond_m);
-        let link: Option<Link<f64>> = shape.link_at(middle_m * middle_m);
-        if link.is_some_and(|link| link.weight >= 1.0) {
-            within_m = middle_m;
-        } else {
-            beyond_m = middle_m;
-        }
-    }
-    within_m
-}
-
-/// So often an interval of lengths is halved: after that it is as short as rounding.
-const HALVINGS: u32 = 50;

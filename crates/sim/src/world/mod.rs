@@ -2,13 +2,14 @@
 
 pub mod any;
 pub mod given;
+mod outcome;
+mod script;
 
 use std::sync::Arc;
 
 use closeranks_core::num::Vector;
 use closeranks_core::program::Outcome;
-use closeranks_core::robot::error::RobotError;
-use closeranks_core::settings::params::{Params, ParamsError};
+use closeranks_core::settings::params::Params;
 
 use crate::attack::liars::Liars;
 use crate::controllers::{Answer, Global, TeamView, Velocities};
@@ -24,75 +25,13 @@ use crate::monitors::robustness::{Round, Watcher};
 use crate::output::digest::Digest;
 use crate::output::record::Record;
 use crate::output::snapshot::Snapshot;
-use crate::output::summary::{Collector, Summary};
+use crate::output::summary::Collector;
 use crate::plant::Bodies;
-use crate::random::{Random, Stream};
-use crate::scenario::desired::Desired;
-use crate::scenario::ranks::RanksError;
-use crate::scenario::start::StartError;
-use crate::scenario::{Scenario, Values};
+use crate::scenario::Scenario;
 use crate::world::any::AnyWorld;
 use crate::world::given::{Given, GivenError};
-
-/// What a run is to produce besides its summary.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-#[expect(clippy::struct_excessive_bools, reason = "each is asked for on its own")]
-pub struct Options {
-    /// Keep every tick.
-    pub record: bool,
-    /// Know the digest of the run.
-    pub digest: bool,
-    /// Search the network of every consensus round for its exact robustness.
-    pub robustness: bool,
-    /// Leave φ and φ_i out where the controller does not use them: their extremes are then infinite, and their laws are not
-    /// looked at.
-    pub without_phi: bool,
-    /// How robots are computed.
-    pub engine: Engine,
-}
-
-/// A finished run.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Run {
-    /// Every tick, if it was asked for.
-    pub record: Option<Record>,
-    /// The digest of every tick, if it was asked for.
-    pub digest: Option<u64>,
-    /// Exact robustness of every consensus round, if it was asked for and the team is small enough; of a run with more than
-    /// [`ROUNDS_MAX`](crate::monitors::robustness::ROUNDS_MAX) rounds, those that
-    /// [`thin`](crate::monitors::robustness::thin) keeps.
-    pub rounds: Vec<Round>,
-    /// The table's row.
-    pub summary: Summary,
-}
-
-/// Why a scenario could not be run.
-#[derive(Clone, Debug, PartialEq, thiserror::Error)]
-pub enum RunError {
-    /// A parameter is outside its range.
-    #[error(transparent)]
-    Params(#[from] ParamsError),
-    /// There is no start.
-    #[error(transparent)]
-    Start(#[from] StartError),
-    /// There are no ranks.
-    #[error(transparent)]
-    Ranks(#[from] RanksError),
-    /// A robot could not be made.
-    #[error(transparent)]
-    Robot(#[from] RobotError),
-    /// Neither 2 nor 3.
-    #[error("dimension is {0}, allowed is 2 or 3")]
-    Dimension(usize),
-    /// Initial values and robots differ in number.
-    #[error("{found} initial values for {robots} robots")]
-    Values {
-        /// How many.
-        found: usize,
-        /// n.
-        robots: u16,
-    },
-}
+pub use crate::world::outcome::{Options, Run, RunError};
+pub use crate::world::script::{initial_values, want};
 
 /// Runs `scenario` from the first tick to the last. `progress` is called before each tick with its number.
 pub fn run(scenario: &Scenario, options: Options, progress: &mut dyn FnMut(u32)) -> Result<Run, RunError> {
@@ -102,18 +41,6 @@ pub fn run(scenario: &Scenario, options: Options, progress: &mut dyn FnMut(u32))
         world.step();
     }
     Ok(world.finish())
-}
-
-/// y_i(t₀).
-pub fn initial_values(scenario: &Scenario) -> Result<Vec<f64>, RunError> {
-    match &scenario.values {
-        Values::Listed(values) if values.len() == usize::from(scenario.team.robots) => Ok(values.clone()),
-        Values::Listed(values) => Err(RunError::Values { found: values.len(), robots: scenario.team.robots }),
-        Values::Random { min, max } => {
-            let mut random = Random::new(scenario.seed, Stream::Values);
-            Ok((0..scenario.team.robots).map(|_| random.uniform(*min, *max)).collect())
-        }
-    }
 }
 
 /// A team in its world.
@@ -357,20 +284,5 @@ impl<const D: usize> World<D> {
         let summary = self.collector.finish(&self.scenario, &self.frame, &self.monitors);
         let rounds = self.watcher.map(Watcher::finish).unwrap_or_default();
         Run { record: self.record, digest: self.digest.map(Digest::value), rounds, summary }
-    }
-}
-
-/// Fills the desired velocities of `tick`.
-pub fn want<const D: usize>(scenario: &Scenario, tick: u32, frame: &mut Frame<D>) {
-    let time_s = f64::from(tick) * scenario.tick_s();
-    for (index, (desired, position)) in frame.desired_m_s.iter_mut().zip(&frame.positions_m).enumerate() {
-        let number = u16::try_from(index + 1).unwrap_or(u16::MAX);
-        *desired = match &scenario.desired {
-            Desired::Wander => Desired::wandering(scenario.seed, number, time_s),
-            Desired::Listed(route) => {
-                route.velocity(index, time_s, scenario.tick_s(), position).unwrap_or([0.0; D])
-            }
-            motion => motion.desired(number, scenario.team.robots, position),
-        };
     }
 }

@@ -1,7 +1,7 @@
 // Act 4: the sandbox. Everything that the page knows, for one team, to share as a link or as a scenario file.
 
 import { pack } from "../model/link";
-import { change, lieOf, LIES, replace, withRobots } from "../model/scenario";
+import { change, lieOf, LIES, replace, withRanks, withRobots } from "../model/scenario";
 import type { Simulator } from "../model/simulator";
 import { Stage } from "../model/stage";
 import { part, write, type Table, type Value } from "../model/toml";
@@ -24,6 +24,7 @@ const MOTIONS: [string, string][] = [
   ["hold", "stay"],
   ["paper", "pull four ways"],
   ["gather", "all to the middle"],
+  ["outward", "go outwards"],
   ["wander", "wander"],
   ["goals", "where they were dragged"],
 ];
@@ -35,6 +36,17 @@ const STARTS: [string, string][] = [
   ["random", "by chance"],
   ["listed", "as it was now, at the last touch"],
 ];
+
+const RANKS: [string, string][] = [
+  ["all", "everybody for everybody, as in the paper"],
+  ["ranks", "ranks (under links): those nearer to the start's middle"],
+];
+
+/** The team with another F. Ranks, if it has them, go by it. */
+function prepared(table: Table, faults: number): Table {
+  const changed = change(table, "team", { faults });
+  return part(table, "team")["ranks"] === undefined ? changed : withRanks(changed, true);
+}
 
 /** The number of a field, or what stands for it. */
 function number(value: Value | undefined, otherwise: number): number {
@@ -72,7 +84,10 @@ export function mount(section: HTMLElement, simulator: Simulator): [Stage, Board
 function choices(stage: Stage, simulator: Simulator): HTMLElement[] {
   const of = (table: Table, name: string, field: string, otherwise: number) => number(part(table, name)[field], otherwise);
   const set = (name: string, field: string) => (value: number) => void stage.touch((table) => change(table, name, { [field]: value }));
-  const controller = menu("Filter", simulator.controllers.map((one) => [one.name, `${one.name}: ${one.about}`]), "budget", (kind) => stage.touch((table) => change(table, "controller", { kind })));
+  const controller = menu("Filter", simulator.controllers.map((one) => [one.name, `${one.name}: ${one.about}`]), "budget", (kind) => {
+    const ranks = simulator.controllers.find((one) => one.name === kind)?.ranks === true;
+    stage.touch((table) => change(ranks ? table : withRanks(table, false), "controller", { kind }));
+  });
   const lie = menu("Liars tell", LIES.map((one) => [one.id, `${one.name}: ${one.about}`]), "value", (id) => {
     const attack = LIES.find((one) => one.id === id)?.attack ?? {};
     stage.touch((table) => replace(table, "attack", attack));
@@ -85,7 +100,9 @@ function choices(stage: Stage, simulator: Simulator): HTMLElement[] {
     else stage.touch(({ values: _values, ...table }) => replace(table, "start", { kind }), true);
   });
   const robots = slider("Robots", { min: 5, max: 50, step: 1, value: 11 }, String, (count) => stage.touch((table) => withRobots(table, count), true));
-  const faults = slider("Prepared for F liars", { min: 0, max: 5, step: 1, value: 2 }, String, set("team", "faults"));
+  const faults = slider("Prepared for F liars", { min: 0, max: 5, step: 1, value: 2 }, String, (count) => stage.touch((table) => prepared(table, count)));
+  const rule = menu("Robots agree by", simulator.rules.map((one) => [one.name, `${one.name}: ${one.condition}`]), "w-msr", (name) => stage.touch((table) => change(table, "consensus", { rule: name })));
+  const ranks = menu("Who counts", RANKS, "all", (kind) => stage.touch((table) => withRanks(table, kind === "ranks")));
   const loss = slider("Messages lost", { min: 0, max: 0.95, step: 0.05, value: 0 }, (share) => `${Math.round(100 * share)} %`, set("network", "loss"));
   const delay = slider("Messages late by up to", { min: 0, max: 0.3, step: 0.02, value: 0 }, (time) => `${time.toFixed(2)} s`, set("network", "delay_max_s"));
   const gain = slider("Gain α of composed", { min: 0.05, max: 2, step: 0.05, value: 0.1 }, (alpha) => `${alpha.toFixed(2)} /s`, set("controller", "alpha"));
@@ -97,6 +114,9 @@ function choices(stage: Stage, simulator: Simulator): HTMLElement[] {
     lie.select.value = lieOf(table)?.id ?? "";
     motion.select.value = String(part(table, "motion")["kind"] ?? "paper");
     start.select.value = String(part(table, "start")["kind"] ?? (moment.robots === 11 ? "inside" : "hexagon"));
+    rule.select.value = String(part(table, "consensus")["rule"] ?? "w-msr");
+    ranks.select.value = moment.facts.ranks ? "ranks" : "all";
+    ranks.select.disabled = !moment.facts.controller.ranks;
     robots.show(moment.robots);
     faults.input.max = String(Math.min(10, Math.floor((moment.robots - 1) / 2)));
     faults.show(moment.facts.faults);
@@ -105,7 +125,7 @@ function choices(stage: Stage, simulator: Simulator): HTMLElement[] {
     gain.show(of(table, "controller", "alpha", 0.1));
     speed.show(times);
   });
-  const more = h("details", { class: "more" }, h("summary", {}, "More: team, network, gain, speed"), robots.element, faults.element, loss.element, delay.element, gain.element, speed.element);
+  const more = h("details", { class: "more" }, h("summary", {}, "More: team, ranks, agreement, network, gain, speed"), robots.element, faults.element, ranks.element, rule.element, loss.element, delay.element, gain.element, speed.element);
   return [controller.element, lie.element, motion.element, start.element, fresh, more];
 }
 

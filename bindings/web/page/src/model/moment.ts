@@ -37,8 +37,25 @@ export class Moment {
     return this.of(robot, 1);
   }
 
+  /** Neighbours that count for a robot: all without ranks, those of lower rank with them. */
   degree(robot: number): number {
     return this.of(robot, 4);
+  }
+
+  /** How many of them it needs. */
+  required(robot: number): number {
+    return this.facts.needs?.[robot - 1] ?? this.facts.required;
+  }
+
+  /** Its rank; null without ranks. */
+  rank(robot: number): number | null {
+    return this.facts.ranks?.[robot - 1] ?? null;
+  }
+
+  /** Most liars that are in range of one robot that does not lie. */
+  liarsAroundOne(): number {
+    const around = (robot: number) => [...this.liars].filter((liar) => this.distance(robot, liar) <= this.facts.radius_m).length;
+    return Math.max(0, ...this.normal().map(around));
   }
 
   h(robot: number): number {

@@ -29,7 +29,22 @@ export function present(moment: Moment): Table {
     "values",
     { kind: "listed", values: robots.map(value) },
   );
-  return later(started, moment.tick * moment.facts.tick_s);
+  return later(ranked(started, moment.facts), moment.tick * moment.facts.tick_s);
+}
+
+/** The scenario with the ranks that its start gave, so that they stay those of the robots wherever they are now. */
+function ranked(table: Table, { ranks }: Facts): Table {
+  const told = part(table, "team")["ranks"];
+  // A list has no words beside it.
+  const more = isTable(told) && told["listen"] !== undefined;
+  return ranks && !more ? change(table, "team", { ranks }) : table;
+}
+
+/** The scenario with ranks, a core of 3F + 1 chosen from the start, or without. */
+export function withRanks(table: Table, on: boolean): Table {
+  const { ranks: _ranks, ...team } = part(table, "team");
+  const core = Math.min(3 * Number(team["faults"] ?? 2) + 1, Number(team["robots"] ?? 11));
+  return replace(table, "team", on ? { ...team, ranks: { core } } : team);
 }
 
 /** The scenario in which robots that are listed with times are as far on their way as after `elapsed_s`. */
@@ -97,7 +112,8 @@ export function withRobots(table: Table, robots: number): Table {
   const goals = part(table, "motion")["goals"];
   const left = Array.isArray(goals) ? (goals as number[][]).filter(([robot = 1]) => robot <= robots) : [];
   const moved = goals === undefined ? rest : left.length > 0 ? change(rest, "motion", { goals: left }) : replace(rest, "motion", { kind: "hold" });
-  const changed = change(moved, "team", { robots, faults, malicious });
+  const named = change(moved, "team", { robots, faults, malicious });
+  const changed = team["ranks"] === undefined ? named : withRanks(named, true);
   return replace(changed, "start", { kind: "hexagon", spacing_m: 0.6 });
 }
 

@@ -13,7 +13,17 @@ export interface Controller {
   local: boolean;
   guarantees: boolean;
   keeps_degrees: boolean;
+  /** Whether a team of it may have ranks. */
+  ranks: boolean;
   promises: string[];
+}
+
+/** A rule of consensus, and the graphs on which it agrees. */
+export interface Rule {
+  name: string;
+  condition: string;
+  /** Whether what is promised of agreement is about it. */
+  proved: boolean;
 }
 
 /** What does not change while a scenario is run. */
@@ -21,13 +31,18 @@ export interface Facts {
   name: string;
   robots: number;
   faults: number;
+  /** Neighbours that every robot needs, without ranks. */
   required: number;
+  /** The rank of each robot, and how many neighbours that count for it it needs; null without ranks. */
+  ranks: number[] | null;
+  needs: number[] | null;
   malicious: number[];
   radius_m: number;
   distance_min_m: number;
   tick_s: number;
   ticks: number;
   ticks_per_round: number;
+  rule: Rule;
   controller: Controller;
   obedient: boolean;
   one_voice: boolean;
@@ -87,11 +102,13 @@ interface Exports {
 export class Simulator {
   readonly version: string;
   readonly controllers: Controller[];
+  readonly rules: Rule[];
 
   private constructor(private readonly module: Exports) {
-    const about = this.answer<{ version: string; controllers: Controller[] }>(module.about());
+    const about = this.answer<{ version: string; controllers: Controller[]; rules: Rule[] }>(module.about());
     this.version = about.version;
     this.controllers = about.controllers;
+    this.rules = about.rules;
   }
 
   static async of(bytes: BufferSource): Promise<Simulator> {

@@ -21,18 +21,16 @@ export function agreement(moment: Moment): string {
 
 /** The banner of a team that must keep its neighbours. */
 export function safety(moment: Moment, report: Report | null, network: Network | null): Said {
-  const { required, faults, controller, distance_min_m } = moment.facts;
-  const short = moment.normal().filter((robot) => moment.degree(robot) < required);
-  const edge = moment.normal().filter((robot) => moment.degree(robot) === required);
+  const { faults, controller, distance_min_m } = moment.facts;
+  const short = moment.normal().filter((robot) => moment.degree(robot) < moment.required(robot));
+  const edge = moment.normal().filter((robot) => moment.degree(robot) === moment.required(robot));
   const close = closest(moment);
   const why: string[] = [];
-  const tooMany = moment.liars.size > faults;
-  if (tooMany) {
-    why.push(`${moment.liars.size} robots lie, and the team is prepared for ${faults}: nothing is promised.`);
-  }
+  const tooMany = liarsThatCount(moment) > faults;
+  if (tooMany) why.push(unprepared(moment));
   const collides = close.distance_m < distance_min_m - 1e-9;
   const collision = `${named(close.robots)} are ${close.distance_m.toFixed(3)} m apart, and ${distance_min_m} m is the least that is safe`;
-  why.push(survival(network, faults));
+  why.push(agreeing(moment, network, short.length === 0));
   const broken = report?.laws.filter((law) => law.promised && law.broken > 0 && law.name !== "distance" && law.name !== "degree") ?? [];
   for (const law of broken.slice(0, 2)) {
     why.push(`Since the last touch this was broken: ${law.demand}${where(law.first, moment)}.`);
@@ -41,18 +39,50 @@ export function safety(moment: Moment, report: Report | null, network: Network |
   if (short.length === 0 && collides) return { main: main(collision), why, tone: "bad" };
   if (short.length > 0) {
     if (collides) why.unshift(`${capital(collision)}.`);
-    const worst = Math.min(...short.map((robot) => moment.degree(robot)));
-    const robots = short.filter((robot) => moment.degree(robot) === worst);
-    const has = robots.length === 1 ? "has" : "have";
-    return { main: main(`${named(robots)} ${has} only ${worst} neighbours and ${robots.length === 1 ? "needs" : "need"} ${required}`), why, tone: "bad" };
+    return { main: main(shortage(moment, short)), why, tone: "bad" };
   }
   if (edge.length > 0) {
     const is = edge.length === 1 ? "is" : "are";
     const rest = controller.keeps_degrees ? "nobody near may leave" : "nothing keeps them there";
-    return { main: main(`${named(edge)} ${is} down to ${required} neighbours: ${rest}`), why, tone: tooMany ? "bad" : "warn" };
+    return { main: main(`${named(edge)} ${is} down to ${moment.facts.ranks ? "as few neighbours as ranks allow" : `${moment.facts.required} neighbours`}: ${rest}`), why, tone: tooMany ? "bad" : "warn" };
   }
-  const good = `everybody honest has the ${required} neighbours that F = ${faults} asks for, or more`;
+  const good = `everybody honest has the ${moment.facts.ranks ? "neighbours of lower rank" : `${moment.facts.required} neighbours`} that F = ${faults} asks for, or more`;
   return { main: main(good), why, tone: tooMany ? "bad" : "good" };
+}
+
+/** How many liars there are of those that the team must be prepared for: all of them, or under ranks those around one robot. */
+function liarsThatCount(moment: Moment): number {
+  return moment.facts.ranks ? moment.liarsAroundOne() : moment.liars.size;
+}
+
+function unprepared(moment: Moment): string {
+  const liars = liarsThatCount(moment);
+  const where = moment.facts.ranks ? " in range of one robot" : "";
+  return `${liars} robots${where} lie, and the team is prepared for ${moment.facts.faults}: nothing is promised.`;
+}
+
+/** Who lacks most neighbours, and how many it has. */
+function shortage(moment: Moment, short: number[]): string {
+  const lack = (robot: number) => moment.required(robot) - moment.degree(robot);
+  const most = Math.max(...short.map(lack));
+  const [first = 1, ...others] = short.filter((robot) => lack(robot) === most);
+  const alike = [first, ...others.filter((robot) => moment.required(robot) === moment.required(first))];
+  const [has, needs] = alike.length === 1 ? ["has", "needs"] : ["have", "need"];
+  const counting = moment.facts.ranks ? "neighbours that count for it" : "neighbours";
+  const words = alike.length === 1 ? counting : counting.replace("it", "them");
+  return `${named(alike)} ${has} only ${moment.degree(first)} ${words} and ${needs} ${moment.required(first)}`;
+}
+
+/** What the network is worth for agreement. */
+function agreeing(moment: Moment, network: Network | null, enough: boolean): string {
+  const { rule, ranks, faults } = moment.facts;
+  if (!rule.proved) return `Robots agree by ${rule.name}, which needs ${rule.condition}: what is promised here is about W-MSR alone.`;
+  return ranks ? survivalByRanks(moment, enough) : survival(network, faults);
+}
+
+function survivalByRanks(moment: Moment, enough: boolean): string {
+  if (!enough) return "";
+  return `Proved by ranks: this network survives any ${count(moment.facts.faults)} around each robot, however many there are in all.`;
 }
 
 function survival(network: Network | null, faults: number): string {

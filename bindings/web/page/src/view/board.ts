@@ -40,6 +40,8 @@ export class Board<Seen extends Scene = Scene> {
   private readonly clock = h("output", { class: "clock" });
   private frame: Frame | null = null;
   private slow = 0;
+  /** Which of words and charts was renewed last. */
+  private turn = 0;
   private spoke = 0;
   private spoken = "";
   private stale = true;
@@ -105,12 +107,29 @@ export class Board<Seen extends Scene = Scene> {
     draw(context, this.frame, moment, state, look);
     this.hands.place(this.frame, now_ms);
     say(this.play, state.playing ? "Pause" : "Play");
-    if (now_ms - this.slow > SLOW_MS || !state.playing) this.words(now_ms);
-    else this.stale = true;
+    this.renew(now_ms, state.playing);
+  }
+
+  /** Renews words and charts: one of them in a frame while time goes on, so that no frame is late; all of them where it stands still. */
+  private renew(now_ms: number, playing: boolean): void {
+    const parts = [() => this.words(now_ms), ...this.charts.map((chart) => () => this.show(chart))];
+    if (!playing) {
+      for (const part of parts) part();
+      return;
+    }
+    this.stale = true;
+    if (now_ms - this.slow < SLOW_MS / parts.length) return;
+    this.slow = now_ms;
+    this.turn = (this.turn + 1) % parts.length;
+    parts[this.turn]?.();
+  }
+
+  private show(chart: Chart): void {
+    const { moments, cursor } = this.stage.store.state;
+    chart.show(moments, cursor);
   }
 
   private words(now_ms: number): void {
-    this.slow = now_ms;
     const { stage } = this;
     const { moments, cursor, refused } = stage.store.state;
     stage.look();
@@ -128,7 +147,6 @@ export class Board<Seen extends Scene = Scene> {
       this.spoken = spoken;
       say(this.aloud, said.main);
     }
-    for (const chart of this.charts) chart.show(moments, cursor);
     this.time.max = String(moments.length - 1);
     this.time.value = String(cursor);
     const time = stage.moment.time_s.toFixed(stage.moment.facts.tick_s < 0.01 ? 2 : 1);

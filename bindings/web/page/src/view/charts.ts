@@ -5,8 +5,9 @@ import type { Moment } from "../model/moment";
 import { h } from "./dom";
 import { INK, LIAR, LINE, SHORT, SOFT, TEAM } from "./colours";
 
-/** Points of a line at most. */
+/** Points of a line at most, and of all lines together. */
 const POINTS_MAX = 400;
+const ALL_POINTS_MAX = 6000;
 
 export interface Drawn {
   title: string;
@@ -43,7 +44,7 @@ export class Chart {
   show(moments: Moment[], cursor: number): void {
     const last = moments[moments.length - 1];
     if (!last) return;
-    const every = Math.max(1, Math.ceil(moments.length / POINTS_MAX));
+    const every = Math.max(1, Math.ceil(moments.length / Math.min(POINTS_MAX, ALL_POINTS_MAX / last.robots)));
     const some = moments.filter((_, index) => index % every === 0 || index === moments.length - 1);
     this.interval = this.drawn.range(some);
     if (!this.plot || this.robots !== last.robots) this.make(last);

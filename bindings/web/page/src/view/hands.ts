@@ -14,6 +14,9 @@ const ARROW_M = 0.1;
 /** How far ahead of a robot an arrow key draws it while time goes on, m. */
 const DRAWN_M = 0.5;
 
+/** How often buttons follow their robots while time goes on, ms. */
+const PLACE_MS = 80;
+
 const ARROWS: Record<string, [number, number]> = {
   ArrowLeft: [-1, 0],
   ArrowRight: [1, 0],
@@ -34,6 +37,7 @@ export class Hands {
   private frame: Frame | null = null;
   private down: { robot: number; x: number; y: number; moved: boolean } | null = null;
   private labelled = 0;
+  private placed = 0;
 
   constructor(
     private readonly scene: Scene,
@@ -58,9 +62,13 @@ export class Hands {
     while (this.buttons.length > moment.robots) this.buttons.pop()?.remove();
     const labels = now_ms - this.labelled > 400;
     if (labels) this.labelled = now_ms;
+    // While time goes on buttons follow a little later: nobody sees them, and a layout in every frame costs.
+    const places = !store.state.playing || this.isHeld || now_ms - this.placed > PLACE_MS;
+    if (places) this.placed = now_ms;
     const size = Math.max(2 * robotSize(frame, moment) + 6, 24);
     this.buttons.forEach((button, index) => {
       const robot = index + 1;
+      if (!places && robot !== store.state.chosen) return;
       const [x, y] = toPixels(frame, moment.x(robot), moment.y(robot));
       button.style.transform = `translate(${(x - size / 2).toFixed(1)}px, ${(y - size / 2).toFixed(1)}px)`;
       button.style.width = button.style.height = `${size.toFixed(0)}px`;
@@ -73,7 +81,9 @@ export class Hands {
   private label(robot: number): string {
     const { moment } = this.scene;
     const kind = moment.isLiar(robot) ? "liar" : "honest";
-    return `Robot ${robot}, ${kind}, ${moment.degree(robot)} neighbours, value ${words(moment.value(robot))}`;
+    const rank = moment.rank(robot);
+    const neighbours = rank === null ? "neighbours" : `neighbours that count, rank ${rank}`;
+    return `Robot ${robot}, ${kind}, ${moment.degree(robot)} ${neighbours}, value ${words(moment.value(robot))}`;
   }
 
   private add(robot: number): void {

@@ -97,20 +97,21 @@ function links(context: CanvasRenderingContext2D, frame: Frame, moment: Moment, 
   const reach = moment.facts.radius_m;
   const crowded = moment.robots > 20;
   for (const mine of [false, true]) {
-    context.beginPath();
+    context.strokeStyle = mine ? INK : LINK;
+    context.globalAlpha = mine ? 0.55 : crowded ? 0.25 : 0.6;
+    context.lineWidth = mine ? 1.5 : 1;
     points.forEach(([x, y], one) => {
       for (let other = 0; other < one; other += 1) {
         if ((one + 1 === chosen || other + 1 === chosen) !== mine) continue;
         const to = points[other];
         if (!to || moment.distance(one + 1, other + 1) > reach) continue;
+        // One path of many lines that cross costs several times as much where a processor draws it.
+        context.beginPath();
         context.moveTo(x, y);
         context.lineTo(to[0], to[1]);
+        context.stroke();
       }
     });
-    context.strokeStyle = mine ? INK : LINK;
-    context.globalAlpha = mine ? 0.55 : crowded ? 0.25 : 0.6;
-    context.lineWidth = mine ? 1.5 : 1;
-    context.stroke();
   }
   context.globalAlpha = 1;
 }
@@ -149,7 +150,7 @@ function body(
   context.lineWidth = liar ? 4 : 2;
   context.strokeStyle = liar ? LIAR : "#ffffff";
   context.stroke();
-  const short = look.marksShort && !liar && moment.degree(robot) < moment.facts.required;
+  const short = look.marksShort && !liar && moment.degree(robot) < moment.required(robot);
   if (short) ring(context, x, y, size + 4);
   context.fillStyle = ink;
   context.font = `600 ${Math.round(0.85 * size)}px system-ui, sans-serif`;

@@ -14,7 +14,8 @@
 //! doubled, reordered or lied: both ends have their row (docs/theory/links.md, thm:held). So a robot that counts on enough
 //! neighbours, and releases none of them below that, keeps them for ever.
 //!
-//! R_h is a hair below R. A robot beyond R_h and in sight still has its row, so that rounding cannot drop it.
+//! R_h is a hair below R. A robot beyond R_h and in sight still has its row, so that rounding cannot drop it. Half a hair beyond R_h a
+//! link may begin to be counted on, for the same reason.
 //!
 //! | | file |
 //! | --- | --- |
@@ -89,6 +90,12 @@ impl Links {
         (radius_m - 2.0 * errors.away_m) * (1.0 - HAIR)
     }
 
+    /// Up to this distance a pair may begin to be counted, m: R_h and half a hair. Rounding takes a link that is held at R_h beyond it
+    /// by less, so that a team that begins anew where its links end keeps them. Its rows let no such link grow.
+    fn begun_m(&self) -> f64 {
+        self.radius_m * (1.0 + 0.5 * HAIR)
+    }
+
     /// What (near) keeps, m, where no two robots may come nearer than `distance_min_m`.
     #[must_use]
     pub fn held_distance_m(distance_min_m: f64) -> f64 {
@@ -114,7 +121,7 @@ impl Links {
         let recent = now.since(slot.sensed_at) <= self.told_max;
         let error_m = self.error_m(slot);
         let (distance_m, peer) = (length(&slot.offset_m), &mut slot.peer);
-        let certainly_within = distance_m + error_m <= self.radius_m;
+        let certainly_within = distance_m + error_m <= self.begun_m();
         let certainly_beyond = distance_m - error_m > self.radius_m * (1.0 + HAIR);
         let carried = peer.held && peer.unseen_ticks == 0 && !certainly_beyond;
         peer.held = peer.hold.counts() && recent && (carried || certainly_within);

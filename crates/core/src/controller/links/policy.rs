@@ -105,7 +105,7 @@ impl Links {
 
     /// True if the neighbour is in range and can be counted on, now or soon.
     fn may_be_counted<const D: usize>(&self, own: Member, slot: &Slot<D>, now: Instant) -> bool {
-        let in_range = slot.sensed && dot(&slot.offset_m, &slot.offset_m) <= self.radius_m * self.radius_m;
+        let in_range = slot.sensed && length(&slot.offset_m) <= self.begun_m();
         self.need.counts(own, slot.member()) && in_range && slot.peer.told_within(now, HEARD).is_some()
     }
 
@@ -143,7 +143,7 @@ impl Links {
             if impatient && deal.released {
                 deal.bar();
             }
-            let reach_m = if all { self.radius_m } else { NEAR * self.radius_m };
+            let reach_m = if all { self.begun_m() } else { NEAR * self.radius_m };
             let near = dot(&slot.offset_m, &slot.offset_m) <= reach_m * reach_m && !(all && deal.released);
             if !hold.is_listed() && (impatient || near) {
                 deal.released = false;

@@ -1,18 +1,25 @@
 //! The theorem of `budget` from tick to tick: what was safe stays safe wherever its assumptions hold.
 
+mod before;
+mod distance;
+mod held;
+mod mode;
+mod rest;
+mod time;
+
 use std::sync::Arc;
 
 use closeranks_core::settings::params::Params;
 
 use crate::frame::Frame;
 use crate::law::{Law, Verdicts, Violation};
-use crate::monitors::before::Before;
-use crate::monitors::distance::Distances;
-use crate::monitors::held::Held;
-use crate::monitors::mode::ModeWatch;
-use crate::monitors::rest::RestWatch;
+use crate::monitors::carry::before::Before;
+use crate::monitors::carry::distance::Distances;
+use crate::monitors::carry::held::Held;
+use crate::monitors::carry::mode::ModeWatch;
+use crate::monitors::carry::rest::RestWatch;
+use crate::monitors::carry::time::{fraction, longer_ago};
 use crate::monitors::rule::Rule;
-use crate::monitors::time::{fraction, longer_ago};
 use crate::monitors::truth::{ROUNDING, Truth};
 use crate::scenario::Scenario;
 

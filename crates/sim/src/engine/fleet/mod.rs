@@ -3,30 +3,30 @@
 //! This is the whole path that a robot in the world takes; [`crate::engine::team`] gives the same bits faster where the world is
 //! perfect.
 
+mod note;
+mod talk;
+
 use closeranks_core::controller::links::wire::{Notice, bytes_max};
 use closeranks_core::equations::composition::Composed;
 use closeranks_core::message::{MESSAGE_BYTES, Message};
-use closeranks_core::num::{Vector, dot};
-use closeranks_core::program::Outcome;
+use closeranks_core::num::Vector;
 use closeranks_core::robot::Robot;
 use closeranks_core::robot::error::RobotError;
 use closeranks_core::robot::neighbor::{Member, RobotId, Slot};
-use closeranks_core::robot::report::Mode;
 use closeranks_core::settings::params::Params;
 
-use crate::attack::liars::{Face, Liars};
+use crate::attack::liars::Liars;
 use crate::engine::memory::Memory;
 use crate::engine::roster::Roster;
 use crate::faults::edges::Edges;
 use crate::faults::network::{FaultyNetwork, LATE_MAX};
-use crate::faults::outages::Downtime;
 use crate::faults::sight::Sight;
 use crate::frame::Frame;
 use crate::geometry::around::Around;
 use crate::geometry::squared_distance;
 use crate::scenario::Scenario;
+use crate::transport::Transport;
 use crate::transport::memory::InMemory;
-use crate::transport::{Bytes, Parcel, Transport};
 
 /// So many slots robots have at first, and get at a time, where they get them when they need them.
 const SLOTS_FIRST: usize = 8;
@@ -204,155 +204,6 @@ impl<const D: usize, T: Transport> Fleet<D, T> {
             }
         }
     }
-
-    /// Every robot shares; by Assumption 1 liars hold the level that they tell.
-    fn share(&mut self, liars: &mut Liars) {
-        let mut scratch = self.memory.lend();
-        for (index, (robot, slot)) in self.robots.iter_mut().zip(&mut self.outbox).enumerate() {
-            *slot = if self.edges.downtime.down(index) { None } else { robot.share(&mut scratch) };
-        }
-        if self.outbox.iter().flatten().any(|message| message.value().is_some()) {
-            liars.begin_round(self.robots.iter().map(Robot::value));
-        }
-        for (index, (robot, slot)) in self.robots.iter_mut().zip(&mut self.outbox).enumerate() {
-            let Some(message) = *slot else { continue };
-            let level = message.level().map(|level| liars.level(index, level));
-            if let Some(level) = level {
-                robot.restate(level);
-            }
-            if liars.binds(index) {
-                robot.oblige();
-            }
-            let value = message.value().map(|value| liars.value(index, value));
-            *slot = Message::new(message.sequence(), message.stamp(), level, value).ok();
-        }
-    }
-
-    /// What is told to every other robot, without bytes and with the same bits.
-    fn hand_over(&mut self) {
-        let mut notices = self.notices.take().unwrap_or_default();
-        notices.clear();
-        for (receiver, robot) in self.robots.iter().enumerate() {
-            // All others refuse it: they are out of range.
-            for sender in robot.neighbors().iter().map(|slot| usize::from(slot.id().0) - 1) {
-                let Some(message) = &self.outbox[sender] else { continue };
-                let notice = self.robots[sender].notice(message, id(receiver));
-                notices.extend(notice.map(|notice| (sender, receiver, notice)));
-            }
-        }
-        for (sender, receiver, notice) in &notices {
-            let _ = self.robots[*receiver].receive_notice(id(*sender), notice);
-        }
-        self.notices = Some(notices);
-    }
-
-    /// Bytes to every other robot, each with its own fate.
-    fn send(&mut self, liars: &mut Liars) {
-        for (sender, message) in self.outbox.iter().enumerate() {
-            let Some(message) = message else { continue };
-            let own = &self.robots[sender];
-            let all = encode(own, message, &mut self.buffer);
-            for (receiver, robot) in self.robots.iter().enumerate() {
-                if receiver == sender {
-                    continue;
-                }
-                let bytes = match liars.face(sender, message, robot.value()) {
-                    Face::Silence => None,
-                    Face::Bytes(bytes) => Some(bytes.into()),
-                    Face::Message(told) if told == *message => all.clone(),
-                    Face::Message(told) => encode(own, &told, &mut self.buffer),
-                };
-                let bytes = match bytes {
-                    Some(bytes) if self.lists => liars.lists(sender, id(receiver), robot.wish_m_s(), bytes),
-                    bytes => bytes,
-                };
-                if let Some(bytes) = bytes {
-                    // A message for which there is no room is lost.
-                    let _ = self.transport.send(Parcel { sender, receiver, bytes });
-                }
-            }
-        }
-    }
-
-    fn deliver(&mut self) {
-        while let Some(Parcel { sender, receiver, bytes }) = self.transport.poll() {
-            if self.edges.downtime.down(receiver) {
-                continue;
-            }
-            // Robots refuse what is no message, and what comes from out of range.
-            let _ = self.robots[receiver].receive_bytes(id(sender), &bytes);
-        }
-    }
-
-    fn control(&mut self, frame: &mut Frame<D>, liars: &mut Liars) {
-        let input = self.params.settings().limits.input;
-        let mut scratch = self.memory.lend();
-        let (mut ends, tells): (u32, bool) = (0, self.params.tells_paper_levels());
-        for (index, robot) in self.robots.iter_mut().enumerate() {
-            if self.edges.downtime.down(index) {
-                stand(index, frame, &self.edges.downtime);
-                continue;
-            }
-            let output = robot.tick(frame.asked_m_s[index], &mut scratch);
-            frame.velocities_m_s[index] = match liars.velocity(index, &frame.positions_m, &input) {
-                Some(velocity) => velocity,
-                None => output.velocity_m_s,
-            };
-            frame.degrees[index] = output.report.degree;
-            frame.levels[index] = if self.lists {
-                output.report.level
-            } else {
-                let counted = robot.neighbors().iter().filter(|slot| robot.counts(slot));
-                counted.fold(0.0, |level, slot| level + slot.link().weight)
-            };
-            frame.h[index] = output.report.h;
-            frame.told[index] = robot.told_level();
-            frame.phis[index] = match output.report.phi {
-                Some(phi) => phi,
-                None if frame.wants_phi && tells => phi(robot, &self.composed),
-                None => f64::NAN,
-            };
-            frame.outcomes[index] = output.report.outcome;
-            frame.missing[index] = robot.misses_somebody();
-            frame.modes[index] = output.report.mode;
-            frame.values[index] = liars.value(index, robot.value());
-            frame.held[index] = robot.value();
-            if self.lists {
-                frame.counted[index].clear();
-                frame.counted[index].extend(robot.counted().map(|id| id.0));
-                frame.rows[index].clear();
-                frame.rows[index].extend(robot.keeps_rows_for().map(|id| id.0));
-            }
-            ends += u32::from(output.report.degree);
-            if output.report.round.is_some() {
-                let [counted, [all, liars]] = heard(robot, &self.malicious);
-                // A robot whose clock differs may end two rounds of its own in one of the world.
-                let [all_before, liars_before] = frame.listened[index];
-                frame.heard[index] = counted;
-                frame.listened[index] = [all.max(all_before), liars.max(liars_before)];
-            }
-        }
-        frame.links = ends / 2;
-    }
-}
-
-/// The bytes of a message of `robot`.
-fn encode<const D: usize>(
-    robot: &Robot<D, Vec<Slot<D>>>,
-    message: &Message,
-    buffer: &mut [u8],
-) -> Option<Bytes> {
-    let length = robot.encode(message, buffer)?;
-    Some(Bytes::from(&buffer[..length]))
-}
-
-/// What is known of a robot that is down: how it moves. It has no φ_i and solves no program; the rest stays as it was.
-fn stand<const D: usize>(index: usize, frame: &mut Frame<D>, downtime: &Downtime) {
-    frame.velocities_m_s[index] = downtime.without_command(index, frame.velocities_m_s[index]);
-    frame.missing[index] = false;
-    frame.modes[index] = Mode::Stopped;
-    frame.outcomes[index] = Outcome::Free;
-    frame.phis[index] = f64::NAN;
 }
 
 fn id(index: usize) -> RobotId {
@@ -367,26 +218,4 @@ fn make_room<const D: usize>(robot: &mut Robot<D, Vec<Slot<D>>>, others: usize, 
             slots.resize(needed.next_multiple_of(SLOTS_FIRST).min(most), Slot::default());
         });
     }
-}
-
-/// φ_i of a robot whose controller does not use it, from what it senses and was told.
-fn phi<const D: usize>(robot: &Robot<D, Vec<Slot<D>>>, composed: &Composed) -> f64 {
-    let slots = || robot.neighbors().iter();
-    let distances_m2 = slots().map(|slot| dot(&slot.offset_m(), &slot.offset_m()));
-    composed.phi(robot.told_level(), slots().filter_map(Slot::told_level), distances_m2)
-}
-
-/// How many values of robots that count for it a robot used in its round, and how many of them were those of normal robots; and how
-/// many values it used at all, and how many of them were those of malicious robots.
-fn heard<const D: usize>(robot: &Robot<D, Vec<Slot<D>>>, malicious: &[bool]) -> [[u16; 2]; 2] {
-    let spoke = robot.neighbors().iter().filter(|slot| slot.told_value().is_some() && robot.listens_to(slot));
-    let [mut counted, mut normal, mut all, mut liars] = [0; 4];
-    for slot in spoke {
-        let (counts, lies) = (robot.counts(slot), malicious[usize::from(slot.id().0) - 1]);
-        all += 1;
-        counted += u16::from(counts);
-        normal += u16::from(counts && !lies);
-        liars += u16::from(lies);
-    }
-    [[counted, normal], [all, liars]]
 }

@@ -10,8 +10,8 @@ use crate::faults::Clocks;
 use crate::faults::network::Network;
 use crate::frame::Frame;
 use crate::law::{Law, Verdicts, Violation};
+use crate::monitors::carry::time::{fraction, longer_ago, since};
 use crate::monitors::rule::Rule;
-use crate::monitors::time::{fraction, longer_ago, since};
 use crate::monitors::truth::{ROUNDING, Truth};
 use crate::scenario::Scenario;
 

@@ -8,7 +8,7 @@ use crate::attack::MotionAttack;
 use crate::frame::Frame;
 use crate::geometry::{fill_pairs, squared_distance};
 use crate::law::{Law, Verdicts, Violation};
-use crate::monitors::before::Before;
+use crate::monitors::carry::before::Before;
 use crate::monitors::pairs::Places;
 use crate::monitors::truth::{ROUNDING, Truth};
 use crate::scenario::Scenario;

@@ -1,0 +1,100 @@
+//! What robots tell each other in a tick, and how it gets there.
+
+use closeranks_core::message::Message;
+use closeranks_core::robot::Robot;
+use closeranks_core::robot::neighbor::Slot;
+
+use crate::attack::liars::{Face, Liars};
+use crate::engine::fleet::{Fleet, id};
+use crate::transport::{Bytes, Parcel, Transport};
+
+impl<const D: usize, T: Transport> Fleet<D, T> {
+    /// Every robot shares; by Assumption 1 liars hold the level that they tell.
+    pub(super) fn share(&mut self, liars: &mut Liars) {
+        let mut scratch = self.memory.lend();
+        for (index, (robot, slot)) in self.robots.iter_mut().zip(&mut self.outbox).enumerate() {
+            *slot = if self.edges.downtime.down(index) { None } else { robot.share(&mut scratch) };
+        }
+        if self.outbox.iter().flatten().any(|message| message.value().is_some()) {
+            liars.begin_round(self.robots.iter().map(Robot::value));
+        }
+        for (index, (robot, slot)) in self.robots.iter_mut().zip(&mut self.outbox).enumerate() {
+            let Some(message) = *slot else { continue };
+            let level = message.level().map(|level| liars.level(index, level));
+            if let Some(level) = level {
+                robot.restate(level);
+            }
+            if liars.binds(index) {
+                robot.oblige();
+            }
+            let value = message.value().map(|value| liars.value(index, value));
+            *slot = Message::new(message.sequence(), message.stamp(), level, value).ok();
+        }
+    }
+
+    /// What is told to every other robot, without bytes and with the same bits.
+    pub(super) fn hand_over(&mut self) {
+        let mut notices = self.notices.take().unwrap_or_default();
+        notices.clear();
+        for (receiver, robot) in self.robots.iter().enumerate() {
+            // All others refuse it: they are out of range.
+            for sender in robot.neighbors().iter().map(|slot| usize::from(slot.id().0) - 1) {
+                let Some(message) = &self.outbox[sender] else { continue };
+                let notice = self.robots[sender].notice(message, id(receiver));
+                notices.extend(notice.map(|notice| (sender, receiver, notice)));
+            }
+        }
+        for (sender, receiver, notice) in &notices {
+            let _ = self.robots[*receiver].receive_notice(id(*sender), notice);
+        }
+        self.notices = Some(notices);
+    }
+
+    /// Bytes to every other robot, each with its own fate.
+    pub(super) fn send(&mut self, liars: &mut Liars) {
+        for (sender, message) in self.outbox.iter().enumerate() {
+            let Some(message) = message else { continue };
+            let own = &self.robots[sender];
+            let all = encode(own, message, &mut self.buffer);
+            for (receiver, robot) in self.robots.iter().enumerate() {
+                if receiver == sender {
+                    continue;
+                }
+                let bytes = match liars.face(sender, message, robot.value()) {
+                    Face::Silence => None,
+                    Face::Bytes(bytes) => Some(bytes.into()),
+                    Face::Message(told) if told == *message => all.clone(),
+                    Face::Message(told) => encode(own, &told, &mut self.buffer),
+                };
+                let bytes = match bytes {
+                    Some(bytes) if self.lists => liars.lists(sender, id(receiver), robot.wish_m_s(), bytes),
+                    bytes => bytes,
+                };
+                if let Some(bytes) = bytes {
+                    // A message for which there is no room is lost.
+                    let _ = self.transport.send(Parcel { sender, receiver, bytes });
+                }
+            }
+        }
+    }
+
+    pub(super) fn deliver(&mut self) {
+        while let Some(Parcel { sender, receiver, bytes }) = self.transport.poll() {
+            if self.edges.downtime.down(receiver) {
+                continue;
+            }
+            // Robots refuse what is no message, and what comes from out of range.
+            let _ = self.robots[receiver].receive_bytes(id(sender), &bytes);
+        }
+    }
+}
+
+/// The bytes of a message of `robot`.
+fn encode<const D: usize>(
+    robot: &Robot<D, Vec<Slot<D>>>,
+    message: &Message,
+    buffer: &mut [u8],
+) -> Option<Bytes> {
+    let length = robot.encode(message, buffer)?;
+    Some(Bytes::from(&buffer[..length]))
+}
