@@ -309,6 +309,15 @@ pub(crate) const MUTANTS: [Mutant; 35] = [
         )],
     },
     Mutant {
+        name: "ranks: budget shared with no regard to who else takes",
+        law: "spare",
+        lines: &[(
+            "core/src/controller/budget/knowledge.rs",
+            "Form::Level => 3.0 / by_both - 1.0,",
+            "Form::Level => 0.0,",
+        )],
+    },
+    Mutant {
         name: "ranks: robots of equal rank count for each other",
         law: "degree",
         lines: &[("core/src/need.rs", "other.rank < robot.rank", "other.rank <= robot.rank")],
