@@ -300,7 +300,7 @@ fn teams_with_ranks() {
                 [(How::Own { core: 7 }, Listen::All), (How::Layers { core: 6 }, Listen::Counted)]
             {
                 let mut scenario = ranked(controller, team, spacing_m, how);
-                scenario.duration_s = if team.0 > 100 { 0.05 } else { 0.3 };
+                scenario.duration_s = if team.0 > 100 { 0.03 } else { 0.1 };
                 scenario.ranks.as_mut().unwrap().listen = listen;
                 same_bits(&scenario);
                 if team.0 < 100 {
