@@ -28,7 +28,9 @@ impl Workers for Threads {
             for piece in pieces {
                 scope.spawn(piece);
             }
-            last.into_iter().for_each(|piece| piece());
+            if let Some(piece) = last {
+                piece();
+            }
         });
     }
 }

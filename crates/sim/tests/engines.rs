@@ -342,7 +342,9 @@ impl Workers for Backwards {
     }
 
     fn run(&self, pieces: Vec<Piece<'_>>) {
-        pieces.into_iter().rev().for_each(|piece| piece());
+        for piece in pieces.into_iter().rev() {
+            piece();
+        }
     }
 }
 
@@ -356,9 +358,9 @@ fn any_number_of_workers_gives_the_same_bits() {
     let digest = |workers: usize| {
         let mut world = World::<2>::new(&scenario, Options { digest: true, ..Options::default() }).unwrap();
         world.employ(Arc::new(Backwards(workers)));
-        (0..4).for_each(|_| {
+        for _ in 0..4 {
             world.step();
-        });
+        }
         world.digest()
     };
     assert!([2, 3, 8].iter().all(|workers| digest(*workers) == digest(1)));

@@ -1,5 +1,6 @@
 //! What computes the robots of a tick: one by one, or all at once with the same bits.
 
+mod bench;
 mod consensus;
 mod dense;
 pub mod fleet;

@@ -7,18 +7,16 @@
 use closeranks_core::controller::{AtOnce, Decision, Glimpse, Motion, Neighbor, Own, Standing};
 use closeranks_core::equations::barrier::degree_barrier;
 use closeranks_core::num::{Vector, dot, subtract};
-use closeranks_core::program::Outcome;
 use closeranks_core::robot::neighbor::Member;
-use closeranks_core::robot::report::Mode;
 use closeranks_core::robot::scratch::Scratch;
 use closeranks_core::settings::params::Params;
 
 use crate::attack::liars::Liars;
+use crate::engine::bench::{Bench, Decided};
 use crate::engine::consensus::Consensus;
 use crate::engine::dense::{DENSE_MAX, Dense};
 use crate::engine::links::{Linked, Links};
 use crate::engine::marks::{Marks, counting};
-use crate::engine::memory::Memory;
 use crate::engine::phi::Phi;
 use crate::engine::roster::Roster;
 use crate::engine::sees::{Around, Half, Sees};
@@ -65,22 +63,6 @@ struct Other<Known> {
     level: f64,
     degree: u16,
     known: Known,
-}
-
-/// Memory of whoever computes a part of the team.
-#[derive(Clone, Debug)]
-struct Bench<const D: usize> {
-    memory: Memory<D>,
-    marks: Marks,
-}
-
-/// What became of a robot in a tick.
-#[derive(Clone, Copy, Debug)]
-struct Decided<const D: usize> {
-    velocity_m_s: Vector<D>,
-    outcome: Outcome,
-    mode: Mode,
-    phi: Option<f64>,
 }
 
 /// A robot that looks at its neighbours.
@@ -274,7 +256,7 @@ impl<const D: usize, C: AtOnce<D> + Copy> Robots<D, C> {
             marks.look_from(robot, frame.positions_m.len(), &self.around);
         }
         let halves = self.around.of(robot).iter();
-        let neighbors = halves.map(|half| self.neighbor_in_lists(&looker, half, marks, frame));
+        let neighbors = halves.map(|half| self.neighbor_in_lists(&looker, *half, marks, frame));
         self.decide(robot, neighbors, frame, scratch)
     }
 
@@ -339,7 +321,7 @@ impl<const D: usize, C: AtOnce<D> + Copy> Robots<D, C> {
     fn neighbor_in_lists(
         &self,
         looker: &Looker<D>,
-        half: &Half,
+        half: Half,
         marks: &Marks,
         frame: &Frame<D>,
     ) -> Neighbor<'_, D, C::Pair, C::Known> {
@@ -395,27 +377,6 @@ fn glimpse<const D: usize>(frame: &Frame<D>, member: Member, counted: &[u16]) ->
         unseen: 0,
         unseen_near: 0,
         low: 0.0,
-    }
-}
-
-impl<const D: usize> Bench<D> {
-    fn new(params: &Params<D>, robots: usize) -> Self {
-        Self { memory: Memory::new(params, robots), marks: Marks::default() }
-    }
-}
-
-impl<const D: usize> Decided<D> {
-    /// Of a robot that stands still.
-    const NOTHING: Self =
-        Self { velocity_m_s: [0.0; D], outcome: Outcome::Free, mode: Mode::Stopped, phi: None };
-
-    /// Writes it where it belongs.
-    fn write(&self, robot: usize, frame: &mut Frame<D>) {
-        frame.velocities_m_s[robot] = self.velocity_m_s;
-        (frame.outcomes[robot], frame.modes[robot]) = (self.outcome, self.mode);
-        if let Some(phi) = self.phi {
-            frame.phis[robot] = phi;
-        }
     }
 }
 

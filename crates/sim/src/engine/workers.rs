@@ -22,7 +22,9 @@ impl Workers for Alone {
     }
 
     fn run(&self, pieces: Vec<Piece<'_>>) {
-        pieces.into_iter().for_each(|piece| piece());
+        for piece in pieces {
+            piece();
+        }
     }
 }
 

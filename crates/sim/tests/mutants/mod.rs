@@ -16,7 +16,7 @@ const LINKS: &str = "core/src/controller/links/control.rs";
 const SHARED: &str = "core/src/controller/rows.rs";
 const INEQUALITY: &str = "core/src/controller/budget/inequality.rs";
 
-pub(crate) const MUTANTS: [Mutant; 35] = [
+pub(crate) const MUTANTS: [Mutant; 36] = [
     Mutant {
         name: "gradient with the wrong sign",
         law: "decay",
