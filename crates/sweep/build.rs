@@ -1,9 +1,10 @@
-//! Notes which commit is built, so that every record says where it came from.
+//! Notes which commit is built, so that every record says where it came from. Programs take it from this crate.
 
 use std::process::Command;
 
 /// What the program is made of.
-const SOURCES: [&str; 5] = ["../core/src", "../graph/src", "../sim/src", "../report/src", "src"];
+const SOURCES: [&str; 6] =
+    ["../core/src", "../graph/src", "../sim/src", "../report/src", "../cli/src", "src"];
 
 fn main() {
     println!("cargo:rerun-if-changed=../../.git/HEAD");

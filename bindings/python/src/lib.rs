@@ -23,7 +23,7 @@ use pyo3::prelude::*;
 #[pymodule(name = "_native")]
 fn native(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add("VERSION", env!("CARGO_PKG_VERSION"))?;
-    module.add("COMMIT", env!("CLOSERANKS_COMMIT"))?;
+    module.add("COMMIT", closeranks_sweep::PROGRAM.commit)?;
     module.add("MESSAGE_BYTES", closeranks_core::MESSAGE_BYTES)?;
     module.add("NODE_LIMIT", closeranks_graph::graph::set::NODE_LIMIT)?;
     errors::add(module)?;

@@ -1,6 +1,6 @@
 //! What a robot answers.
 
-use closeranks_core::robot::report::{self, Mode, Reason};
+use closeranks_core::robot::report::{self, Mode};
 use closeranks_sim::output::record::outcome_name;
 use numpy::PyArray1;
 use pyo3::prelude::*;
@@ -82,36 +82,13 @@ impl Output {
 /// The word for a mode.
 fn mode_word(mode: Mode) -> &'static str {
     match mode {
-        Mode::Guaranteed => "guaranteed",
         Mode::Degraded(_) => "degraded",
-        Mode::Hold => "hold",
-        Mode::Stopped => "stopped",
+        other => other.name(),
     }
 }
 
 /// Why a mode is degraded.
 fn reason(mode: Mode) -> Option<&'static str> {
     let Mode::Degraded(reason) = mode else { return None };
-    Some(match reason {
-        Reason::Degree => "degree",
-        Reason::Infeasible => "infeasible",
-        Reason::OutsideSafeSet => "outside safe set",
-        Reason::Late => "late",
-        Reason::Moved => "moved",
-        Reason::Overlooked => "overlooked",
-        Reason::Uncertain => "uncertain",
-        Reason::Untold => "untold",
-        Reason::Uncounted => "uncounted",
-        Reason::Unseen => "unseen",
-        Reason::Unfiltered => "unfiltered",
-        Reason::NotSensed => "not sensed",
-        Reason::NotShared => "not shared",
-        Reason::Scratch => "scratch",
-        Reason::ContinuousTime => "continuous time",
-    })
-}
-
-/// A mode in one word: why it is degraded, if it is.
-pub(crate) fn mode_name(mode: Mode) -> &'static str {
-    reason(mode).unwrap_or_else(|| mode_word(mode))
+    Some(reason.name())
 }

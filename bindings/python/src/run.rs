@@ -14,6 +14,7 @@ use closeranks_sim::monitors::robustness::Round;
 use closeranks_sim::output::record::{Record, outcome_name};
 use closeranks_sim::scenario::Scenario;
 use closeranks_sim::world;
+use closeranks_sweep::PROGRAM;
 use numpy::PyArray2;
 use pyo3::exceptions::{PyIndexError, PyOSError};
 use pyo3::prelude::*;
@@ -21,10 +22,6 @@ use pyo3::types::PyDict;
 
 use crate::columns::{OUTCOMES, interleaved, outcome_number, rows, view};
 use crate::{errors, values};
-
-/// The program that these bindings are.
-const PROGRAM: Program<'_> =
-    Program { version: env!("CARGO_PKG_VERSION"), commit: env!("CLOSERANKS_COMMIT") };
 
 /// What is said where every tick is asked for.
 const UNRECORDED: &str = "this run was not recorded, allowed is a run with record=True";

@@ -32,7 +32,7 @@ use results::{as_run, json, pages};
 
 /// Keeps a team of robots agreeing while some of them lie.
 #[derive(Debug, Parser)]
-#[command(name = "closeranks", version, long_version = concat!(env!("CARGO_PKG_VERSION"), " (", env!("CLOSERANKS_COMMIT"), ")"))]
+#[command(name = "closeranks", version, long_version = closeranks_sweep::VERSION)]
 #[command(arg_required_else_help = true, after_help = EXIT_CODES)]
 struct Arguments {
     #[command(subcommand)]

@@ -52,11 +52,7 @@ const SEAM: [&str; 4] = [
 ];
 
 /// Lines that look like such a choice and are none, by file and a part of the line. Each needs a reason.
-const NO_CHOICE: [(&str, &str); 4] = [
-    // One generic engine for each kind of the closed enum: the compiler asks for the arm, and all arms are alike.
-    ("crates/sim/src/engine/mod.rs", "Box::new(Team::new("),
-    // Robots that keep lists of links hold what a team at once does not.
-    ("crates/sim/src/engine/mod.rs", "AnyController::Links(_) => Box::new(Fleet::new("),
+const NO_CHOICE: [(&str, &str); 2] = [
     // The runs of one sweep are told apart, whatever their controllers are.
     ("crates/sim/src/sweep/mod.rs", ".controller == controller"),
     ("crates/report/src/sweep/tally.rs", ".controller == controller"),
@@ -227,7 +223,8 @@ fn chooses(line: &str) -> bool {
     let compares = line.contains("==") || line.contains("!=") || line.contains("matches!");
     let pattern = line.split_once("=>").map_or("", |(pattern, _)| pattern);
     let lets = line.contains("if let ") || line.contains("let Some") || line.contains(" else {");
-    (compares && (kind(line) || name(line) || none(line)))
+    line.contains("AnyController::")
+        || (compares && (kind(line) || name(line) || none(line)))
         || pattern.contains("Controller::")
         || name(pattern)
         || (line.contains("match ") && line.contains(".controller {"))

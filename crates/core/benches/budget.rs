@@ -2,6 +2,8 @@
 //!
 //! `cargo bench -p closeranks-core --bench budget`
 
+mod offsets;
+
 use closeranks_core::controller::assume::Assume;
 use closeranks_core::controller::budget::Memory;
 use closeranks_core::controller::budget::curvature::Curvature;
@@ -15,24 +17,11 @@ use closeranks_core::program::balls::reach::Reach;
 use closeranks_core::program::balls::row::Row;
 use closeranks_core::robot::neighbor::RobotId;
 use divan::{Bencher, black_box};
+use offsets::OFFSETS;
 
 fn main() {
     divan::main();
 }
-
-/// Ten neighbours on two rings, as in the paper's formations.
-const OFFSETS: [[f64; 2]; 10] = [
-    [0.6, 0.0],
-    [-0.6, 0.1],
-    [0.3, 0.52],
-    [-0.3, -0.52],
-    [1.2, 0.4],
-    [-1.1, 0.9],
-    [0.2, -1.4],
-    [2.1, 1.0],
-    [-1.8, -1.6],
-    [2.4, -1.3],
-];
 
 /// Few rows cut the box at 5 ms, nearly all at 50 ms.
 const PERIODS_S: [f64; 2] = [0.005, 0.05];

@@ -2,6 +2,9 @@
 //!
 //! `cargo bench -p closeranks-core`
 
+mod offsets;
+
+use closeranks_core::controller::AnyController;
 use closeranks_core::equations::composition::Term;
 use closeranks_core::equations::link::Link;
 use closeranks_core::message::Message;
@@ -16,28 +19,13 @@ use closeranks_core::settings::{Controller, LinksSettings};
 use closeranks_core::time::Instant;
 use closeranks_core::wmsr;
 use divan::{Bencher, black_box};
+use offsets::OFFSETS;
 
 fn main() {
     divan::main();
 }
 
 const BOX: InputBox<2> = InputBox { min_m_s: [-1.5; 2], max_m_s: [1.5; 2] };
-
-/// Ten neighbours on two rings, as in the paper's formations.
-fn offsets() -> [[f64; 2]; 10] {
-    [
-        [0.6, 0.0],
-        [-0.6, 0.1],
-        [0.3, 0.52],
-        [-0.3, -0.52],
-        [1.2, 0.4],
-        [-1.1, 0.9],
-        [0.2, -1.4],
-        [2.1, 1.0],
-        [-1.8, -1.6],
-        [2.4, -1.3],
-    ]
-}
 
 #[divan::bench]
 fn program_free(bencher: Bencher<'_, '_>) {
@@ -67,13 +55,14 @@ fn program_infeasible(bencher: Bencher<'_, '_>) {
 #[divan::bench]
 fn row_and_program_of_ten_neighbours(bencher: Bencher<'_, '_>) {
     let params = Params::<2>::new(Settings::default()).expect("defaults are valid");
-    let (composed, shape) = (*params.composed().expect("the default"), *params.link());
+    let AnyController::Composed(controller) = params.controller() else { return };
+    let (composed, shape) = (controller.composed, *params.link());
     let term = move |offset_m: &[f64; 2], told: f64| -> Option<Term<2>> {
         let link: Link<Scaled> = shape.link(offset_m)?;
         let collision = composed.collision_term(dot(offset_m, offset_m));
         Some(Term { offset_m: *offset_m, link, collision, told: composed.degree_term(told) })
     };
-    bencher.with_inputs(offsets).bench_values(|offsets| {
+    bencher.with_inputs(|| OFFSETS).bench_values(|offsets| {
         let mut terms = [None; 10];
         for (slot, offset) in terms.iter_mut().zip(&offsets) {
             *slot = term(black_box(offset), black_box(7.2));
@@ -93,7 +82,7 @@ fn tick_of_a_robot_with_ten_neighbours(bencher: Bencher<'_, '_>) {
         nanos += 5_000_000;
         let sequence = u32::try_from(nanos / 5_000_000).unwrap_or(u32::MAX);
         let _ = robot.sense(Instant::from_nanos(nanos), [0.0, 0.0]);
-        for (id, offset) in (2..).map(RobotId).zip(offsets()) {
+        for (id, offset) in (2..).map(RobotId).zip(OFFSETS) {
             let _ = robot.observe(id, black_box(offset));
         }
         let _ = black_box(robot.share());
@@ -113,7 +102,7 @@ fn tick_of_a_robot_with_ten_neighbours(bencher: Bencher<'_, '_>) {
 fn tick_of_eleven_robots_of_links(bencher: Bencher<'_, '_>) {
     let controller = Controller::Links(LinksSettings::default());
     let params = Params::<2>::new(Settings { controller, ..Settings::default() }).expect("valid");
-    let positions: Vec<_> = (1..).map(RobotId).zip(offsets().into_iter().chain([[0.0; 2]])).collect();
+    let positions: Vec<_> = (1..).map(RobotId).zip(OFFSETS.into_iter().chain([[0.0; 2]])).collect();
     let robot =
         |(id, _): &(RobotId, _)| SizedRobot::<2, 10>::new(params, *id, 0.0).expect("memory is enough");
     let mut robots: Vec<_> = positions.iter().map(robot).collect();

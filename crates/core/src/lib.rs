@@ -100,6 +100,7 @@
 pub mod consensus;
 pub mod controller;
 pub mod equations;
+pub mod id;
 pub mod message;
 pub mod need;
 pub mod num;

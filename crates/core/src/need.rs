@@ -1,6 +1,6 @@
 //! Who counts for whom, and how many of them a robot must keep: one rule for a whole team.
 
-use crate::robot::id::Member;
+use crate::id::Member;
 use crate::settings::Team;
 
 /// Which neighbours a robot must keep enough of.
@@ -147,7 +147,7 @@ fn among(robots: u16, faults: u16, keep: Keep) -> u16 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::robot::id::RobotId;
+    use crate::robot::neighbor::RobotId;
 
     //= paper thm:rs_robust type=test
     //= theory eq:need type=test

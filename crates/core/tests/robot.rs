@@ -4,6 +4,7 @@
 
 use core::time::Duration;
 
+use closeranks_core::controller::AnyController;
 use closeranks_core::program::Outcome;
 use closeranks_core::robot::error::{ObserveError, Observed, ReceiveError, RobotError, SenseError};
 use closeranks_core::robot::neighbor::RobotId;
@@ -221,7 +222,8 @@ fn a_restated_level_is_told_and_obeyed_until_the_next_update() {
         assert_eq!(robot.told_level(), honest.level - 2.5);
         let lying = scene.play(&mut robot, 0).report;
         assert_eq!((lying.level, lying.h), (honest.level, honest.h));
-        let term = |level| params.composed().unwrap().degree_term::<f64>(level);
+        let AnyController::Composed(controller) = params.controller() else { panic!("the default") };
+        let term = |level| controller.composed.degree_term::<f64>(level);
         let [honest_phi, lying_phi] = [honest, lying].map(|report| report.phi.unwrap());
         let more = (term(honest.level - 2.5) - term(honest.level)) / 8.0;
         assert!(((honest_phi - lying_phi) / more - 1.0).abs() < 1e-9, "φ_i falls by {more}");

@@ -1,5 +1,6 @@
 //! What a robot answers: the equations, whatever the order of calls, and something safe whatever the calls.
 
+use closeranks_core::controller::AnyController;
 use closeranks_core::controller::assume::Assume;
 use closeranks_core::equations::composition::{PhiSplit, Term};
 use closeranks_core::message::{MESSAGE_BYTES, Message};
@@ -180,7 +181,8 @@ fn check_equations<const D: usize>(scene: &Scene<D>) {
     lend(|params: Params<D>| {
         let mut robot = new_robot(params);
         let Output { velocity_m_s, report } = scene.play(&mut robot, 0);
-        let composed = params.composed().expect("the default");
+        let AnyController::Composed(controller) = params.controller() else { panic!("the default") };
+        let composed = &controller.composed;
         let mut others = scene.others.clone();
         others.sort_by_key(|&(id, ..)| id);
         let terms: Vec<Term<D>> = others

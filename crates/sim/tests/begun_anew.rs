@@ -15,7 +15,7 @@ duration_s = 12.0
 robots = 40
 faults = 2
 malicious = [1]
-RANKS
+RULE
 
 [controller]
 kind = \"links\"
@@ -43,7 +43,7 @@ fn places(scenario: &Scenario, times_s: &[f64]) -> Vec<Vec<Vec<f64>>> {
 
 /// How many ticks of how many new starts had a robot with too few neighbours.
 fn short(ranks: &str) -> (u64, usize) {
-    let scenario = parse::scenario(&TEAM.replace("RANKS", ranks)).expect("a scenario");
+    let scenario = parse::scenario(&TEAM.replace("RULE", ranks)).expect("a scenario");
     let starts = places(&scenario, &[2.0, 3.0, 4.0, 5.0, 6.0, 8.0, 10.0, 11.9]);
     let anew = |positions_m: &Vec<Vec<f64>>| {
         let start = Start::Listed(positions_m.clone());

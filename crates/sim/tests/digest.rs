@@ -1,15 +1,17 @@
 //! A run is a pure function of scenario, seed and commit: a mixed scenario has a committed digest.
 #![expect(clippy::unwrap_used, reason = "helpers of tests")]
 
-use closeranks_core::settings::{BudgetSettings, Clock, ComposedSettings, LinkSettings, Team};
-use closeranks_sim::scenario::Limits;
 use core::time::Duration;
 
 use closeranks_core::controller::assume::Assume;
 use closeranks_core::equations::composition::PhiSplit;
-use closeranks_sim::attack::LevelAttack;
+use closeranks_core::need::Listen;
+use closeranks_core::settings::{BudgetSettings, Clock, ComposedSettings, LinkSettings, LinksSettings, Team};
+use closeranks_sim::attack::{LevelAttack, MotionAttack};
+use closeranks_sim::faults::{Faults, Network};
+use closeranks_sim::scenario::ranks::{How, Ranking};
 use closeranks_sim::scenario::start::Start;
-use closeranks_sim::scenario::{Controller, Scenario};
+use closeranks_sim::scenario::{Controller, Limits, Scenario};
 use closeranks_sim::world::{Options, run};
 
 /// A scenario with a random start, wide enough that links break and form, with attacks on levels and on values, and with the
@@ -93,6 +95,38 @@ fn budgets() -> Vec<Scenario> {
 fn runs_of_budget_have_the_committed_digest() {
     let digests = budgets().iter().map(digest).fold(0, |all: u64, one| all.rotate_left(7) ^ one);
     assert_eq!(format!("{digests:016x}"), "b3377cd2ca25a1f2");
+}
+
+/// Short runs of `links`: at once and one by one, with liars that move as they like, with ranks.
+fn links() -> Vec<Scenario> {
+    let plain = Scenario { controller: Controller::Links, duration_s: 2.0, ..Scenario::default() };
+    let lossy = Faults { network: Network { loss: 0.2, ..Network::default() }, ..Faults::default() };
+    let free = LinksSettings { assume: Assume::Free, ..plain.links };
+    let ranks = Ranking { how: How::Own { core: 7 }, listen: Listen::All };
+    vec![
+        plain.clone(),
+        Scenario { faults: lossy, ..plain.clone() },
+        Scenario { links: free, attack: MotionAttack::Flee.into(), ..plain.clone() },
+        Scenario {
+            ranks: Some(ranks),
+            start: Start::Hexagon { spacing_m: 0.6 },
+            team: Team { robots: 20, ..plain.team },
+            ..plain
+        },
+    ]
+}
+
+/// If this changes, every recorded run of `links` changes: say so in CHANGELOG.md, with the reason.
+#[test]
+fn runs_of_links_have_the_committed_digest() {
+    let digests = links().iter().map(digest).fold(0, |all: u64, one| all.rotate_left(7) ^ one);
+    assert_eq!(format!("{digests:016x}"), "10803eb3ceb43931");
+}
+
+#[test]
+fn the_run_without_a_controller_has_the_committed_digest() {
+    let none = Scenario { controller: Controller::None, ..mixed() };
+    assert_eq!(format!("{:016x}", digest(&none)), "9f8580a027ba10c0");
 }
 
 #[test]

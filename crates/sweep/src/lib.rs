@@ -26,3 +26,6 @@ use closeranks_report::numbers::Program;
 /// What made the rows. Both programs that do sweeps are built from the same sources and say the same.
 pub const PROGRAM: Program<'static> =
     Program { version: env!("CARGO_PKG_VERSION"), commit: env!("CLOSERANKS_COMMIT") };
+
+/// The same for people.
+pub const VERSION: &str = concat!(env!("CARGO_PKG_VERSION"), " (", env!("CLOSERANKS_COMMIT"), ")");

@@ -16,7 +16,6 @@ use pyo3::types::PyDict;
 
 use crate::columns::rows;
 use crate::errors;
-use crate::output::mode_name;
 use crate::run::{Run, laws};
 use crate::scenario::Scenario;
 
@@ -179,7 +178,7 @@ impl World {
     }
 
     fn modes(&self) -> PyResult<Vec<&'static str>> {
-        Ok(self.open()?.modes().iter().map(|mode: &Mode| mode_name(*mode)).collect())
+        Ok(self.open()?.modes().iter().map(|mode: &Mode| mode.name()).collect())
     }
 
     fn laws<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {

@@ -4,6 +4,7 @@ use closeranks_sim::advice::cost::{Cost, Stated};
 use closeranks_sim::advice::patch::{self, Spacings};
 use closeranks_sim::advice::{Advice, Fit};
 use closeranks_sim::scenario::start::Start;
+use closeranks_sweep::PROGRAM;
 use serde_json::{Map, Value, json};
 
 use super::Asked;
@@ -12,8 +13,8 @@ use super::Asked;
 pub(super) fn advice(asked: &Asked, advice: &Advice) -> Value {
     let fits = advice.fits.iter().map(|one| (one.assume.to_owned(), fit(one)));
     json!({
-        "version": env!("CARGO_PKG_VERSION"),
-        "commit": env!("CLOSERANKS_COMMIT"),
+        "version": PROGRAM.version,
+        "commit": PROGRAM.commit,
         "asked": question(asked, advice),
         "controller": asked.talk.controller(),
         "exists": advice.fit().exists(),

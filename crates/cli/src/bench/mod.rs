@@ -14,6 +14,7 @@ use closeranks_report::sweep::rows::{Cell, Head, Kind, Rows};
 use closeranks_report::table::{number, text};
 use closeranks_sim::scenario::{Controller, Rule, Scenario};
 use closeranks_sim::world::{self, Options};
+use closeranks_sweep::PROGRAM;
 use rayon::prelude::*;
 use serde_json::{Map, Value, json};
 
@@ -162,7 +163,7 @@ fn mean(numbers: &[f64]) -> f64 {
 
 fn numbers(runs: u64, [controllers, rules]: &[Sheet<'_>; 2]) -> Value {
     json!({
-        "bench": VERSION, "runs": runs, "version": env!("CARGO_PKG_VERSION"), "commit": env!("CLOSERANKS_COMMIT"),
+        "bench": VERSION, "runs": runs, "version": PROGRAM.version, "commit": PROGRAM.commit,
         "controllers": controllers.json(), "rules": rules.json(),
     })
 }

@@ -15,6 +15,7 @@ use closeranks_report::recording::Recording;
 use closeranks_report::robustness::{Point, Survey, robustness};
 use closeranks_report::table::number;
 use closeranks_sim::parse;
+use closeranks_sweep::PROGRAM;
 use serde_json::{Value, json};
 
 use super::answer::Answer;
@@ -227,7 +228,7 @@ fn save(mut folder: Folder, name: &str, answer: &Answer, rounds: &[Round], fault
             title: format!("Robustness of {name}"),
             lead: answer.sentence.clone(),
             sections: vec![section],
-            footer: format!("closeranks {}, commit {}", env!("CARGO_PKG_VERSION"), env!("CLOSERANKS_COMMIT")),
+            footer: format!("closeranks {}, commit {}", PROGRAM.version, PROGRAM.commit),
         }),
     );
     folder.add("robustness.svg", svg);

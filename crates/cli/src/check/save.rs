@@ -9,6 +9,7 @@ use closeranks_report::png::{SCALE_200_DPI, png};
 use super::answer::Answer;
 use super::input::Input;
 use crate::folder::Folder;
+use crate::results::pages;
 
 /// Writes `graph.svg`, `graph.png` and `report.html`.
 pub(super) fn save(mut folder: Folder, input: &Input, answer: &Answer) -> Result<()> {
@@ -44,11 +45,7 @@ fn page(input: &Input, answer: &Answer, svg: String) -> Page {
         title: format!("Robustness of {}", input.name),
         lead: answer.sentence.clone(),
         sections: vec![section],
-        footer: format!(
-            "closeranks {}, commit {}: closeranks check",
-            env!("CARGO_PKG_VERSION"),
-            env!("CLOSERANKS_COMMIT")
-        ),
+        footer: pages::footer("check"),
     }
 }
 

@@ -1,6 +1,6 @@
 //! The robots of a tick as lines of text, and the tick in one line.
 
-use closeranks_sim::output::snapshot::{Snapshot, mode_name};
+use closeranks_sim::output::snapshot::Snapshot;
 use closeranks_sim::scenario::Scenario;
 use console::{Style, pad_str, truncate_str};
 
@@ -30,7 +30,7 @@ fn line(now: &Snapshot<'_>, malicious: &[bool], index: usize) -> String {
     let mark = if is_malicious { '■' } else { '●' };
     let short = now.degree[index] < now.required_degree;
     let near = format!("{}/{}", now.degree[index], now.required_degree);
-    let mode = if now.down[index] { "down" } else { mode_name(now.modes[index]) };
+    let mode = if now.down[index] { "down" } else { now.modes[index].name() };
     let text =
         format!("{mark}{:>4} {near:>5} {} {:>8.2}  {mode}", index + 1, bar(now.h(index)), now.value[index]);
     let style = match (short && !is_malicious, is_malicious) {

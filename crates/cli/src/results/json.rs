@@ -1,15 +1,15 @@
 //! The numbers of the table for machines.
 
 use closeranks_report::content::Claim;
-use closeranks_report::numbers::{self, Program};
+use closeranks_report::numbers;
 use closeranks_sim::scenario::Scenario;
 use closeranks_sim::world::Run;
+use closeranks_sweep::PROGRAM;
 use serde_json::{Map, Value, json};
 
 /// One run of this program that took so many seconds.
 pub(crate) fn run(scenario: &Scenario, run: &Run, wall_s: f64) -> Value {
-    let program = Program { version: env!("CARGO_PKG_VERSION"), commit: env!("CLOSERANKS_COMMIT") };
-    let mut numbers: Map<String, Value> = numbers::numbers(scenario, run, program);
+    let mut numbers: Map<String, Value> = numbers::numbers(scenario, run, PROGRAM);
     numbers.insert("wall_time_s".to_owned(), json!(wall_s));
     Value::Object(numbers)
 }

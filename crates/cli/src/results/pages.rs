@@ -2,12 +2,14 @@
 
 use anyhow::Result;
 use closeranks_report::content::{Figure, Link, Listing};
+use closeranks_report::numbers::Program;
 use closeranks_report::parquet::write;
 use closeranks_report::png::{SCALE_200_DPI, png};
 use closeranks_report::recording::rounds::write_rounds;
 use closeranks_report::robustness::{RobustnessSeries, points};
 use closeranks_sim::scenario::Scenario;
 use closeranks_sim::world::Run;
+use closeranks_sweep::PROGRAM;
 use rayon::prelude::*;
 
 use crate::folder::Folder;
@@ -36,11 +38,8 @@ pub(crate) const SERIES: &str = "h_i of every robot, with its number, of the wei
 
 /// The last line of a page.
 pub(crate) fn footer(command: &str) -> String {
-    format!(
-        "closeranks {}, commit {}: closeranks {command}",
-        env!("CARGO_PKG_VERSION"),
-        env!("CLOSERANKS_COMMIT")
-    )
+    let Program { version, commit } = PROGRAM;
+    format!("closeranks {version}, commit {commit}: closeranks {command}")
 }
 
 /// A figure.

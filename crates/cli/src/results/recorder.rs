@@ -6,6 +6,7 @@ use std::io::BufWriter;
 use anyhow::Result;
 use closeranks_graph::graph::set::NODE_LIMIT;
 use closeranks_report::figure::Thinned;
+use closeranks_report::numbers::Program;
 use closeranks_report::parquet::{Metadata, PartWriter};
 use closeranks_report::recording::rounds::RoundWriter;
 use closeranks_sim::monitors::robustness::{ROUNDS_MAX, Round, thin};
@@ -14,6 +15,7 @@ use closeranks_sim::output::record::Record;
 use closeranks_sim::output::snapshot::Snapshot;
 use closeranks_sim::scenario::Scenario;
 use closeranks_sim::world::{Options, Run};
+use closeranks_sweep::PROGRAM;
 
 use crate::folder::Folder;
 
@@ -22,7 +24,7 @@ pub(crate) type Watch<'a> = dyn FnMut(&Snapshot<'_>) -> Result<()> + 'a;
 
 /// What a file of ours says about itself.
 pub(crate) fn metadata<'a>(text: &'a str, scenario: &Scenario) -> Metadata<'a> {
-    let (version, commit) = (env!("CARGO_PKG_VERSION"), env!("CLOSERANKS_COMMIT"));
+    let Program { version, commit } = PROGRAM;
     let weight = scenario.link_shape().map_or([f64::NAN; 2], |link| [link.q1, link.q2]);
     Metadata { scenario: text, seed: scenario.seed, version, commit, weight }
 }

@@ -1,15 +1,16 @@
 //! The closed enum of all controllers: one dispatch, then the code of one.
 
 use crate::controller::budget::control::BudgetController;
+use crate::controller::budget::knowledge::Sighting;
 use crate::controller::composed::ComposedController;
 use crate::controller::links::control::LinksController;
 use crate::controller::links::peer::Ledger;
 use crate::controller::none::Unfiltered;
-use crate::controller::{Control, Decision, Kept, Standing, View};
+use crate::controller::{AtOnce, Control, Decision, Kept, Standing, View};
 use crate::equations::link::LinkShape;
+use crate::id::Member;
 use crate::need::Need;
 use crate::num::Vector;
-use crate::robot::id::Member;
 use crate::robot::neighbor::Slot;
 use crate::robot::report::Mode;
 use crate::robot::scratch::{Needs, Scratch};
@@ -27,6 +28,15 @@ pub enum AnyController<const D: usize> {
     Links(LinksController<D>),
     /// No controller.
     None(Unfiltered<D>),
+}
+
+/// What can be done with every controller whose teams can be computed at once.
+pub trait WithAtOnce<const D: usize> {
+    /// What it comes to.
+    type Output;
+
+    /// Does it with this controller.
+    fn with<C: AtOnce<D> + Copy + Send + Sync + 'static>(self, controller: C) -> Self::Output;
 }
 
 /// Calls the same method of whichever controller it is.
@@ -86,6 +96,24 @@ impl<const D: usize> AnyController<D> {
         dispatch!(self, controller => controller.kept(link, distance_min_m))
     }
 
+    /// How many neighbours a robot must be able to count on ([`Control::keep`]).
+    #[must_use]
+    pub fn keep(&self, own: Member) -> u16 {
+        dispatch!(self, controller => controller.keep(own))
+    }
+
+    /// True if robots use what they were told in earlier ticks ([`Control::remembers`]).
+    #[must_use]
+    pub fn remembers(&self) -> bool {
+        dispatch!(self, controller => controller.remembers())
+    }
+
+    /// The level of a robot with these sightings, if the controller keeps one ([`Control::certain_level`]).
+    #[must_use]
+    pub fn certain_level(&self, own: Member, sightings: &[Sighting<D>], scratch: &mut [f64]) -> Option<f64> {
+        dispatch!(self, controller => controller.certain_level(own, sightings, scratch))
+    }
+
     /// True if malicious robots are assumed to move as its rows allow ([`Control::is_obeyed`]).
     #[must_use]
     pub fn is_obeyed(&self) -> bool {
@@ -102,6 +130,17 @@ impl<const D: usize> AnyController<D> {
     #[must_use]
     pub fn can_be_computed_at_once(&self) -> bool {
         dispatch!(self, controller => controller.can_be_computed_at_once())
+    }
+
+    /// Does `what` with the controller as the type that it is, unless a team of it cannot be computed at once.
+    pub fn at_once<What: WithAtOnce<D>>(self, what: What) -> Option<What::Output> {
+        match self {
+            _ if !self.can_be_computed_at_once() => None,
+            Self::Composed(controller) => Some(what.with(controller)),
+            Self::Budget(controller) => Some(what.with(controller)),
+            Self::Links(_) => None,
+            Self::None(controller) => Some(what.with(controller)),
+        }
     }
 
     /// True if a robot tells its level ([`Control::tells_levels`]).

@@ -6,8 +6,8 @@
 
 use crate::controller::{Control, Decision};
 use crate::equations::link::Link;
+use crate::id::Member;
 use crate::num::{Vector, subtract};
-use crate::robot::id::Member;
 use crate::robot::scratch::Scratch;
 
 /// A robot itself, as its neighbours do not know it.
@@ -96,11 +96,11 @@ pub trait AtOnce<const D: usize>: Control<D> + Send + Sync {
     /// What both ends of a link share. Two robots of which [`pair`](Self::pair) makes nothing do not bound each other.
     type Pair: Copy + core::fmt::Debug + Send + Sync + 'static;
     /// What others make of a level that a robot told.
-    type Told: Copy + core::fmt::Debug + Default + Send + Sync;
+    type Told: Copy + core::fmt::Debug + Default + Send + Sync + 'static;
     /// What a robot adds up over its neighbours.
-    type Sums: Copy + core::fmt::Debug + Default + Send + Sync;
+    type Sums: Copy + core::fmt::Debug + Default + Send + Sync + 'static;
     /// What a robot knows of a neighbour when it decides.
-    type Known: Copy + core::fmt::Debug + Default + Send + Sync;
+    type Known: Copy + core::fmt::Debug + Default + Send + Sync + 'static;
 
     /// True if it adds up anything over neighbours.
     const ADDS: bool = false;

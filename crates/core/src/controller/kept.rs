@@ -10,6 +10,10 @@ pub struct Kept {
     pub link: LinkShape,
     /// How near two of them may come, m.
     pub distance_min_m: f64,
+    /// The greatest fall of the weight of a link, 1/m; 0 where no weight is kept.
+    pub fall_max: f64,
+    /// The fraction of h that a tick may take; 1 where nothing bounds it.
+    pub gamma: f64,
     /// The fraction of D − Δ_d² that a tick may take; 1 where nothing bounds it.
     pub gamma_c: f64,
     /// How far they are from the robots.
@@ -20,6 +24,7 @@ impl Kept {
     /// What a controller keeps that reckons with no errors: links of this shape, and Δ_d = `distance_min_m`.
     #[must_use]
     pub fn plain(link: &LinkShape, distance_min_m: f64) -> Self {
-        Self { link: *link, distance_min_m, gamma_c: 1.0, errors: ErrorBounds::NONE }
+        let (gamma, gamma_c, errors) = (1.0, 1.0, ErrorBounds::NONE);
+        Self { link: *link, distance_min_m, fall_max: 0.0, gamma, gamma_c, errors }
     }
 }

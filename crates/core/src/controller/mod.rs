@@ -25,16 +25,17 @@ pub mod links;
 pub mod none;
 pub mod rows;
 
-pub use any::AnyController;
+pub use any::{AnyController, WithAtOnce};
 pub use at_once::{AtOnce, Batch, Glimpse, Motion, Neighbor, Own};
 pub use kept::Kept;
 
+use crate::controller::budget::knowledge::Sighting;
 use crate::controller::links::peer::Ledger;
 use crate::equations::link::LinkShape;
+use crate::id::Member;
 use crate::need::Need;
 use crate::num::Vector;
 use crate::program::Outcome;
-use crate::robot::id::Member;
 use crate::robot::neighbor::{RobotId, Slot};
 use crate::robot::report::{Mode, Reason};
 use crate::robot::scratch::{Needs, Scratch};
@@ -140,6 +141,22 @@ pub trait Control<const D: usize> {
     /// What it keeps where links are `link` and no two robots may come nearer than `distance_min_m`.
     fn kept(&self, link: &LinkShape, distance_min_m: f64) -> Kept {
         Kept::plain(link, distance_min_m)
+    }
+
+    /// How many neighbours that count a robot must be able to count on, so that it keeps as many as it needs.
+    fn keep(&self, own: Member) -> u16 {
+        self.need().need(own)
+    }
+
+    /// True if robots go on using what they were told in earlier ticks.
+    fn remembers(&self) -> bool {
+        true
+    }
+
+    /// The level of robot `own` with these `sightings`, certain with the stated errors, if the controller keeps one. `scratch` has
+    /// one number a sighting.
+    fn certain_level(&self, _own: Member, _sightings: &[Sighting<D>], _scratch: &mut [f64]) -> Option<f64> {
+        None
     }
 
     /// True if malicious robots are assumed to move as its rows allow (Assumption 1 of the paper).

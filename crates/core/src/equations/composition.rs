@@ -5,6 +5,7 @@
 
 use crate::equations::barrier::{collision_barrier, degree_barrier};
 use crate::equations::link::{LANES, Link};
+use crate::equations::scaling::{plain_row, scaled_row};
 use crate::num::exponential::{exps, vanish};
 use crate::num::number::Number;
 use crate::num::scaled::Scaled;
@@ -222,7 +223,7 @@ impl<const D: usize, N: Number> Sum<D, N> {
     /// φ_i alone. In `f64` it is not finite if something overflowed; use [`Composed::phi`] then.
     #[must_use]
     pub fn phi(&self, composed: &Composed) -> N {
-        let whole = N::from_scaled(Scaled::new(1.0 / f64::from(composed.robots)));
+        let whole = N::from_f64(1.0 / f64::from(composed.robots));
         whole.plus(self.degrees.times_f64(-composed.portion())).plus(self.collisions.times_f64(-0.5))
     }
 }
@@ -236,8 +237,6 @@ const VANISHED: f64 = 1e-200;
 const HEADROOM: f64 = f64::from_bits((1023 + 800) << 52);
 /// An Ê below this stays ordinary in every row; whoever leaves out links of slope 0 must look at it.
 pub const TERM_LARGE: f64 = f64::from_bits((1023 + 200) << 52);
-/// Stands for an infinite bound: larger than anything a box allows, small enough to multiply.
-const BOUND_LIMIT: f64 = 1e200;
 
 impl<const D: usize> Sum<D, f64> {
     /// φ_i and the row. `None` if something overflowed or vanished; use [`Composed::compose`] then.
@@ -246,30 +245,14 @@ impl<const D: usize> Sum<D, f64> {
         let phi = self.phi(composed);
         let largest = self.normal.iter().fold(0.0, |most: f64, component| most.max(component.abs()));
         let ordinary = is_finite(&self.normal) && largest >= VANISHED && phi.is_finite();
-        ordinary.then(|| Composition {
-            row: scaled_row(&self.normal.map(Scaled::new), composed, Scaled::new(phi)),
-            phi,
-        })
+        ordinary.then(|| Composition { row: plain_row(&self.normal, composed.alpha, phi), phi })
     }
 }
 
 impl<const D: usize> Sum<D, Scaled> {
     fn finish_scaled(&self, composed: &Composed) -> Composition<D> {
         let phi = self.phi(composed);
-        let row = scaled_row(&self.normal, composed, phi);
+        let row = scaled_row(&self.normal, composed.alpha, phi);
         Composition { row, phi: phi.value().max(f64::MIN) }
-    }
-}
-
-/// `H·u ≥ −α φ` divided by the power of two that brings the largest component of H into [1, 2).
-fn scaled_row<const D: usize>(normal: &[Scaled; D], composed: &Composed, phi: Scaled) -> Row<D> {
-    let normal = normal.map(Scaled::normalized);
-    let nonzero = normal.iter().filter(|component| component.mantissa != 0.0);
-    let exponent = nonzero.map(|component| component.exponent).max().unwrap_or(0);
-    let shift = exponent.saturating_neg();
-    let bound = phi.times(Scaled::new(-composed.alpha)).shifted(shift).value();
-    Row {
-        normal: normal.map(|component| component.shifted(shift).value()),
-        bound: bound.max(-BOUND_LIMIT).min(BOUND_LIMIT),
     }
 }

@@ -3,3 +3,4 @@
 pub mod barrier;
 pub mod composition;
 pub mod link;
+mod scaling;

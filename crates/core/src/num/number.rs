@@ -18,6 +18,9 @@ pub trait Number: Copy {
     /// The number with this mantissa and exponent. As `f64` it becomes 0 or infinity where that is out of range.
     #[must_use]
     fn from_scaled(number: Scaled) -> Self;
+    /// The number of an ordinary one, which is 0 or not subnormal.
+    #[must_use]
+    fn from_f64(number: f64) -> Self;
     /// Sum.
     #[must_use]
     fn plus(self, other: Self) -> Self;
@@ -41,6 +44,9 @@ impl Number for f64 {
     fn from_scaled(number: Scaled) -> Self {
         number.value()
     }
+    fn from_f64(number: f64) -> Self {
+        number
+    }
     fn plus(self, other: Self) -> Self {
         self + other
     }
@@ -62,6 +68,9 @@ impl Number for Scaled {
     }
     fn from_scaled(number: Scaled) -> Self {
         number
+    }
+    fn from_f64(number: f64) -> Self {
+        Self::new(number)
     }
     fn plus(self, other: Self) -> Self {
         Self::plus(self, other).normalized()

@@ -21,7 +21,7 @@ use core::time::Duration;
 
 use crate::num::{Vector, dot, length, subtract};
 use crate::robot::error::ObserveError;
-use crate::robot::neighbor::{NO_LINK, Slot};
+use crate::robot::neighbor::{NO_LINK, Slot, Told};
 use crate::robot::report::Reason;
 use crate::robot::{Robot, Slots};
 
@@ -107,6 +107,33 @@ impl<const D: usize, S: Slots<D>> Robot<D, S> {
         let (params, longest_m) = (&self.params, self.params.reach().longest_m());
         let radius_m = params.link().radius_m - params.kept().errors.offset_m;
         Horizon { speed_m_s: longest_m / params.hold_s(), move_max_m: longest_m, radius_m }
+    }
+
+    /// True if the robot reckons with a neighbour that it does not sense although it cannot have left.
+    pub fn misses_somebody(&self) -> bool {
+        let controller = self.params.controller();
+        self.neighbors().iter().any(|slot| !slot.sensed && controller.misses(slot))
+    }
+
+    /// Reckons where neighbours are that keep their slots although they are not sensed: where they were sensed last, with an
+    /// error that grows by the longest move a tick. What they tell of their value does not count.
+    pub(crate) fn reckon(&mut self) {
+        let Some(own) = self.position.filter(|_| self.params.controller().tells_lists()) else { return };
+        let (kept, horizon) = (self.params.kept(), self.horizon());
+        let room_m = 2.0 * self.params.reach().longest_m() + kept.errors.offset_m;
+        for slot in &mut self.slots.as_mut()[..self.count] {
+            if slot.sensed {
+                (slot.peer.unseen_ticks, slot.peer.vanished, slot.peer.inside) = (0, false, false);
+                continue;
+            }
+            slot.peer.unseen_ticks = slot.peer.unseen_ticks.saturating_add(1);
+            (slot.offset_m, slot.linked) = (subtract(&own, &slot.position_m), false);
+            if slot.peer.unseen_ticks == 1 {
+                slot.peer.vanished = length(&slot.offset_m) + room_m <= kept.link.radius_m;
+            }
+            slot.peer.inside = slot.peer.vanished && horizon.surely_holds(&slot.offset_m, slot.gone_m);
+            slot.told = slot.told.map(|told| Told { value: None, ..told });
+        }
     }
 }
 

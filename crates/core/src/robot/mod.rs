@@ -1,29 +1,26 @@
 //! One robot as a state machine without inputs or outputs of its own.
 
-mod answer;
 mod assurance;
 pub mod error;
-pub mod id;
-mod lists;
 pub mod memory;
 pub mod missing;
 pub mod neighbor;
 pub mod report;
 mod round;
 pub mod scratch;
+mod sense;
 pub mod sized;
 mod slots;
+mod talk;
+mod tick;
 
-use crate::controller::View;
 use crate::controller::links::peer::Ledger;
 use crate::controller::links::protocol::Number;
-use crate::message::{Message, MessageError, VALUE_MAX, VERSION};
-use crate::num::{Vector, dot, is_finite, subtract};
+use crate::message::VALUE_MAX;
+use crate::num::Vector;
 use crate::robot::assurance::Assurance;
-use crate::robot::error::{ObserveError, Observed, ReceiveError, RobotError, SenseError};
-use crate::robot::neighbor::{Member, NO_LINK, RobotId, Slot, Told};
-use crate::robot::report::{Mode, Output, Reason};
-use crate::robot::scratch::Scratch;
+use crate::robot::error::RobotError;
+use crate::robot::neighbor::{Member, RobotId, Slot};
 use crate::settings::params::Params;
 use crate::time::{Instant, Timer};
 
@@ -73,6 +70,19 @@ impl<const D: usize, S: AsRef<[Slot<D>]> + AsMut<[Slot<D>]>> Slots<D> for S {}
 ///
 /// Numbers from 1 to n without the own one are n − 1, so there can be no more neighbours. The answer does not depend on the order
 /// of `observe` or `receive`, unless there are more neighbours than slots.
+///
+/// [`Mode::Stopped`]: report::Mode::Stopped
+/// [`ObserveError::Full`]: error::ObserveError::Full
+/// [`ObserveError::NotFinite`]: error::ObserveError::NotFinite
+/// [`ObserveError::OwnId`]: error::ObserveError::OwnId
+/// [`ObserveError::UnknownId`]: error::ObserveError::UnknownId
+/// [`Reason::Late`]: report::Reason::Late
+/// [`Reason::NotSensed`]: report::Reason::NotSensed
+/// [`Reason::NotShared`]: report::Reason::NotShared
+/// [`Reason::Overlooked`]: report::Reason::Overlooked
+/// [`Reason::Scratch`]: report::Reason::Scratch
+/// [`ReceiveError::NotNeighbor`]: error::ReceiveError::NotNeighbor
+/// [`SenseError`]: error::SenseError
 #[derive(Debug)]
 pub struct Robot<const D: usize, S> {
     pub(crate) params: Params<D>,
@@ -160,201 +170,6 @@ impl<const D: usize, S: Slots<D>> Robot<D, S> {
         Ok(())
     }
 
-    /// Begins a tick at `now` with the robot's own position x_i, m.
-    pub fn sense(&mut self, now: Instant, position: Vector<D>) -> Result<(), SenseError> {
-        (self.position, self.sensed_now) = (None, true);
-        let went_m = self.horizon().went_m(now.since(self.now));
-        for slot in &mut self.slots.as_mut()[..self.count] {
-            slot.seen_before = slot.sensed;
-            slot.sensed = false;
-            slot.unsensed_m = 0.0;
-            slot.gone_m += went_m;
-        }
-        if now < self.now {
-            return Err(SenseError::TimeFell);
-        }
-        self.now = now;
-        if self.ledger.looked_at.is_none() && self.count == 0 {
-            // Numbers of earlier lives are not above the time at which this one begins.
-            self.ledger = Ledger::begin(self.ledger.numbers.last().max(Number(now.as_nanos())));
-        }
-        if !is_finite(&position) {
-            return Err(SenseError::NotFinite);
-        }
-        let promises = self.params.controller().promises();
-        let place = if promises { self.assurance.place(&self.params, now, position) } else { position };
-        self.position = Some(place);
-        Ok(())
-    }
-
-    /// Takes the sensed position of another robot, m.
-    ///
-    /// Under ranks `other` is a [`Member`], with the rank that the roster has; a number alone stands for rank 0.
-    pub fn observe(
-        &mut self,
-        other: impl Into<Member>,
-        position: Vector<D>,
-    ) -> Result<Observed, ObserveError> {
-        let Member { id, rank } = other.into();
-        if id == self.id {
-            return Err(ObserveError::OwnId);
-        }
-        let known = (1..=self.params.settings().team.robots).contains(&id.0);
-        let without = if known { ObserveError::NoPosition } else { ObserveError::UnknownId };
-        let own = self.position.ok_or(without)?;
-        let offset_m = subtract(&own, &position);
-        let distance_m2 = dot(&offset_m, &offset_m);
-        let link = self.link_at(distance_m2);
-        let far = link.is_none() && distance_m2 > self.params.sight_m2();
-        if !known {
-            return Err(if far { ObserveError::UnknownId } else { self.refuse(ObserveError::UnknownId) });
-        }
-        if !is_finite(&position) {
-            return Err(self.refuse(ObserveError::NotFinite));
-        }
-        if far {
-            self.lose(id, &offset_m);
-            return Ok(Observed::OutOfRange);
-        }
-        let index = self.slot(id).map_err(|error| self.refuse(error))?;
-        let slot = &mut self.slots.as_mut()[index];
-        if slot.seen_before && self.params.controller().promises() {
-            self.assurance.watch(&self.params, self.now, slot, &offset_m);
-        }
-        let differs = slot.sensed && (slot.position_m != position || slot.rank != rank);
-        slot.rank = rank;
-        (slot.sensed, slot.seen_before, slot.offset_m) = (true, false, offset_m);
-        (slot.position_m, slot.sensed_at) = (position, self.now);
-        (slot.gone_m, slot.unsensed_m) = (0.0, 0.0);
-        (slot.linked, slot.link) = (link.is_some(), link.unwrap_or(NO_LINK));
-        if differs {
-            self.overlook();
-        }
-        Ok(if link.is_some() { Observed::Neighbor } else { Observed::InView })
-    }
-
-    /// What to tell now: the level when τ₁ has passed, if the controller tells levels, and the value when τ₂ has. A robot that is late for a round by more
-    /// than a velocity may be held, as after a crash, waits for the next one, so that all have theirs at the same time.
-    ///
-    /// Forgets robots that were not observed in this tick, but for those that are missing ([`missing`]). `None` while nothing is due, the own position is unknown, or `scratch` is
-    /// too short for the robot.
-    //= paper eq:connectivity
-    pub fn share(&mut self, scratch: &mut Scratch<'_, D>) -> Option<Message> {
-        self.position.filter(|_| scratch.is_for(self.slots.as_ref().len()))?;
-        self.reckon();
-        self.settle();
-        let level_due = self.level_timer.fires(self.now);
-        let value_due = self.value_timer.fires_in_turn(self.now, self.params.settings().clock.hold_max());
-        if level_due {
-            let (controller, slots) = (self.params.controller(), &mut self.slots.as_mut()[..self.count]);
-            controller.agree(
-                Member { id: self.id, rank: self.rank },
-                &mut self.ledger,
-                slots,
-                self.now,
-                scratch,
-            );
-            self.level = self.params.controller().level(&self.view(), scratch);
-            self.level_at = self.now;
-            self.told_level = self.level;
-        }
-        if value_due {
-            self.begin_round();
-        }
-        let controller = self.params.controller();
-        let (levels, lists) = (controller.tells_levels(), controller.tells_lists());
-        if !value_due && !(level_due && (levels || lists)) {
-            return None;
-        }
-        let value = value_due.then_some(self.value);
-        if lists {
-            self.ledger.head(self.now, value)?;
-        }
-        self.sequence = self.sequence.saturating_add(1);
-        let level = (levels || lists).then_some(self.told_level);
-        Message::new(self.sequence, self.level_at, level, value).ok()
-    }
-
-    /// Takes a message that arrived from `sender`. Under `links` messages are of another kind ([`receive_bytes`](Self::receive_bytes)).
-    pub fn receive(&mut self, sender: RobotId, message: &Message) -> Result<(), ReceiveError> {
-        if self.params.controller().tells_lists() {
-            return Err(ReceiveError::Bytes(MessageError::Version(VERSION)));
-        }
-        let (now, stamp) = (self.now, message.stamp());
-        let in_round = message.value().is_some() && self.in_round(stamp);
-        let index = self.find(sender).ok_or(ReceiveError::NotNeighbor)?;
-        let slot = &mut self.slots.as_mut()[index];
-        if !slot.sensed && !slot.is_missing() {
-            return Err(ReceiveError::NotNeighbor);
-        }
-        let sequence = message.sequence();
-        if slot.told.is_some_and(|told| (stamp, sequence) <= (told.stamp, told.sequence)) {
-            return Err(ReceiveError::Stale);
-        }
-        let earlier = slot.told.and_then(|told| told.value);
-        let value = earlier.or(message.value().filter(|_| in_round));
-        slot.told = Some(Told { sequence, stamp, level: message.level(), at: now, value });
-        self.round_news |= value != earlier;
-        Ok(())
-    }
-
-    /// Replaces the level that the robot holds and tells, until the next update.
-    ///
-    /// A robot that follows eq:connectivity never needs this. It is how the world makes a robot malicious in the sense
-    /// of `misbeh`: by Assumption 1 such a robot uses its false `c_i` in its own row too. Ignored unless finite.
-    pub fn restate(&mut self, level: f64) {
-        if level.is_finite() {
-            self.told_level = level;
-        }
-    }
-
-    /// Ends the tick: the velocity closest to `desired` (m/s) that its controller allows, and W-MSR if a round is on.
-    ///
-    /// With a `scratch` that is too short for the robot it stands still and says so ([`Reason::Scratch`]).
-    pub fn tick(&mut self, desired: Vector<D>, scratch: &mut Scratch<'_, D>) -> Output<D> {
-        if !scratch.is_for(self.slots.as_ref().len()) {
-            return self.stand(Mode::Degraded(Reason::Scratch), None);
-        }
-        let round = self.end_round(scratch.values);
-        let sensed = core::mem::take(&mut self.sensed_now);
-        let Some(position) = self.position.filter(|_| sensed) else {
-            self.assurance.lose(self.now);
-            let unknown = self.position.is_none();
-            return self
-                .stand(if unknown { Mode::Stopped } else { Mode::Degraded(Reason::NotSensed) }, round);
-        };
-        let (known, unshared) = (is_finite(&desired), self.now >= self.poll_at());
-        let desired = if known { desired } else { [0.0; D] };
-        if self.params.controller().reckons() {
-            self.settle();
-        }
-        let decision = self.params.controller().alone(&self.view(), &desired, scratch);
-        self.before = decision.velocity_m_s;
-        self.ledger.wish_m_s = self.params.settings().limits.input.clip(&desired);
-        self.assurance.doubt(self.now, decision.doubt);
-        let mut report = self.report(Some(&decision), round);
-        if !known {
-            report.mode = Mode::Hold;
-        } else if unshared {
-            report.mode = Mode::Degraded(Reason::NotShared);
-        }
-        self.assurance.moved(self.now, position, decision.velocity_m_s);
-        Output { velocity_m_s: decision.velocity_m_s, report }
-    }
-
-    /// What the controller is given in this tick.
-    fn view(&self) -> View<'_, D> {
-        View {
-            id: self.id,
-            rank: self.rank,
-            now: self.now,
-            told_level: self.told_level,
-            before_m_s: self.before,
-            ledger: &self.ledger,
-            slots: self.neighbors(),
-        }
-    }
-
     /// When the next share is due.
     #[must_use]
     pub fn poll_at(&self) -> Instant {
@@ -391,10 +206,5 @@ impl<const D: usize, S: Slots<D>> Robot<D, S> {
     #[must_use]
     pub fn told_level(&self) -> f64 {
         self.told_level
-    }
-
-    /// Whom the robot counts on, under `links`: neighbours that keep the link to it as it keeps the link to them.
-    pub fn counted(&self) -> impl Iterator<Item = RobotId> + Clone {
-        self.neighbors().iter().filter(|slot| slot.peer.is_counted()).map(|slot| slot.id)
     }
 }

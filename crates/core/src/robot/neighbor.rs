@@ -1,12 +1,10 @@
 //! What a robot holds about one neighbour, in memory that its owner lends.
 
-use core::time::Duration;
-
 use crate::controller::links::peer::Peer;
 use crate::controller::links::protocol::Number;
 use crate::equations::link::Link;
+pub use crate::id::{Member, RobotId};
 use crate::num::Vector;
-pub use crate::robot::id::{Member, RobotId};
 use crate::time::Instant;
 
 /// Stands for the link to a robot that is out of range.
@@ -108,12 +106,6 @@ impl<const D: usize> Slot<D> {
     #[must_use]
     pub fn told_level(&self) -> Option<f64> {
         self.told.and_then(|told| told.level)
-    }
-
-    /// How long before `now` its last message was received.
-    #[must_use]
-    pub fn told_age(&self, now: Instant) -> Option<Duration> {
-        self.told.map(|told| now.since(told.at))
     }
 
     /// The value it told in the consensus round that is on, if any.

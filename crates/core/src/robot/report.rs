@@ -107,6 +107,43 @@ pub enum Reason {
     ContinuousTime,
 }
 
+impl Mode {
+    /// The word for it in tables and files: what is guaranteed, or why it is not.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Guaranteed => "guaranteed",
+            Self::Hold => "hold",
+            Self::Stopped => "stopped",
+            Self::Degraded(reason) => reason.name(),
+        }
+    }
+}
+
+impl Reason {
+    /// The words for it in tables and files.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Degree => "degree",
+            Self::Infeasible => "infeasible",
+            Self::OutsideSafeSet => "outside safe set",
+            Self::Late => "late",
+            Self::Moved => "moved",
+            Self::Overlooked => "overlooked",
+            Self::Uncertain => "uncertain",
+            Self::Untold => "untold",
+            Self::Uncounted => "uncounted",
+            Self::Unseen => "unseen",
+            Self::Unfiltered => "unfiltered",
+            Self::NotSensed => "not sensed",
+            Self::NotShared => "not shared",
+            Self::Scratch => "scratch",
+            Self::ContinuousTime => "continuous time",
+        }
+    }
+}
+
 pub(crate) fn small(count: usize) -> u16 {
     u16::try_from(count).unwrap_or(u16::MAX)
 }

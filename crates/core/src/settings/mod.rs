@@ -3,6 +3,7 @@
 //!
 //! Every single number has one row in [`field`]: its name in files, what it is, and what it may be.
 
+mod check;
 pub mod clock;
 pub mod controller;
 pub mod field;
@@ -17,8 +18,9 @@ use crate::consensus::Rule;
 use crate::controller::budget::weight::Conditions;
 use crate::controller::errors::ErrorBounds;
 use crate::equations::link::LinkShape;
-use crate::need::Ranks;
+use crate::need::{Keep, Need, Ranks};
 use crate::program::InputBox;
+use crate::program::balls::reach::Reach;
 
 /// Who is in the team.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -140,5 +142,21 @@ impl<const D: usize> Settings<D> {
             }
             Controller::Composed(_) | Controller::None => ErrorBounds::NONE,
         }
+    }
+
+    /// The displacements `T U_i`, with T the longest that a velocity is held.
+    pub(crate) fn reach(&self) -> Reach<D> {
+        Reach::new(&self.limits.input, self.clock.hold_max().as_secs_f64())
+    }
+
+    /// Who counts for whom in the team, and how many of them a robot must `keep`.
+    #[must_use]
+    pub fn need(&self, keep: Keep) -> Need {
+        Need::of(self.team, self.ranks, keep)
+    }
+
+    /// The need F′ of controllers that count all neighbours.
+    pub(crate) fn need_of_neighbors(&self) -> Need {
+        Need::new(self.team.robots, self.team.faults, Keep::Neighbors)
     }
 }

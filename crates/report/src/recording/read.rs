@@ -21,18 +21,7 @@ pub fn read(file: Vec<u8>) -> Result<Recording, ReadError> {
 }
 
 fn decode(file: Vec<u8>) -> Result<Recording, ReadError> {
-    let length = file.len();
-    let reader = SerializedFileReader::new(Bytes::from(file))?;
-    if !is_inside(&reader, length) {
-        return Err(ReadError::Broken);
-    }
-    let metadata = reader.metadata().file_metadata();
-    let rows = usize::try_from(metadata.num_rows()).unwrap_or(0);
-    if rows == 0 || rows as u64 > ROWS_MAX {
-        return Err(ReadError::Rows(metadata.num_rows()));
-    }
-    let pairs = metadata.key_value_metadata().into_iter().flatten();
-    let scenario = pairs.filter(|pair| pair.key == "scenario").find_map(|pair| pair.value.clone());
+    let Opened { reader, rows, scenario } = open(file)?;
     if scenario.is_none() {
         return assemble(|name| cells(&reader, name, rows));
     }
@@ -53,18 +42,7 @@ pub fn history(file: Vec<u8>) -> Result<History, ReadError> {
 }
 
 fn moments(file: Vec<u8>) -> Result<History, ReadError> {
-    let length = file.len();
-    let reader = SerializedFileReader::new(Bytes::from(file))?;
-    if !is_inside(&reader, length) {
-        return Err(ReadError::Broken);
-    }
-    let metadata = reader.metadata().file_metadata();
-    let rows = usize::try_from(metadata.num_rows()).unwrap_or(0);
-    if rows == 0 || rows as u64 > ROWS_MAX {
-        return Err(ReadError::Rows(metadata.num_rows()));
-    }
-    let pairs = metadata.key_value_metadata().into_iter().flatten();
-    let scenario = pairs.filter(|pair| pair.key == "scenario").find_map(|pair| pair.value.clone());
+    let Opened { reader, rows, scenario } = open(file)?;
     let scenario = scenario.ok_or_else(|| ReadError::Column("scenario (in the metadata)".to_owned()))?;
     let robots = robots_of(&column(&reader, "tick", rows, words)?, &column(&reader, "robot", rows, words)?)?;
     let stride = stride(rows / robots);
@@ -81,6 +59,31 @@ fn moments(file: Vec<u8>) -> Result<History, ReadError> {
     let ticks = (0..rows / robots).step_by(stride);
     let ticks = ticks.map(|tick| u32::try_from(tick).unwrap_or(u32::MAX)).collect();
     Ok(History { scenario, robots, ticks, columns })
+}
+
+/// A file that can be read.
+struct Opened {
+    reader: SerializedFileReader<Bytes>,
+    rows: usize,
+    /// The scenario of a recording of ours.
+    scenario: Option<String>,
+}
+
+/// Opens a file that has rows, but not too many, and is whole.
+fn open(file: Vec<u8>) -> Result<Opened, ReadError> {
+    let length = file.len();
+    let reader = SerializedFileReader::new(Bytes::from(file))?;
+    if !is_inside(&reader, length) {
+        return Err(ReadError::Broken);
+    }
+    let metadata = reader.metadata().file_metadata();
+    let rows = usize::try_from(metadata.num_rows()).unwrap_or(0);
+    if rows == 0 || rows as u64 > ROWS_MAX {
+        return Err(ReadError::Rows(metadata.num_rows()));
+    }
+    let pairs = metadata.key_value_metadata().into_iter().flatten();
+    let scenario = pairs.filter(|pair| pair.key == "scenario").find_map(|pair| pair.value.clone());
+    Ok(Opened { reader, rows, scenario })
 }
 
 /// Whether every column lies inside of the file: the decoder takes that for granted.

@@ -1,7 +1,6 @@
 //! h of the robots of a start, as each of them has it in its first tick.
 
 use closeranks_core::controller::budget::knowledge::Sighting;
-use closeranks_core::controller::budget::settings::Budget;
 use closeranks_core::equations::barrier::degree_barrier;
 use closeranks_core::num::{Vector, subtract};
 use closeranks_core::robot::neighbor::RobotId;
@@ -10,15 +9,16 @@ use closeranks_core::settings::params::Params;
 /// Computes h, with memory for one robot at a time.
 #[derive(Debug)]
 pub(super) struct Levels<'a, const D: usize> {
-    budget: &'a Budget,
+    params: &'a Params<D>,
     sightings: Vec<Sighting<D>>,
     scratch: Vec<f64>,
 }
 
 impl<'a, const D: usize> Levels<'a, D> {
-    /// `None` under a controller that has no budget.
+    /// `None` under a controller that keeps no level for certain.
     pub(super) fn new(params: &'a Params<D>) -> Option<Self> {
-        Some(Self { budget: params.budget()?, sightings: Vec::new(), scratch: Vec::new() })
+        params.controller().certain_level(RobotId(1).into(), &[], &mut [])?;
+        Some(Self { params, sightings: Vec::new(), scratch: Vec::new() })
     }
 
     /// h of the robot with this index, certain with the stated errors.
@@ -30,8 +30,8 @@ impl<'a, const D: usize> Levels<'a, D> {
         self.sightings.extend(others.map(sighting));
         self.scratch.resize(self.sightings.len(), 0.0);
         let id = RobotId(u16::try_from(index + 1).unwrap_or(u16::MAX));
-        let level = self.budget.level(id, &self.sightings, &mut self.scratch);
-        degree_barrier(level, self.budget.need.need(id))
+        let level = self.params.controller().certain_level(id.into(), &self.sightings, &mut self.scratch);
+        degree_barrier(level.unwrap_or(f64::NEG_INFINITY), self.params.need().need(id))
     }
 
     /// The index of the robot with the least h, and that h.
@@ -48,7 +48,7 @@ impl<'a, const D: usize> Levels<'a, D> {
     }
 }
 
-/// h of a robot if all `robots` stood at one point: no start has more. −∞ under a controller that has no budget.
+/// h of a robot if all `robots` stood at one point: no start has more. −∞ under a controller that keeps no level for certain.
 pub(super) fn most<const D: usize>(params: &Params<D>) -> f64 {
     let robots = usize::from(params.settings().team.robots);
     Levels::new(params).map_or(f64::NEG_INFINITY, |mut levels| levels.h(&vec![[0.0; D]; robots], 0))

@@ -15,7 +15,7 @@ mod sees;
 pub mod team;
 pub mod workers;
 
-use closeranks_core::controller::AnyController;
+use closeranks_core::controller::{AtOnce, WithAtOnce};
 use closeranks_core::robot::error::RobotError;
 use closeranks_core::settings::params::Params;
 
@@ -54,16 +54,27 @@ pub(crate) fn robots<const D: usize>(
     {
         return Ok(Box::new(Fleet::at_once(scenario, params, values)?));
     }
-    let at_once = scenario.is_plain() && controller.can_be_computed_at_once() && steady;
-    if engine == Engine::Robots || !at_once {
-        return Ok(Box::new(Fleet::new(scenario, params, values)?));
+    let at_once = engine == Engine::Team && scenario.is_plain() && steady;
+    let team = at_once.then(|| controller.at_once(MakeTeam { scenario, params, values })).flatten();
+    match team {
+        Some(team) => Ok(team),
+        None => Ok(Box::new(Fleet::new(scenario, params, values)?)),
     }
-    Ok(match controller {
-        AnyController::Composed(composed) => Box::new(Team::new(scenario, params, composed, values)),
-        AnyController::Budget(budget) => Box::new(Team::new(scenario, params, budget, values)),
-        AnyController::Links(_) => Box::new(Fleet::new(scenario, params, values)?),
-        AnyController::None(none) => Box::new(Team::new(scenario, params, none, values)),
-    })
+}
+
+/// Makes a team under whichever controller it is.
+struct MakeTeam<'a, const D: usize> {
+    scenario: &'a Scenario,
+    params: Params<D>,
+    values: &'a [f64],
+}
+
+impl<const D: usize> WithAtOnce<D> for MakeTeam<'_, D> {
+    type Output = Box<dyn Robots<D>>;
+
+    fn with<C: AtOnce<D> + Copy + Send + Sync + 'static>(self, controller: C) -> Self::Output {
+        Box::new(Team::new(self.scenario, self.params, controller, self.values))
+    }
 }
 
 /// Positions are rounded to far less than what a robot takes for a jump as long as they are nearer to 0 than this, m.

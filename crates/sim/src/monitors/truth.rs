@@ -208,5 +208,5 @@ fn trimmed<const D: usize>(
         |other: usize| Sighting::new(rule.member(other), subtract(&own, &frame.positions_m[other]));
     let sightings: Vec<Sighting<D>> = around.iter().map(|other| sighting(usize::from(*other))).collect();
     let scratch = &mut vec![0.0; sightings.len()];
-    params.budget().map_or(0.0, |budget| budget.level(rule.member(robot), &sightings, scratch))
+    params.controller().certain_level(rule.member(robot), &sightings, scratch).unwrap_or(0.0)
 }

@@ -2,7 +2,7 @@
 
 use closeranks_core::equations::barrier::degree_barrier;
 use closeranks_core::program::Outcome;
-use closeranks_core::robot::report::{Mode, Reason};
+use closeranks_core::robot::report::Mode;
 
 use crate::frame::Frame;
 use crate::monitors::truth::Truth;
@@ -139,36 +139,5 @@ impl<'a> Snapshot<'a> {
 
     fn known(&self, index: usize, number: f64, known: bool) -> f64 {
         if known && !self.down[index] { number } else { f64::NAN }
-    }
-}
-
-/// The word for a mode in tables and files: what is guaranteed, or why it is not.
-#[must_use]
-pub fn mode_name(mode: Mode) -> &'static str {
-    match mode {
-        Mode::Guaranteed => "guaranteed",
-        Mode::Hold => "hold",
-        Mode::Stopped => "stopped",
-        Mode::Degraded(reason) => reason_name(reason),
-    }
-}
-
-fn reason_name(reason: Reason) -> &'static str {
-    match reason {
-        Reason::Degree => "degree",
-        Reason::Infeasible => "infeasible",
-        Reason::OutsideSafeSet => "outside safe set",
-        Reason::Late => "late",
-        Reason::Moved => "moved",
-        Reason::Overlooked => "overlooked",
-        Reason::Uncertain => "uncertain",
-        Reason::Untold => "untold",
-        Reason::Uncounted => "uncounted",
-        Reason::Unseen => "unseen",
-        Reason::Unfiltered => "unfiltered",
-        Reason::NotSensed => "not sensed",
-        Reason::NotShared => "not shared",
-        Reason::Scratch => "scratch",
-        Reason::ContinuousTime => "continuous time",
     }
 }

@@ -25,10 +25,7 @@ impl Scenario {
     pub fn ranks<const D: usize>(&self) -> Result<Option<Vec<u16>>, RanksError> {
         let Some(ranking) = self.ranking() else { return Ok(None) };
         let Ok(params) = self.params::<D>() else { return Ok(None) };
-        let need = |rank| usize::from(params.need().need(Member { id: RobotId(0), rank }));
-        // Who moves as it likes may leave: so many more must be there.
-        let spare = if params.controller().is_obeyed() { 0 } else { usize::from(self.team.faults) };
-        let keep = |rank| need(rank) + spare;
+        let keep = |rank| usize::from(params.controller().keep(Member { id: RobotId(0), rank }));
         let (core, above) = (keep(0), keep(1));
         let Ok(positions_m) = self.positions::<D>() else { return Ok(None) };
         ranking.choose(&positions_m, counted_within_m(&params), Keeps { core, above }).map(Some)

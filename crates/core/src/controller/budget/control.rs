@@ -16,7 +16,7 @@ use crate::need::Need;
 use crate::num::{Vector, sqrt};
 use crate::program::InputBox;
 use crate::program::balls::reach::Reach;
-use crate::robot::neighbor::Slot;
+use crate::robot::neighbor::{Member, Slot};
 use crate::robot::report::{Mode, Reason};
 use crate::robot::scratch::{Needs, Scratch};
 use crate::settings::{BudgetSettings, Settings};
@@ -92,8 +92,29 @@ impl<const D: usize> Control<D> for BudgetController<D> {
     }
 
     fn kept(&self, _link: &LinkShape, _distance_min_m: f64) -> Kept {
-        let Budget { distance_min_m, gamma_c, errors, .. } = self.budget;
-        Kept { link: *self.budget.curvature.link(), distance_min_m, gamma_c, errors }
+        let Budget { curvature, distance_min_m, gamma, gamma_c, errors, .. } = self.budget;
+        Kept {
+            link: *curvature.link(),
+            distance_min_m,
+            fall_max: curvature.fall_max(),
+            gamma,
+            gamma_c,
+            errors,
+        }
+    }
+
+    /// Where malicious robots move as they like they may leave: as many more must be there.
+    fn keep(&self, own: Member) -> u16 {
+        let spare = if self.is_obeyed() { 0 } else { self.budget.faults };
+        self.budget.need.need(own).saturating_add(spare)
+    }
+
+    fn remembers(&self) -> bool {
+        false
+    }
+
+    fn certain_level(&self, own: Member, sightings: &[Sighting<D>], scratch: &mut [f64]) -> Option<f64> {
+        Some(self.budget.level(own, sightings, scratch))
     }
 
     fn is_obeyed(&self) -> bool {

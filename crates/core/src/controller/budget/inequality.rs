@@ -6,10 +6,10 @@ use crate::controller::budget::Own;
 use crate::controller::budget::knowledge::KnownMargin;
 use crate::controller::budget::settings::{Budget, Form};
 use crate::controller::rows::give_m2;
+use crate::id::Member;
 use crate::num::{Vector, dot, length, sqrt};
 use crate::program::balls::reach::Reach;
 use crate::program::balls::row::Row;
-use crate::robot::id::Member;
 
 /// What the rows of two robots for each other share: everything but the direction.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -39,6 +39,7 @@ pub mod knowledge;
 pub mod margin;
 mod recovery;
 pub mod settings;
+mod sums;
 pub mod survey;
 pub mod weight;
 
@@ -47,10 +48,10 @@ use crate::controller::budget::knowledge::{Sighting, count};
 use crate::controller::budget::settings::{Budget, Form};
 use crate::controller::budget::survey::Survey;
 use crate::controller::rows::{Rows, give_m2, may_bind};
+use crate::id::Member;
 use crate::num::{Vector, add_scaled};
 use crate::program::balls::reach::Reach;
 use crate::program::balls::row::Row;
-use crate::robot::id::Member;
 
 /// Memory that the caller lends for one tick.
 #[derive(Debug)]

@@ -5,11 +5,11 @@ use crate::controller::links::Links;
 use crate::controller::links::peer::{Ledger, Peer};
 use crate::controller::{Control, Decision, Kept, Standing, View};
 use crate::equations::link::LinkShape;
+use crate::id::Member;
 use crate::need::{Keep, Need};
 use crate::num::Vector;
 use crate::program::InputBox;
 use crate::program::balls::reach::Reach;
-use crate::robot::id::Member;
 use crate::robot::neighbor::Slot;
 use crate::robot::report::{Mode, Reason};
 use crate::robot::scratch::{Needs, Scratch};
@@ -78,7 +78,7 @@ impl<const D: usize> LinksController<D> {
         let moved = rows.decide(&view.before_m_s.map(|component| component * self.hold_s));
         let velocity = moved.displacement_m.map(|component| component / self.hold_s);
         let counted = view.slots.iter().filter(|slot| slot.peer.is_counted()).count();
-        let uncounted = (counted < self.links.keep(view.member())).then_some(Reason::Uncounted);
+        let uncounted = (counted < usize::from(self.links.keep(view.member()))).then_some(Reason::Uncounted);
         let doubt = match moved.doubt {
             Some(Reason::Uncertain) | None => uncounted.or(moved.doubt),
             grave => grave,
@@ -103,7 +103,11 @@ impl<const D: usize> Control<D> for LinksController<D> {
     fn kept(&self, _link: &LinkShape, _distance_min_m: f64) -> Kept {
         let Links { distance_min_m, gamma_c, errors, .. } = self.links;
         let link = LinkShape { radius_m: self.shape.radius_m - 2.0 * errors.away_m, ..self.shape };
-        Kept { link, distance_min_m, gamma_c, errors }
+        Kept { gamma_c, errors, ..Kept::plain(&link, distance_min_m) }
+    }
+
+    fn keep(&self, own: Member) -> u16 {
+        self.links.keep(own)
     }
 
     fn is_obeyed(&self) -> bool {

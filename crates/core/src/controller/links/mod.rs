@@ -38,9 +38,9 @@ use core::time::Duration;
 
 use crate::controller::assume::Assume;
 use crate::controller::errors::ErrorBounds;
+use crate::id::Member;
 use crate::need::Need;
 use crate::num::length;
-use crate::robot::id::Member;
 use crate::robot::neighbor::Slot;
 use crate::time::Instant;
 
@@ -104,8 +104,8 @@ impl Links {
 
     /// How many neighbours `robot` must count on.
     #[must_use]
-    pub fn keep(&self, robot: Member) -> usize {
-        usize::from(self.need.need(robot)) + usize::from(self.spare)
+    pub fn keep(&self, robot: Member) -> u16 {
+        self.need.need(robot).saturating_add(self.spare)
     }
 
     /// How wrong the offset to a neighbour may be, m: since it was last sensed, it may have moved.

@@ -5,8 +5,8 @@ use core::time::Duration;
 use crate::controller::links::deal::Deal;
 use crate::controller::links::protocol::{Hold, Number, Numbers};
 use crate::controller::links::wire::{Head, Item, Notice};
+use crate::id::RobotId;
 use crate::num::Vector;
-use crate::robot::id::RobotId;
 use crate::time::Instant;
 
 /// What a robot holds of one neighbour.

@@ -20,8 +20,8 @@ use core::time::Duration;
 use crate::controller::links::Links;
 use crate::controller::links::peer::{Ledger, Peer};
 use crate::controller::links::protocol::Number;
+use crate::id::Member;
 use crate::num::{Vector, add_scaled, dot, length, subtract};
-use crate::robot::id::Member;
 use crate::robot::neighbor::Slot;
 use crate::time::Instant;
 
@@ -61,7 +61,7 @@ impl Links {
             counted += usize::from(slot.peer.is_counted());
             in_range += usize::from(self.may_be_counted(own, slot, now));
         }
-        let keep = self.keep(own);
+        let keep = usize::from(self.keep(own));
         let slots_left = in_range.saturating_sub(keep);
         promise(slots, slots_left, values);
         ledger.price_m = price_m(slots, slots_left);

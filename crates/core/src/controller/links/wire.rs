@@ -11,9 +11,9 @@
 //! N neighbours has `32 + 8 D + 11 N` bytes, at most [`bytes_max`].
 
 use crate::controller::links::protocol::{Entry, Number, Word};
+use crate::id::RobotId;
 use crate::message::{MessageError, VALUE_MAX};
 use crate::num::{Vector, is_finite};
-use crate::robot::id::RobotId;
 use crate::settings::range::{MAGNITUDE_MAX, ROBOTS_MAX};
 
 const MAGIC: [u8; 2] = *b"CR";

@@ -2,7 +2,7 @@
 
 use closeranks_core::robot::report::{Mode, Reason};
 use closeranks_sim::output::record::outcome_name;
-use closeranks_sim::output::snapshot::{Snapshot, mode_name};
+use closeranks_sim::output::snapshot::Snapshot;
 
 use crate::recording::mcap::cdr::Writer;
 use crate::recording::mcap::messages::{header, name};
@@ -27,7 +27,7 @@ fn status(writer: &mut Writer, now: &Snapshot<'_>, index: usize, malicious: bool
     let (level, message) = if now.down[index] {
         (STALE, "down")
     } else {
-        (level(now.modes[index], now.degree[index] < now.required_degree), mode_name(now.modes[index]))
+        (level(now.modes[index], now.degree[index] < now.required_degree), now.modes[index].name())
     };
     writer.byte(level);
     writer.text(&format!("{}: closeranks", name(index)));

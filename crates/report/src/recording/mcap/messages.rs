@@ -1,7 +1,7 @@
 //! The messages of ROS 2 about one tick, as bytes.
 
 use closeranks_sim::output::record::outcome_name;
-use closeranks_sim::output::snapshot::{Snapshot, mode_name};
+use closeranks_sim::output::snapshot::Snapshot;
 
 use crate::recording::mcap::cdr::Writer;
 
@@ -92,6 +92,6 @@ pub(super) fn state(now: &Snapshot<'_>, time_ns: u64, index: usize, malicious: b
     writer.doubles(&[now.level[index], now.told(index), now.h(index), now.phi[index], now.value[index]]);
     writer.doubles(&[now.value_told(index), now.degree_sensed(index), now.level_sensed(index)]);
     writer.text(outcome_name(now.outcome[index]));
-    writer.text(mode_name(now.modes[index]));
+    writer.text(now.modes[index].name());
     writer.end()
 }

@@ -12,5 +12,5 @@ pub(crate) struct Before<const D: usize> {
     /// Moves obey the rows, and rows rest on what is true.
     pub(crate) moves: bool,
     /// They do so for so long that every level in use is one that was told since.
-    pub(crate) claims: bool,
+    pub(crate) settled: bool,
 }

@@ -39,7 +39,7 @@ impl<const D: usize> Distances<D> {
         Self {
             malicious: scenario.malicious_mask(),
             free: scenario.attack.motion != MotionAttack::Obedient,
-            kept: params.kept(),
+            kept: *params.kept(),
             params,
             apart: Vec::new(),
             far_apart: false,

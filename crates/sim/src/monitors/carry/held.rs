@@ -20,6 +20,8 @@ pub(crate) struct Held<const D: usize> {
     rule: Arc<Rule>,
     /// For each robot the others, by number, in rising order.
     sound: Vec<Vec<u16>>,
+    /// Memory for the others of one robot.
+    scratch: Vec<u16>,
 }
 
 impl<const D: usize> Held<D> {
@@ -31,6 +33,7 @@ impl<const D: usize> Held<D> {
             rule: Arc::clone(rule),
             malicious: scenario.malicious_mask(),
             sound: vec![Vec::new(); robots],
+            scratch: Vec::new(),
         }
     }
 
@@ -49,7 +52,9 @@ impl<const D: usize> Held<D> {
             if self.malicious[index] {
                 continue;
             }
-            let (before, mut sound) = (core::mem::take(&mut self.sound[index]), Vec::new());
+            let (before, mut sound) =
+                (core::mem::take(&mut self.sound[index]), core::mem::take(&mut self.scratch));
+            sound.clear();
             for &number in counted.iter().filter(|number| self.binds(**number)) {
                 let other = usize::from(number) - 1;
                 let own = small(index + 1);
@@ -68,7 +73,7 @@ impl<const D: usize> Held<D> {
                     sound.push(number);
                 }
             }
-            self.sound[index] = sound;
+            (self.sound[index], self.scratch) = (sound, before);
         }
     }
 

@@ -29,8 +29,8 @@ pub(crate) struct Carry<const D: usize> {
     params: Params<D>,
     malicious: Vec<bool>,
     rule: Arc<Rule>,
-    /// For how long a broken assumption is felt: under `budget`, which remembers nothing, for no longer than it lasts.
-    claim_ticks: u64,
+    /// For how long a broken assumption is felt: as long as what was told in it is used.
+    settle_ticks: u64,
     /// γ, the part of h that a tick may take; written down once more.
     gamma: f64,
     before: Option<Before<D>>,
@@ -55,12 +55,11 @@ impl<const D: usize> Carry<D> {
         let aged = settings.clock.told_max + settings.clock.error;
         let told_ticks = aged.as_nanos().div_ceil(settings.clock.level_period.as_nanos().max(1));
         let told_ticks = u64::try_from(told_ticks).unwrap_or(u64::MAX).saturating_add(1);
-        let settles = params.budget().is_some();
         Self {
             malicious: scenario.malicious_mask(),
             rule: Arc::clone(rule),
-            claim_ticks: if settles { 0 } else { told_ticks },
-            gamma: params.budget().map_or(1.0, |budget| budget.gamma),
+            settle_ticks: if params.controller().remembers() { told_ticks } else { 0 },
+            gamma: params.kept().gamma,
             mode: ModeWatch::new(scenario, params, rule, told_ticks),
             rest: RestWatch::new(scenario, params, rule),
             distances: Distances::new(scenario, params),
@@ -98,12 +97,12 @@ impl<const D: usize> Carry<D> {
             self.broken = Some(tick);
         }
         let moves = !frame.assumptions.broken && covered;
-        let claims = moves && longer_ago(self.broken, tick, self.claim_ticks);
+        let settled = moves && longer_ago(self.broken, tick, self.settle_ticks);
         let moved = carried.is_some_and(|before| before.moves);
         if self.lists() {
             self.held.watch(tick, frame, [moved, moves], verdicts);
         }
-        for (counter, counts) in self.ticks.iter_mut().zip([true, claims]) {
+        for (counter, counts) in self.ticks.iter_mut().zip([true, settled]) {
             *counter += u64::from(counts);
         }
         if self.params.controller().promises() {
@@ -112,20 +111,20 @@ impl<const D: usize> Carry<D> {
         }
         let mut now = before.unwrap_or_default();
         now.positions_m.clone_from(&frame.positions_m);
-        self.carry(frame, truth, &now, [moves, claims]);
-        (now.moves, now.claims) = (moves, claims);
+        self.carry(frame, truth, &now, [moves, settled]);
+        (now.moves, now.settled) = (moves, settled);
         self.before = Some(now);
     }
 
     /// What is safe now, or was and must still be, must be so at the next tick. `composed` promises nothing before every
     /// φ_i ≥ 0 (thm:cbf-qp).
-    fn carry(&mut self, frame: &Frame<D>, truth: &Truth, before: &Before<D>, [moves, claims]: [bool; 2]) {
+    fn carry(&mut self, frame: &Frame<D>, truth: &Truth, before: &Before<D>, [moves, settled]: [bool; 2]) {
         let budget = self.params.controller().promises();
         let lists = self.lists();
         let inside = budget || frame.phis.iter().all(|phi| *phi >= 0.0);
         for (index, (kept, h)) in self.kept.iter_mut().zip(&truth.h).enumerate() {
             let safe = if lists { self.held.is_kept(index) } else { inside && *h >= 0.0 };
-            *kept = claims && (safe || (*kept && before.claims));
+            *kept = settled && (safe || (*kept && before.settled));
         }
         self.distances.carry(truth, before, inside, moves);
     }
@@ -152,7 +151,7 @@ impl<const D: usize> Carry<D> {
         let budget = self.params.controller().promises();
         for (robot, index) in (1_u16..).zip(0..truth.h.len()).filter(|(_, k)| !self.malicious[*k]) {
             let (h, required) = (truth.h[index], self.rule.required(index));
-            let carried = before.filter(|before| before.claims && self.kept[index]);
+            let carried = before.filter(|before| before.settled && self.kept[index]);
             let at = |seen, demanded| Violation { tick, robots: [robot, 0], seen, demanded };
             if h < -ROUNDING {
                 verdicts.broke(Law::Spare, at(h, 0.0), carried.is_some());

@@ -2,6 +2,7 @@
 
 use std::sync::Arc;
 
+use closeranks_core::controller::Kept;
 use closeranks_core::robot::report::Mode;
 use closeranks_core::settings::params::Params;
 
@@ -56,8 +57,8 @@ fn is_deaf<const D: usize>(scenario: &Scenario, params: &Params<D>) -> bool {
 impl<const D: usize> ModeWatch<D> {
     /// For the robots of `scenario`, who may use a level for `told_ticks`.
     pub(crate) fn new(scenario: &Scenario, params: Params<D>, rule: &Arc<Rule>, told_ticks: u64) -> Self {
-        let (steady, errors) = (scenario.faults.clocks == Clocks::default(), params.kept().errors);
-        let fall_max = params.budget().map_or(0.0, |budget| budget.curvature.fall_max());
+        let steady = scenario.faults.clocks == Clocks::default();
+        let Kept { errors, fall_max, .. } = *params.kept();
         Self {
             malicious: scenario.malicious_mask(),
             rule: Arc::clone(rule),

@@ -2,6 +2,8 @@
 
 use std::sync::Arc;
 
+use closeranks_core::controller::Kept;
+use closeranks_core::controller::errors::ErrorBounds;
 use closeranks_core::equations::link::Link;
 use closeranks_core::num::{Vector, add_scaled, length, sqrt, subtract};
 use closeranks_core::settings::params::Params;
@@ -40,8 +42,7 @@ pub(crate) struct RestWatch<const D: usize> {
 impl<const D: usize> RestWatch<D> {
     /// For the robots of `scenario`, who count for each other by `rule`.
     pub(crate) fn new(scenario: &Scenario, params: Params<D>, rule: &Arc<Rule>) -> Self {
-        let offset_m = params.kept().errors.offset_m;
-        let fall_max = params.budget().map_or(0.0, |budget| budget.curvature.fall_max());
+        let Kept { errors: ErrorBounds { offset_m, .. }, fall_max, .. } = *params.kept();
         Self {
             malicious: scenario.malicious_mask(),
             blur: 4.0 * offset_m * fall_max * f64::from(scenario.team.robots),
