@@ -1,7 +1,6 @@
 //! Who counts for whom, and how many of them a robot must keep: one rule for a whole team.
 
 use crate::id::Member;
-use crate::settings::Team;
 
 /// Which neighbours a robot must keep enough of.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -67,15 +66,6 @@ impl Need {
             Keep::NormalNeighbors => faults.saturating_add(1),
         };
         Self { robots, core, in_core: among(core, faults, keep), above: Some(above) }
-    }
-
-    /// The rule of a `team` with `ranks`, if it has any, in which a robot must `keep` enough of those.
-    #[must_use]
-    pub fn of(Team { robots, faults }: Team, ranks: Option<Ranks>, keep: Keep) -> Self {
-        match ranks {
-            None => Self::new(robots, faults, keep),
-            Some(ranks) => Self::ranked(robots, ranks.core, faults, keep),
-        }
     }
 
     /// How many of those who count for `robot` it must have as neighbours.

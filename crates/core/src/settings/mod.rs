@@ -152,11 +152,19 @@ impl<const D: usize> Settings<D> {
     /// Who counts for whom in the team, and how many of them a robot must `keep`.
     #[must_use]
     pub fn need(&self, keep: Keep) -> Need {
-        Need::of(self.team, self.ranks, keep)
+        need_of(self.team, self.ranks, keep)
     }
 
     /// The need F′ of controllers that count all neighbours.
     pub(crate) fn need_of_neighbors(&self) -> Need {
         Need::new(self.team.robots, self.team.faults, Keep::Neighbors)
+    }
+}
+
+/// The rule of a team with `ranks`, if it has any, in which a robot must `keep` enough of those.
+fn need_of(Team { robots, faults }: Team, ranks: Option<Ranks>, keep: Keep) -> Need {
+    match ranks {
+        None => Need::new(robots, faults, keep),
+        Some(ranks) => Need::ranked(robots, ranks.core, faults, keep),
     }
 }

@@ -4,9 +4,10 @@ use core::time::Duration;
 
 use crate::controller::budget::weight::{Conditions, Weight};
 use crate::controller::errors::ErrorBounds;
-use crate::need::{Need, Ranks};
+use crate::need::Ranks;
 use crate::settings::{
     BudgetSettings, Clock, ComposedSettings, Controller, Errors, LinkSettings, LinksSettings, Settings, Team,
+    need_of,
 };
 
 /// The settings of a team without those of a dimension. Parameters of a controller are there if it may be run.
@@ -66,7 +67,7 @@ impl<const D: usize> Settings<D> {
 /// What the weight of `budget` is chosen for; `None` without that controller.
 pub(super) fn conditions(of: &Parts<'_>) -> Option<Conditions> {
     let keep = of.budget.as_ref()?.assume.keep();
-    let need = Need::of(*of.team, of.ranks, keep);
+    let need = need_of(*of.team, of.ranks, keep);
     Some(Conditions {
         radius_m: of.link.radius_m,
         need: need.most(),
