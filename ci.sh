@@ -6,7 +6,7 @@
 #     ./ci.sh recordings   recordings of runs, read by three libraries of others (Python 3.11 or later and PyPI)
 #     ./ci.sh live         `run --live` in terminals (tmux)
 #     ./ci.sh proofs       the theorems of docs/theory, checked by Coq (Debian's packages; proofs/check.sh)
-#     ./ci.sh node         robots as processes over Zenoh (crates/node, a workspace of its own with 200 more crates)
+#     ./ci.sh node         robots as processes over Zenoh (crates/node, a workspace of its own with 200 more crates; Python 3 and PyPI)
 #     ./ci.sh python       the Python package: wheel, tests, stubs, audit (Python 3.10 or later and PyPI; scripts/python.sh)
 #     ./ci.sh bare-metal   the core on a microcontroller, emulated (Debian's packages; scripts/bare-metal.sh)
 #     ./ci.sh web          the page: built anew, compared with the committed one, tried in a browser (bindings/web/README.md)
@@ -92,7 +92,7 @@ seed=$((16#$(git rev-parse --short=8 HEAD 2> /dev/null || echo 1)))
 cargo run --release --locked --quiet -- sweep scenarios/campaign.toml --runs 2000 --seed "$seed" -o "$out/campaign"
 
 step "packages of the libraries"
-cargo package -p closeranks-core -p closeranks-graph -p closeranks-sim -p closeranks-report --no-verify --allow-dirty --quiet
+cargo package -p closeranks-core -p closeranks-graph -p closeranks-sim -p closeranks-mcap -p closeranks-report --no-verify --allow-dirty --quiet
 
 step "benches are built, not timed"
 cargo test --release --locked --benches --quiet -p closeranks-core -p closeranks-sim

@@ -3,7 +3,7 @@
    In words. h_k is the sum of the link weights of robot k to those that count for it, less its need. If every robot applies
    a move that meets its rows, all of them with (far') or all of them with (far), if the neighbours i of k use b_ik <= max(h_k, 0)
    and shares of at least 1/(degree of k + 1), then h_k' >= h_k - s(max(h_k, 0)) after the tick, and after any part of every
-   move. With (near) two robots keep D' - Dd^2 >= (1 - gamma_c)(D - Dd^2).
+   move. With (near) two robots keep D' - Dd^2 >= (1 - gamma_c)(D - Dd^2), and a pair out of range stays apart.
 
    Of the weight it is assumed: it is never negative, 0 out of range; for (far') the curvature bound kappa of
    eq:curvature-bound; for (far) the slope bound L of eq:slope-bound. curvature.v and weights.v prove both. Of s
@@ -63,6 +63,26 @@ move=> t01 u01 rv rw; have := near_tick t01 u01 rv rw; rewrite /pos => tick; spl
 by move: tick; rewrite Rmax_right; lra.
 Qed.
 End Near.
+
+(* thm:discrete 2 for any pair: in range by the rows, out of range because nobody comes far in a tick. *)
+Lemma pair_stays_apart (d : nat) gamma_c radius rho Dd (r v w : vec d) t u :
+  0 < gamma_c <= 1 -> 0 <= rho -> 0 <= Dd -> Dd <= radius - 2 * rho -> 0 <= t <= 1 -> 0 <= u <= 1 ->
+  sq v <= rho * rho -> sq w <= rho * rho ->
+  (sq r <= radius * radius -> near_row gamma_c (Dd * Dd) r v /\ near_row gamma_c (Dd * Dd) (times (-1) r) w) ->
+  Dd * Dd <= sq r -> Dd * Dd <= sq (moved r (times t v) (times u w)).
+Proof.
+move=> c01 rho0 Dd0 room t01 u01 lv lw rows apart.
+case: (Rle_dec (sq r) (radius * radius)) => near.
+  have [rv rw] := rows near; have [close _] := near_apart c01 t01 u01 rv rw.
+  have := close apart; have : 0 <= (1 - gamma_c) * (sq r - Dd * Dd) by nra.
+  lra.
+rewrite /moved; apply: (far_apart rho0 Dd0 room); first exact: Rnot_le_lt.
+have part (q : vec d) c : 0 <= c <= 1 -> sq q <= rho * rho -> sq (times c q) <= rho * rho.
+  move=> c01' le; have := sq_nonneg q; rewrite sq_times; move: (sq q) le => z le z0.
+  have : c * c <= 1 by nra.
+  nra.
+have := sq_minus_le (times t v) (times u w); have := part v t t01 lv; have := part w u u01 lw; lra.
+Qed.
 
 Section Far.
 Variables (V : finType) (d : nat) (k : V).

@@ -128,29 +128,13 @@ Hypothesis rho_nonneg : 0 <= rho.
 Hypothesis Dd_nonneg : 0 <= Dd.
 Hypothesis room : Dd <= radius - 2 * rho.
 
-Lemma far_stay_far p i j t : (forall i, 0 <= t i <= 1) -> ~~ in_range p i j ->
-  Dd2 <= sq (offset_at p t i j).
-Proof.
-move=> t01 out; rewrite /offset_at /moved; apply: (far_apart rho_nonneg Dd_nonneg room).
-  by move: out; rewrite /in_range; case: (Rle_dec _ _) => // no _; exact: Rnot_le_lt.
-have part k : sq (times (t k) (v p k)) <= rho * rho.
-  have := t01 k; have := sq_nonneg (v p k); have := longest p k; rewrite sq_times /rho2.
-  move: (sq _) (t k) => z u le z0 u01; have : u * u <= 1 by nra.
-  nra.
-have := sq_minus_le (times (t i) (v p i)) (times (t j) (v p j)); have := part i; have := part j; lra.
-Qed.
-
 Theorem stay_apart_between p i j t : i != j -> (forall i, 0 <= t i <= 1) ->
   Dd2 <= sq (offset p i j) -> Dd2 <= sq (offset_at p t i j).
 Proof.
-move=> ij t01 apart; have [ir | out] := boolP (in_range p i j); last exact: far_stay_far.
-have rj : near_row gamma_c Dd2 (times (-1) (offset p i j)) (v p j).
-  rewrite -minus_swap; apply: near; first by rewrite eq_sym.
-  move: ir; rewrite /in_range [offset p j i]minus_swap sq_times.
-  by case: (Rle_dec _ _) => // le _; case: (Rle_dec _ _) => // no; case: no; lra.
-have [close _] := near_apart gamma_c01 (t01 i) (t01 j) (near ij ir) rj.
-have := close apart; rewrite /offset_at; have : 0 <= (1 - gamma_c) * (sq (offset p i j) - Dd2) by nra.
-lra.
+move=> ij t01; apply: (pair_stays_apart gamma_c01 rho_nonneg Dd_nonneg room) => //; try exact: longest.
+move=> close; split; first by apply: near => //; rewrite /in_range; case: (Rle_dec _ _).
+rewrite -minus_swap; apply: near; first by rewrite eq_sym.
+by rewrite /in_range minus_swap sq_times; case: (Rle_dec _ _) => // no; case: no; move: close; rewrite /R2; lra.
 Qed.
 
 Theorem stay_apart i j : i != j -> Dd2 <= sq (offset 0 i j) -> forall p, Dd2 <= sq (offset p i j).

@@ -1,8 +1,9 @@
 #!/usr/bin/env bash
-# Checks all proofs, prints what each main theorem rests on, and holds the Rust code against the proved model of W-MSR.
+# Checks all proofs, prints what each main theorem rests on, and holds the Rust code against the proved model of W-MSR and
+# the proved checker of certificates.
 # From anywhere. It installs nothing. Needs Debian's
 #
-#     coq libcoq-mathcomp-algebra libcoq-mathcomp-zify libcoq-interval ocaml-nox
+#     coq libcoq-mathcomp-algebra libcoq-mathcomp-zify libcoq-interval libcoq-flocq ocaml-nox
 #
 # and Rust for the last step (`--no-rust` leaves it out). `--write` writes the committed table anew.
 set -euo pipefail
@@ -19,7 +20,7 @@ done
 
 for program in coqc coqdep ocamlfind; do
   command -v "$program" > /dev/null || {
-    echo "$program is missing: apt-get install coq libcoq-mathcomp-algebra libcoq-mathcomp-zify libcoq-interval ocaml-nox"
+    echo "$program is missing: apt-get install coq libcoq-mathcomp-algebra libcoq-mathcomp-zify libcoq-interval libcoq-flocq ocaml-nox"
     exit 2
   }
 done
@@ -95,5 +96,17 @@ if test "$rust" = yes; then
   ./table large 200000 > large.txt
   CLOSERANKS_WMSR_TABLE="$build/large.txt" cargo test --quiet --locked --manifest-path "$here/../Cargo.toml" \
     -p closeranks-core --test wmsr_model -- --nocapture
+fi
+
+echo "== certificates"
+rm -f evidence_checker.mli
+ocamlfind ocamlopt -w -a evidence_checker.ml certificate.ml -o certificate
+if test "$rust" = yes; then
+  CLOSERANKS_CERTIFICATES="$build/certificates.txt" cargo test --quiet --locked --manifest-path "$here/../Cargo.toml" \
+    -p closeranks-graph --test evidence
+  ./certificate --stream certificates.txt
+  # Two checkers that agree on everything would agree on nothing if no difference were seen.
+  sed '0,/verdict no/s//verdict yes/' certificates.txt > changed.txt
+  if ./certificate --stream changed.txt > /dev/null; then echo "a wrong verdict was not seen"; exit 1; fi
 fi
 echo "all proofs hold"

@@ -10,7 +10,7 @@
    interval arithmetic on [0, 4], serves every q1 and q2.
    `degree_counts` is lem:degree: h_k >= 0 means at least `need` neighbours.
 
-   Not here: that f has a single peak, so that L is f at the point closest to it. The curvature bound is in curvature.v. *)
+   That f has a single peak is in peak.v, the curvature bound in curvature.v. *)
 
 From Coq Require Import Reals Lra Psatz.
 From Coquelicot Require Import Coquelicot.

@@ -8,4 +8,6 @@ cargo fmt --check
 cargo clippy --all-targets --locked -- -D warnings
 cargo test --locked
 RUSTDOCFLAGS="-D warnings" cargo doc --no-deps --locked --quiet
+# Among topics of ROS 2, with programs that are not ours (Python 3 and PyPI).
+tests/ros2/run.sh
 echo "the robots are well"

@@ -3,8 +3,8 @@
 use std::process::Command;
 
 /// What the program is made of.
-const SOURCES: [&str; 6] =
-    ["../core/src", "../graph/src", "../sim/src", "../report/src", "../cli/src", "src"];
+const SOURCES: [&str; 7] =
+    ["../core/src", "../graph/src", "../sim/src", "../mcap/src", "../report/src", "../cli/src", "src"];
 
 fn main() {
     println!("cargo:rerun-if-changed=../../.git/HEAD");

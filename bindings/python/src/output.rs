@@ -28,9 +28,9 @@ use pyo3::prelude::*;
 /// outcome : str
 ///     "free", "active", "infeasible" or "recovering".
 /// untold : int
-///     Neighbours that have told no level yet.
+///     Neighbours that have told no level yet, where levels are told.
 /// told_age_max_s : float
-///     Time since the oldest told level in use was received, s.
+///     Time since the oldest of the neighbours' last messages was received, s.
 /// round : tuple of three int or None
 ///     In a consensus round: values kept, discarded, and neighbours that were silent.
 #[pyclass(frozen, get_all, module = "closeranks")]

@@ -2,10 +2,12 @@
 
 use core::time::Duration;
 
+use closeranks_core::controller::links::wire::bytes_max;
 use closeranks_core::num::Vector;
 use closeranks_core::robot as core_robot;
 use closeranks_core::robot::error::Observed;
-use closeranks_core::{Instant, Message, RobotId, Slot};
+use closeranks_core::robot::neighbor::Member;
+use closeranks_core::{Instant, MESSAGE_BYTES, RobotId, Slot};
 use closeranks_sim::engine::memory::Memory;
 use closeranks_sim::scenario as sim;
 use numpy::{PyReadonlyArray1, PyReadonlyArray2};
@@ -20,6 +22,10 @@ use crate::scenario::Scenario;
 struct Machine<const D: usize> {
     robot: core_robot::Robot<D, Vec<Slot<D>>>,
     memory: Memory<D>,
+    /// The rank of each robot of the team, where there are ranks.
+    ranks: Option<Vec<u16>>,
+    /// Room for the bytes of a message.
+    message: Vec<u8>,
 }
 
 /// A robot in the plane or in space.
@@ -48,13 +54,17 @@ pub(crate) struct Robot {
 impl<const D: usize> Machine<D> {
     fn new(scenario: &sim::Scenario, id: u16, value: f64, neighbors: usize) -> PyResult<Self> {
         let params = scenario.params::<D>().map_err(errors::robot)?;
+        let ranks = scenario.ranks::<D>().map_err(errors::robot)?;
         let slots = vec![Slot::default(); neighbors];
-        let robot = core_robot::Robot::new(params, RobotId(id), value, slots).map_err(errors::robot)?;
-        Ok(Self { robot, memory: Memory::new(&params, neighbors) })
+        let own = member(ranks.as_deref(), id);
+        let robot = core_robot::Robot::new(params, own, value, slots).map_err(errors::robot)?;
+        let message = vec![0; MESSAGE_BYTES.max(bytes_max(scenario.team.robots, D))];
+        Ok(Self { robot, memory: Memory::new(&params, neighbors), ranks, message })
     }
 
     fn observe(&mut self, id: u16, position: &[f64]) -> PyResult<&'static str> {
-        let seen = self.robot.observe(RobotId(id), vector(position)?);
+        let other = member(self.ranks.as_deref(), id);
+        let seen = self.robot.observe(other, vector(position)?);
         let seen = seen.map_err(|error| errors::robot(format!("{error} (robot {id})")))?;
         Ok(match seen {
             Observed::Neighbor => "neighbor",
@@ -63,10 +73,22 @@ impl<const D: usize> Machine<D> {
         })
     }
 
+    fn share<'py>(&mut self, py: Python<'py>) -> Option<Bound<'py, PyBytes>> {
+        let message = self.robot.share(&mut self.memory.lend())?;
+        let length = self.robot.encode(&message, &mut self.message)?;
+        Some(PyBytes::new(py, &self.message[..length]))
+    }
+
     fn tick(&mut self, py: Python<'_>, desired: &[f64]) -> PyResult<Output> {
         let desired = vector(desired)?;
         Ok(Output::new(py, &self.robot.tick(desired, &mut self.memory.lend())))
     }
+}
+
+/// A robot as the roster has it: with its rank, which is 0 where there are none.
+fn member(ranks: Option<&[u16]>, id: u16) -> Member {
+    let rank = ranks.and_then(|ranks| ranks.get(usize::from(id).checked_sub(1)?)).copied();
+    Member { id: RobotId(id), rank: rank.unwrap_or(0) }
 }
 
 fn vector<const D: usize>(numbers: &[f64]) -> PyResult<Vector<D>> {
@@ -126,13 +148,12 @@ impl Robot {
     }
 
     fn share<'py>(&mut self, py: Python<'py>) -> Option<Bound<'py, PyBytes>> {
-        let message = dispatch!(&mut self.any, machine => machine.robot.share(&mut machine.memory.lend()));
-        message.map(|message| PyBytes::new(py, &message.encode()))
+        dispatch!(&mut self.any, machine => machine.share(py))
     }
 
     fn receive(&mut self, sender: u16, message: &[u8]) -> PyResult<()> {
-        let message = Message::parse(message).map_err(errors::message)?;
-        let taken = dispatch!(&mut self.any, machine => machine.robot.receive(RobotId(sender), &message));
+        let taken =
+            dispatch!(&mut self.any, machine => machine.robot.receive_bytes(RobotId(sender), message));
         taken.map_err(|error| errors::message(format!("{error} (robot {sender})")))
     }
 

@@ -1,26 +1,16 @@
 //! Every check on the saved corpus and on some thousands of mutations of it, the same in every run.
 
-use std::fs;
 use std::panic::catch_unwind;
-use std::path::Path;
 
+use mutated::{corpus, mutated};
 use seeded::Seeded;
 
+mod mutated;
 #[path = "../../core/tests/seeded/mod.rs"]
 mod seeded;
 
 /// A check of `closeranks_checks`.
 type Check = fn(&[u8]);
-
-/// The files of `fuzz/corpus/<target>` in order of their names.
-fn corpus(target: &str) -> Vec<(String, Vec<u8>)> {
-    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../fuzz/corpus").join(target);
-    let mut paths: Vec<_> =
-        fs::read_dir(&folder).expect("a folder").map(|entry| entry.expect("an entry").path()).collect();
-    paths.sort();
-    assert!(paths.len() >= 5, "{} is no corpus", folder.display());
-    paths.into_iter().map(|path| (path.display().to_string(), fs::read(path).expect("a file"))).collect()
-}
 
 /// The bytes are in the message: put them into a file of the corpus when the bug is gone.
 fn hold(check: Check, bytes: &[u8], origin: &str) {
@@ -34,32 +24,8 @@ fn replay(target: &str, check: Check, mutations: usize) {
     }
     let mut random = Seeded(1);
     for _ in 0..mutations {
-        let (name, bytes) = &files[random.below(files.len())];
-        let mut bytes = bytes.clone();
-        for _ in 0..=random.below(4) {
-            mutate(&mut bytes, &files[random.below(files.len())].1, &mut random);
-        }
-        hold(check, &bytes, name);
-    }
-}
-
-/// One change as fuzzers make them; `donor` is another file of the corpus.
-fn mutate(bytes: &mut Vec<u8>, donor: &[u8], random: &mut Seeded) {
-    let byte = u8::try_from(random.below(256)).unwrap_or(0);
-    let (place, length) = (random.below(bytes.len() + 1), 1 + random.below(8));
-    let end = (place + length).min(bytes.len());
-    match random.below(7) {
-        0 => bytes.truncate(place),
-        1 => drop(bytes.drain(place..end)),
-        2 => bytes.insert(place, byte),
-        3 => bytes[place..end].fill(byte),
-        4 => bytes.extend_from_within(place..end),
-        5 => {
-            let start = random.below(donor.len() + 1);
-            let piece = donor[start..(start + 4 * length).min(donor.len())].to_vec();
-            drop(bytes.splice(place..place, piece));
-        }
-        _ => bytes[place..end].iter_mut().for_each(|old| *old ^= 1 << (byte & 7)),
+        let (origin, bytes) = mutated(&files, &mut random);
+        hold(check, &bytes, &files[origin].0);
     }
 }
 

@@ -297,3 +297,33 @@ fn every_example_of_the_help_makes_a_graph() {
     }
     assert_eq!(count, 19, "{help}");
 }
+
+/// What a certificate says is what was answered, and the program that wrote it is not needed to check it.
+#[test]
+fn a_certificate_is_written_once_and_passes_its_check() {
+    let folder = tempfile::tempdir().unwrap();
+    let run = |graph: &[u8], arguments: &[&str]| {
+        let output = closeranks(folder.path(), &[&["check", "-", "-q"], arguments].concat(), graph);
+        (text(&output.stderr), output.status.code())
+    };
+    let read = |file: &str| fs::read_to_string(folder.path().join(file)).unwrap();
+    let complete = make(&["complete", "7"]);
+    for (file, arguments, code, line) in [
+        ("degrees.txt", &["--F", "2"][..], 0, "robust-by-degrees 3"),
+        ("sets.txt", &["--F", "4"], 1, "not-robust 5 5"),
+        ("ranks.txt", &["--F", "2", "--local"], 0, "ranks 2"),
+    ] {
+        let all = [arguments, &["--certificate", file]].concat();
+        let (errors, exit) = run(&complete, &all);
+        assert_eq!((errors.as_str(), exit), ("", Some(code)), "{file}");
+        let certificate = read(file);
+        assert!(certificate.lines().any(|found| found == line), "{certificate}");
+        let evidence = closeranks_graph::evidence::Evidence::from_text(&certificate).unwrap();
+        evidence.check().unwrap();
+        let (errors, exit) = run(&complete, &all);
+        assert!(errors.contains("cannot write the certificate") && exit == Some(2), "{errors}");
+    }
+    let (errors, exit) = run(&make(&["wheel", "9"]), &["--F", "1", "--certificate", "none.txt"]);
+    assert!(errors.contains("nothing but a search proves this answer") && exit == Some(2), "{errors}");
+    assert!(!folder.path().join("none.txt").exists());
+}

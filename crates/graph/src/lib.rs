@@ -23,6 +23,7 @@
 //! | which nodes look alike | [`search::symmetry`] |
 //! | leaders, and adversaries few in every neighbourhood | [`leaders`], [`local`] |
 //! | which edges to add | [`additions`] |
+//! | a claim with what proves it, for others to check | [`evidence`] |
 //! | networks of any size; a proof by ranks in linear time | [`network`], [`ranks`] |
 //! | graphs by name, graphs as text | [`makers`], [`formats`] |
 //!
@@ -52,6 +53,7 @@ pub mod connectivity;
 pub mod decide;
 pub mod definition;
 pub mod effort;
+pub mod evidence;
 pub mod formats;
 pub mod graph;
 pub mod leaders;

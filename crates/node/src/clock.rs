@@ -68,6 +68,14 @@ fn monotonic() -> u64 {
     seconds.saturating_mul(1_000_000_000).saturating_add(nanos)
 }
 
+/// The CPU time that this process has used.
+#[must_use]
+pub fn cpu() -> Duration {
+    let time = clock_gettime(ClockId::ProcessCPUTime);
+    let [seconds, nanos] = [time.tv_sec, time.tv_nsec].map(|part| u64::try_from(part).unwrap_or(0));
+    Duration::from_nanos(seconds.saturating_mul(1_000_000_000).saturating_add(nanos))
+}
+
 /// Nanoseconds since 1970, for the stamps of ROS 2. Nothing is decided by it.
 #[must_use]
 pub fn wall_nanos() -> u64 {

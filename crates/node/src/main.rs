@@ -9,6 +9,7 @@ use closeranks_node::commands::identity::{self, RosterCommand};
 use closeranks_node::commands::robots::{self, Connection};
 use closeranks_node::commands::{Failure, doctor};
 use closeranks_node::fleet::Options;
+use closeranks_node::fleet::tape::Sinks;
 
 /// Robots that keep agreeing while some of them lie, one process each, over Zenoh
 #[derive(Debug, Parser)]
@@ -48,6 +49,12 @@ enum Command {
         /// Says the verdict as JSON, and draws no table
         #[arg(long)]
         json: bool,
+        /// Records what happens in a new file that ends in .mcap, for Foxglove, Rerun, `ros2 bag` and `closeranks view`
+        #[arg(long)]
+        record: Option<PathBuf>,
+        /// Writes moments as lines of JSON, for `closeranks view --live`; the verdict then goes to standard error, and no table is drawn
+        #[arg(long)]
+        moments: bool,
         /// Folder for keys, roster, logs and proofs; without it they are thrown away
         #[arg(short, long)]
         out: Option<PathBuf>,
@@ -117,11 +124,18 @@ fn execute(command: &Command) -> Result<bool, Failure> {
     match command {
         Command::Run { config } => robots::run(config).map(|()| true),
         Command::Liar { config, scenario } => robots::liar(config, scenario).map(|()| true),
-        Command::Fleet { file, duration, seed, json, out } => {
+        Command::Fleet { file, duration, seed, json, record, moments, out } => {
             let duration_s = allowed(*duration)?;
-            let options = Options { duration_s, seed: *seed, folder: out.clone(), live: !json };
-            let (text, good) = robots::fleet(file, &options, *json)?;
-            print(&text);
+            let live = !json && !moments;
+            let options = Options { duration_s, seed: *seed, folder: out.clone(), live };
+            let lines = moments.then(|| Box::new(std::io::stdout()) as Box<dyn std::io::Write>);
+            let sinks = Sinks { record: record.clone(), moments: lines };
+            let (text, good) = robots::fleet(file, &options, sinks, *json)?;
+            if *moments {
+                eprintln!("{text}");
+            } else {
+                print(&text);
+            }
             Ok(good)
         }
         Command::Plant { scenario, roster, key, one_machine, connection } => {

@@ -26,8 +26,20 @@ pub struct Fleet {
     pub kill: Vec<Kill>,
     /// When the router, which the relay is part of, is ended and started again, s.
     pub restart_router_s: Vec<f64>,
-    /// How many bytes of garbage are put on each key of the team a second.
+    /// How many messages of noise, changed and old ones an outsider puts on keys of the team a second.
     pub garbage_per_s: f64,
+    /// Malicious robots that lie in another way than the table `attack` says.
+    pub liar: Vec<Liar>,
+}
+
+/// A malicious robot with an attack of its own.
+#[derive(Clone, Debug, PartialEq, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Liar {
+    /// Which one.
+    pub robot: u16,
+    /// What stands in the place of the table `attack` for it.
+    pub attack: toml::Table,
 }
 
 /// A robot that is ended and comes back.
@@ -92,8 +104,27 @@ pub fn read(text: &str, path: &Path) -> Result<FleetScenario, ScenarioError> {
         let before = text.get(..error.span().map_or(0, |span| span.start)).unwrap_or_default();
         wrong(before.matches('\n').count() + 1, error.message().to_owned())
     })?;
-    table.fleet.check(scenario.team.robots).map_err(|problem| wrong(1, problem))?;
-    Ok(FleetScenario { scenario, text: text.to_owned(), fleet: table.fleet })
+    table.fleet.check(&scenario).map_err(|problem| wrong(1, problem))?;
+    let file = FleetScenario { scenario, text: text.to_owned(), fleet: table.fleet };
+    for liar in &file.fleet.liar {
+        if let Err(problems) = parse::scenario(&file.text_of(liar.robot)) {
+            let first = problems.first().map(ToString::to_string).unwrap_or_default();
+            return Err(wrong(1, format!("`fleet.liar` of robot {}: {first}", liar.robot)));
+        }
+    }
+    Ok(file)
+}
+
+impl FleetScenario {
+    /// The text of the scenario as it is for a robot: with its own attack, if it has one.
+    #[must_use]
+    pub fn text_of(&self, robot: u16) -> String {
+        let own = self.fleet.liar.iter().find(|liar| liar.robot == robot);
+        let table = toml::from_str::<toml::Table>(&self.text).ok();
+        let (Some(own), Some(mut table)) = (own, table) else { return self.text.clone() };
+        table.insert("attack".into(), toml::Value::Table(own.attack.clone()));
+        toml::to_string(&table).unwrap_or_else(|_| self.text.clone())
+    }
 }
 
 #[derive(Default, Deserialize)]
@@ -103,7 +134,15 @@ struct Table {
 }
 
 impl Fleet {
-    fn check(&self, robots: u16) -> Result<(), String> {
+    fn check(&self, scenario: &Scenario) -> Result<(), String> {
+        let robots = scenario.team.robots;
+        if let Some(liar) = self.liar.iter().find(|liar| !scenario.malicious.contains(&liar.robot)) {
+            let allowed = &scenario.malicious;
+            return Err(format!(
+                "`fleet.liar.robot` is {}, allowed is one of team.malicious, {allowed:?}",
+                liar.robot
+            ));
+        }
         let times = self.kill.iter().flat_map(|kill| [Some(kill.at_s), kill.back_s]).flatten();
         for time_s in times.chain(self.restart_router_s.iter().copied()) {
             if !(0.0..=86_400.0).contains(&time_s) {
@@ -148,5 +187,14 @@ mod tests {
         assert!(refused("[fleet]\n\n[team]\nrobots = 1").starts_with("f.toml:4: `team.robots` is 1"));
         assert!(refused("seed = 1\n[fleet]\nkil = []").starts_with("f.toml:3: unknown field `kil`"));
         assert!(refused("[[fleet.kill]]\nrobot = 12\nat_s = 1.0").contains("allowed is 1 to 11"));
+        let liar = |robot: u16, kind: &str| {
+            format!(
+                "[team]\nmalicious = [1, 2]\n[[fleet.liar]]\nrobot = {robot}\nattack = {{ level = {{ kind = '{kind}' }} }}"
+            )
+        };
+        assert!(refused(&liar(3, "silent")).contains("allowed is one of team.malicious, [1, 2]"));
+        assert!(refused(&liar(2, "rude")).contains("`fleet.liar` of robot 2: `attack.level.kind` is"));
+        let text = of(&liar(2, "silent")).unwrap();
+        assert!(text.text_of(2).contains("silent") && text.text_of(1) == text.text);
     }
 }

@@ -19,6 +19,9 @@ use crate::wire::proof::PROOF_MAX;
 /// Nothing longer is handed on to a robot.
 const BYTES_MAX: usize = if ENVELOPE_MAX > PROOF_MAX { ENVELOPE_MAX } else { PROOF_MAX };
 
+/// So many tokens are looked at.
+const TOKENS_MAX: usize = 10_000;
+
 /// Why there is no session.
 #[derive(Debug, thiserror::Error)]
 pub enum SessionError {
@@ -57,10 +60,38 @@ pub struct Net {
     session: Session,
     prefix: String,
     dropped: Arc<AtomicU64>,
+    sent: Arc<Meter>,
+    heard: Arc<Meter>,
 }
 
-/// A key to publish on, and one to listen to.
-pub type Out = Publisher<'static>;
+/// How much went through a session: messages and bytes of payloads.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Traffic {
+    /// Messages and bytes that were sent.
+    pub sent: [u64; 2],
+    /// Messages and bytes that were heard.
+    pub heard: [u64; 2],
+}
+
+#[derive(Default)]
+struct Meter([AtomicU64; 2]);
+
+impl Meter {
+    fn add(&self, bytes: usize) {
+        self.0[0].fetch_add(1, Ordering::Relaxed);
+        self.0[1].fetch_add(u64::try_from(bytes).unwrap_or(0), Ordering::Relaxed);
+    }
+
+    fn read(&self) -> [u64; 2] {
+        self.0.each_ref().map(|count| count.load(Ordering::Relaxed))
+    }
+}
+
+/// A key to publish on.
+pub struct Out {
+    publisher: Publisher<'static>,
+    meter: Arc<Meter>,
+}
 /// Shows that something is there until it is dropped.
 pub type Token = zenoh::liveliness::LivelinessToken;
 /// Listens until it is dropped.
@@ -74,35 +105,35 @@ impl Net {
 
     /// As [`open`](Self::open), but fails if nobody can be reached within so many ms.
     pub fn open_within(network: &Network, mode: &str, most_ms: Option<u32>) -> Result<Self, SessionError> {
-        let mut config = zenoh::Config::default();
-        let list = |endpoints: &[String]| serde_json::to_string(endpoints).unwrap_or_default();
-        let fields = [
-            ("mode", "mode", format!("\"{mode}\"")),
-            ("listen", "listen/endpoints", list(&network.listen)),
-            ("connect", "connect/endpoints", list(&network.connect)),
-            ("connect", "connect/timeout_ms", most_ms.map_or("-1".into(), |most| most.to_string())),
-            ("connect", "connect/exit_on_failure", most_ms.is_some().to_string()),
-            (
-                "connect",
-                "connect/retry",
-                "{period_init_ms: 200, period_max_ms: 2000, period_increase_factor: 2}".into(),
-            ),
-            ("mode", "scouting/multicast/enabled", "false".into()),
-            ("mode", "scouting/gossip/enabled", "false".into()),
-        ];
-        for (field, key, value) in fields {
-            config.insert_json5(key, &value).map_err(|error| SessionError::Config {
-                field,
-                value,
-                error: error.to_string(),
-            })?;
-        }
+        let config = configuration(network, mode, most_ms)?;
         let session = zenoh::open(config).wait().map_err(|error| SessionError::Open {
             listen: network.listen.clone(),
             connect: network.connect.clone(),
             error: error.to_string(),
         })?;
-        Ok(Self { session, prefix: network.prefix.clone(), dropped: Arc::default() })
+        let prefix = network.prefix.clone();
+        Ok(Self { session, prefix, dropped: Arc::default(), sent: Arc::default(), heard: Arc::default() })
+    }
+
+    /// Refuses what no session can be opened with, without opening one.
+    pub fn check(network: &Network, mode: &str) -> Result<(), SessionError> {
+        configuration(network, mode, None).map(|_| ())
+    }
+
+    /// The tokens that are there on these keys, or as many of them as come within `most`.
+    pub fn tokens(&self, keys: &str, most: core::time::Duration) -> Result<Vec<String>, SessionError> {
+        let asked = self.session.liveliness().get(keys).timeout(most).wait();
+        let answers =
+            asked.map_err(|error| SessionError::Key { key: keys.into(), error: error.to_string() })?;
+        let mut found = Vec::new();
+        while let Ok(answer) = answers.recv() {
+            if let Ok(sample) = answer.result()
+                && found.len() < TOKENS_MAX
+            {
+                found.push(sample.key_expr().as_str().to_owned());
+            }
+        }
+        Ok(found)
     }
 
     /// A key of the team, to publish on.
@@ -119,7 +150,8 @@ impl Net {
             .priority(Priority::RealTime)
             .express(true)
             .wait();
-        declared.map_err(|error| SessionError::Key { key, error: error.to_string() })
+        let publisher = declared.map_err(|error| SessionError::Key { key, error: error.to_string() })?;
+        Ok(Out { publisher, meter: Arc::clone(&self.sent) })
     }
 
     /// Hands what arrives on keys of the team on to `queue`, with the key after the prefix. When the queue is full, it is dropped
@@ -141,8 +173,9 @@ impl Net {
         queue: SyncSender<E>,
         event: impl Fn(&str, Vec<u8>) -> Option<E> + Send + Sync + 'static,
     ) -> Result<Ear, SessionError> {
-        let dropped = Arc::clone(&self.dropped);
+        let (dropped, heard) = (Arc::clone(&self.dropped), Arc::clone(&self.heard));
         let arrived = move |sample: zenoh::sample::Sample| {
+            heard.add(sample.payload().len());
             let rest = sample.key_expr().as_str().get(start..).unwrap_or_default();
             let long = sample.payload().len() > BYTES_MAX;
             let made = if long { None } else { event(rest, sample.payload().to_bytes().into_owned()) };
@@ -173,6 +206,12 @@ impl Net {
         self.dropped.load(Ordering::Relaxed)
     }
 
+    /// How much went through it.
+    #[must_use]
+    pub fn traffic(&self) -> Traffic {
+        Traffic { sent: self.sent.read(), heard: self.heard.read() }
+    }
+
     /// Ends the session.
     pub fn close(self) {
         // There is nothing to be done about a session that does not end well.
@@ -180,14 +219,51 @@ impl Net {
     }
 }
 
+/// The configuration of a session.
+fn configuration(network: &Network, mode: &str, most_ms: Option<u32>) -> Result<zenoh::Config, SessionError> {
+    let mut config = match &network.zenoh {
+        None => zenoh::Config::default(),
+        Some(path) => zenoh::Config::from_file(path).map_err(|error| SessionError::Config {
+            field: "zenoh",
+            value: path.display().to_string(),
+            error: error.to_string(),
+        })?,
+    };
+    let list = |endpoints: &[String]| serde_json::to_string(endpoints).unwrap_or_default();
+    let fields = [
+        ("mode", "mode", format!("\"{mode}\"")),
+        ("listen", "listen/endpoints", list(&network.listen)),
+        ("connect", "connect/endpoints", list(&network.connect)),
+        ("connect", "connect/timeout_ms", most_ms.map_or("-1".into(), |most| most.to_string())),
+        ("connect", "connect/exit_on_failure", most_ms.is_some().to_string()),
+        (
+            "connect",
+            "connect/retry",
+            "{period_init_ms: 200, period_max_ms: 2000, period_increase_factor: 2}".into(),
+        ),
+        ("mode", "scouting/multicast/enabled", "false".into()),
+        ("mode", "scouting/gossip/enabled", "false".into()),
+    ];
+    for (field, key, value) in fields {
+        config.insert_json5(key, &value).map_err(|error| SessionError::Config {
+            field,
+            value,
+            error: error.to_string(),
+        })?;
+    }
+    Ok(config)
+}
+
 /// Publishes; what cannot be sent now is lost, as messages are.
 pub fn send(out: &Out, bytes: Vec<u8>) {
-    let _ = out.put(ZBytes::from(bytes)).wait();
+    out.meter.add(bytes.len());
+    let _ = out.publisher.put(ZBytes::from(bytes)).wait();
 }
 
 /// As [`send`], with an attachment.
 pub fn send_with(out: &Out, bytes: Vec<u8>, attachment: &[u8]) {
-    let _ = out.put(ZBytes::from(bytes)).attachment(attachment.to_vec()).wait();
+    out.meter.add(bytes.len() + attachment.len());
+    let _ = out.publisher.put(ZBytes::from(bytes)).attachment(attachment.to_vec()).wait();
 }
 
 /// The last part of a key as the number of a robot.

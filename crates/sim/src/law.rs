@@ -22,7 +22,8 @@ pub enum Law {
     Path,
     /// `budget`: in a tick no h_i loses more than its share γ, no `D − Δ_d²` more than γ_c (thm:discrete).
     Decay,
-    /// `budget`: no robot calls something guaranteed that does not hold, and every robot says "guaranteed" again soon after
+    /// `budget`: no robot calls something guaranteed that does not hold, or reports of its degree and of h what is not so where it
+    /// senses exactly, and every robot says "guaranteed" again soon after
     /// everything holds.
     Mode,
     /// `budget`: a normal robot moves no farther in a tick than it wishes, and than mending its own h and its own distances

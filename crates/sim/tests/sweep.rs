@@ -152,6 +152,82 @@ fn what_cannot_be_run_is_drawn_again() {
     assert_eq!(problems[0].span, 27..44, "the place in the text with draws");
 }
 
+/// Three branches of `scenarios/campaign-ranks.toml` had a field that was gone. Every draw of them was refused and drawn again, so
+/// the campaign went on without them and nobody was told.
+#[test]
+fn a_part_of_a_choice_that_can_never_be_run_is_refused() {
+    let text = "[clock]\nchoose = [{ tau_1_s = 0.05 }, { tau_1_s = 0.05, drift_s = 0.1 }]";
+    refused(
+        text,
+        "{ tau_1_s = 0.05, drift_s = 0.1 }",
+        "`clock.drift_s` is no longer a field, allowed is nothing: no told level has an age any more, and missing robots are \
+         reckoned in ticks",
+    );
+    refused(
+        "[attack]\nlevel = { choose = [{ kind = \"none\" }, { choose = [{ kind = \"none\" }, { kind = \"sing\" }] }] }",
+        "{ kind = \"sing\" }",
+        &plan_of_one("[attack]\nlevel = { kind = \"sing\" }\n"),
+    );
+    refused(
+        "[team]\nrobots = 4\n[[start.choose]]\nkind = \"hexagon\"\n[[start.choose]]\nkind = \"listed\"\npositions_m = [[0, { choose = [0, true] }]]",
+        "true",
+        "`start.positions_m[0][1]` is true, allowed is a finite number (y_m), -1000000 to 1000000",
+    );
+    let whole = "[team]\nrobots = { draw = [4, 6] }\nrobot = 3";
+    refused(
+        whole,
+        "3",
+        "`team.robot` is not a field here, allowed is `robots`, `faults`, `malicious`, `ranks`",
+    );
+}
+
+/// What a plain text with one mistake is refused with.
+fn plan_of_one(text: &str) -> String {
+    scenario(text).unwrap_err()[0].to_string()
+}
+
+/// At the top one of several texts takes the place of whole tables, so that lengths fit each other.
+#[test]
+fn what_belongs_together_is_drawn_together() {
+    let text = "choose = [{ }, { link = { radius_m = 1.0 }, team = { robots = { draw = [5, 6] } } }]\nweights = [1, 1]\n[link]\nq2 = { draw = [0.1, 0.9] }\n[team]\nrobots = 9";
+    let plan = plan(text);
+    let paths: Vec<&str> = plan.fields().iter().map(|field| field.path.as_str()).collect();
+    assert_eq!(paths, ["choose", "link.q2", "link.radius_m", "team.robots"]);
+    assert!(is_drawn("choose = [{ }]"));
+    let mut names = BTreeSet::new();
+    for run in runs(text, 60) {
+        let scenario = &run.scenarios[0].0;
+        let small = scenario.link.radius_m == 1.0;
+        assert_eq!(scenario.team.robots == 9, !small, "drawn together");
+        assert_eq!(run.drawn[1].is_some(), !small, "of a table that was replaced nothing is noted");
+        assert_eq!([run.drawn[2].is_some(), run.drawn[3].is_some()], [small; 2]);
+        let default = Scenario::default().link.q2;
+        assert_eq!(scenario.link.q2 == default, small, "whole tables take the place of whole tables");
+        names.insert(format!("{:?}", run.drawn[0]));
+    }
+    let name = |name: &str| format!("Some(Text({name:?}))");
+    assert_eq!(names, BTreeSet::from([name("nothing"), name("link + team")]));
+    refused("choose = [{ }, 3]", "[{ }, 3]", "`choose` is [a table, 3], allowed is a list of tables");
+    refused(
+        "choose = [{ }, { link = { radius = 1.0 } }]\n[link]\nq2 = { draw = [0.1, 0.9] }",
+        "{ link = { radius = 1.0 } }",
+        "`link.radius` is not a field here, allowed is `radius_m`, `epsilon`, `q2`",
+    );
+}
+
+/// A part that is never drawn may say anything, and so may one that makes sense with some draws of the rest.
+#[test]
+fn what_some_draw_makes_sense_of_is_not_refused() {
+    plan("[clock]\nchoose = [{ }, { drift_s = 0.1 }]\nweights = [1, 0]");
+    let text = "[attack.level]\nkind = { choose = [\"none\", \"bias\"] }\nbias = { draw = [1.0, 2.0] }";
+    let problem = "`attack.level.bias` is not a field here, allowed is `kind`";
+    refused(text, "\"none\"", problem);
+    plan(
+        "dimension = { choose = [2, 3] }\n[controller]\ninput_max_m_s = { choose = [[1.0, 1.0], [1.0, 1.0, 1.0]] }",
+    );
+    plan("[team]\nrobots = { draw = [1, 4] }\nfaults = { choose = [0, 1] }");
+}
+
 #[test]
 fn malformed_draws_are_refused_with_place_value_and_what_is_allowed() {
     let two = "two finite numbers, ascending; whole numbers at most 2^53";

@@ -30,8 +30,8 @@ class Robot:
     Parameters
     ----------
     scenario : Scenario
-        The settings of the team (n, F, R, controller, clock, errors); its start, motion, attack and faults are not used. They must be
-        the same for all robots of a team.
+        The settings of the team (n, F, R, controller, clock, errors), which must be the same for all robots of a team. Of its start
+        nothing is used but the ranks that are chosen from it, where there are ranks. Motion, attack and faults are not used.
     id : int
         The robot's number, from 1 to n.
     value : float
@@ -83,7 +83,10 @@ class Robot:
         self._native.observe_all(numbers, points.reshape(len(numbers), -1) if points.size == 0 else points)
 
     def share(self) -> bytes | None:
-        """The 32 bytes to send to everybody now, or None while nothing is due."""
+        """The bytes to send to everybody now, or None while nothing is due.
+
+        They are 32, or under "links" as many as the list of its neighbours needs: 32 + 8 D + 11 for each of them.
+        """
         return self._native.share()
 
     def receive(self, sender: int, message: bytes) -> None:

@@ -21,6 +21,7 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
     from closeranks._scenario import Scenario
+    from closeranks._view import RunView
 
 
 class Violation(NamedTuple):
@@ -231,6 +232,17 @@ class Run:
         `closeranks.plots` has the paper's two figures for several runs side by side.
         """
         return overview(self, title=title)
+
+    def view(self, *, frames: int = 400) -> RunView:
+        """The run as a widget that plays in a notebook, with at most so many frames (up to 2,000). Needs `pip install
+        "closeranks[notebook]"`.
+
+        Robots are drawn as on the page of `closeranks view`. `view.frame` is the frame that is shown and can be set; `view.ticks` says
+        the tick of each frame.
+        """
+        from closeranks._view import RunView
+
+        return RunView(self, frames=frames)
 
     def __str__(self) -> str:
         return self._native.report()

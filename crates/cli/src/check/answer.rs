@@ -1,13 +1,14 @@
 //! What every answer has.
 
 use closeranks_graph::definition::Witness;
+use closeranks_graph::evidence::Claim;
 use closeranks_graph::formats::{Named, Reading};
 use closeranks_graph::graph::set::NodeSet;
 use closeranks_report::content::Table;
 use closeranks_report::table;
 use serde_json::{Map, Value, json};
 
-use super::words;
+use super::{certificate, words};
 use crate::wrap::wrapped;
 
 /// The answer to a task.
@@ -33,6 +34,8 @@ pub(super) struct Answer {
     pub(super) labels: [&'static str; 3],
     /// What the picture shows.
     pub(super) caption: String,
+    /// What proves the answer, where that can be checked without a search.
+    pub(super) claim: Option<Claim>,
 }
 
 impl Answer {
@@ -57,6 +60,7 @@ impl Answer {
     /// With the sets of a witness.
     pub(super) fn with_witness(mut self, named: &Named, witness: &Witness) -> Self {
         self.why.push(words::witness(named, witness));
+        self.claim = Some(certificate::refuted(witness));
         self.sets = [witness.first, witness.second, witness.exempt];
         self.labels = ["one side", "the other side", "may lie"];
         self.caption =

@@ -2,6 +2,7 @@
 
 mod analysis;
 mod answer;
+mod certificate;
 mod input;
 mod mend;
 mod network;
@@ -16,6 +17,7 @@ use std::path::PathBuf;
 use anyhow::{Result, bail};
 use clap::{Args, ValueEnum};
 use closeranks_graph::formats;
+use closeranks_graph::network::Network;
 
 use crate::folder::Folder;
 use crate::output;
@@ -41,6 +43,7 @@ no direction; --directed gives them one. Parallel links count once and loops not
     closeranks check team.edges --F 2            # one question: any 2 liars? Exit code 0 yes, 1 no or undecided
     closeranks check team.edges --r 3 --s 2      # is it (3,2)-robust?
     closeranks check team.edges -o out           # and a picture of the two sets that never agree
+    closeranks check team.edges --F 2 --certificate proof.txt   # and what proves it, for other checkers (docs/proofs.md)
     closeranks check team.edges --F 2 --additions   # which edges to add
     closeranks check team.edges --local          # liars few in every neighbourhood instead of few in all
     closeranks check team.edges --leaders 1,2 --r 3 # do all follow robots 1 and 2?
@@ -152,6 +155,9 @@ pub(crate) struct Check {
     /// Folder for a picture (SVG, PNG) and a page.
     #[arg(short, long, value_name = "DIR")]
     output: Option<PathBuf>,
+    /// New file for a certificate: the graph and what proves the answer, which others can check without a search.
+    #[arg(long, value_name = "FILE")]
+    certificate: Option<PathBuf>,
     /// Print the numbers as JSON.
     #[arg(long)]
     json: bool,
@@ -195,6 +201,12 @@ fn graph(arguments: &Check, input: &Input, folder: Option<Folder>) -> Result<boo
         save::save(folder, input, &answer)?;
     }
     tell(arguments, &answer, "report.html, graph.svg, graph.png");
+    if let Some(target) = &arguments.certificate {
+        let named = &input.reading.named;
+        certificate::save(target, Network::from(&named.graph), answer.claim.clone(), &|node| {
+            named.names[node].clone()
+        })?;
+    }
     Ok(answer.holds)
 }
 

@@ -1,13 +1,14 @@
 //! Networks of more robots than exact search takes: proofs by ranks, bounds by degrees, and an honest interval between.
 
 use anyhow::{Result, bail};
+use closeranks_graph::evidence::Claim;
 use closeranks_graph::network::Network;
 use closeranks_graph::ranks::{self, Found};
 use serde_json::{Value, json};
 
 use super::answer::Answer;
 use super::input::NetworkInput;
-use super::{Check, words};
+use super::{Check, certificate, words};
 
 /// What can be said of a network.
 struct Known<'a> {
@@ -36,8 +37,14 @@ pub(super) fn check(arguments: &Check, input: &NetworkInput) -> Result<bool> {
         Some(f) => known.question(f),
         None => known.everything(),
     };
-    let answer = Answer { graph: known.degrees(), read: words::reading(&(&input.reading).into()), ..answer };
+    let claim = known.found.as_ref().map(|found| Claim::Ranks(found.order.clone()));
+    let answer =
+        Answer { claim, graph: known.degrees(), read: words::reading(&(&input.reading).into()), ..answer };
     super::tell(arguments, &answer, "");
+    if let Some(target) = &arguments.certificate {
+        let name = |node: usize| input.reading.names.get(node).cloned().unwrap_or_default();
+        certificate::save(target, network.clone(), answer.claim.clone(), &name)?;
+    }
     Ok(answer.holds)
 }
 

@@ -2,13 +2,14 @@
 
 use closeranks_graph::decide::Robustness;
 use closeranks_graph::effort::{Effort, Meter};
+use closeranks_graph::evidence::Claim;
 use closeranks_graph::formats::Named;
 use closeranks_graph::graph::set::NodeSet;
 use closeranks_graph::leaders;
 use closeranks_graph::local::{self, LocalWitness};
 use closeranks_graph::network::Network;
 use closeranks_graph::ranks;
-use closeranks_graph::verdict::{Interval, Verdict};
+use closeranks_graph::verdict::{Certificate, Interval, Verdict};
 use serde_json::{Value, json};
 
 use super::answer::{Answer, numbers};
@@ -32,6 +33,7 @@ pub(super) fn robust(
                 holds: true,
                 sentence: format!("Yes: {survives}({r},{s})-robust, proved by {proof}."),
                 numbers: numbers(named, &question, "yes", &json!({ "proved_by": proof, "witness": null })),
+                claim: matches!(certificate, Certificate::Degrees { .. }).then_some(Claim::Degrees { r }),
                 ..Answer::default()
             }
         }
@@ -111,12 +113,13 @@ fn liars_led(most: usize) -> String {
 pub(super) fn local(named: &Named, faults: usize, limit: &str, meter: &mut Meter<'_>) -> Answer {
     let question = json!({ "local": true, "F": faults });
     match local_witness(named, faults, meter) {
-        Known::Yes(why) => Answer {
+        Known::Yes(why, claim) => Answer {
             holds: true,
             sentence: format!(
                 "Yes: survives liars of which no robot hears more than {faults}, proved by {why}."
             ),
             numbers: numbers(named, &question, "yes", &json!({ "proved_by": why })),
+            claim,
             ..Answer::default()
         },
         Known::No(witness) => {
@@ -138,7 +141,7 @@ pub(super) fn local(named: &Named, faults: usize, limit: &str, meter: &mut Meter
 }
 
 enum Known {
-    Yes(&'static str),
+    Yes(&'static str, Option<Claim>),
     No(LocalWitness),
     Open,
 }
@@ -147,13 +150,13 @@ enum Known {
 fn local_witness(named: &Named, faults: usize, meter: &mut Meter<'_>) -> Known {
     let mut robustness = Robustness::new(&named.graph, &Effort::UNLIMITED);
     if let Verdict::Robust(_) = robustness.decide(2 * faults + 1, 1, meter) {
-        return Known::Yes("(2F+1)-robustness");
+        return Known::Yes("(2F+1)-robustness", None);
     }
-    if ranks::order(&Network::from(&named.graph), faults).is_some() {
-        return Known::Yes("ranks");
+    if let Some(order) = ranks::order(&Network::from(&named.graph), faults) {
+        return Known::Yes("ranks", Some(Claim::Ranks(order)));
     }
     match local::witness(&named.graph, faults, meter) {
-        Ok(None) => Known::Yes("trying every set of liars"),
+        Ok(None) => Known::Yes("trying every set of liars", None),
         Ok(Some(witness)) => Known::No(witness),
         Err(_) => Known::Open,
     }
@@ -167,7 +170,7 @@ pub(super) fn local_largest(named: &Named, limit: &str, meter: &mut Meter<'_>) -
     let mut found = None;
     while known.least < known.most {
         match local_witness(named, usize::try_from(known.least + 1).unwrap_or(0), meter) {
-            Known::Yes(_) => known.least += 1,
+            Known::Yes(..) => known.least += 1,
             Known::No(witness) => {
                 known.most = known.least;
                 found = Some(witness);

@@ -81,7 +81,9 @@ pub(super) fn check(
     recording: &Recording,
     folder: Option<Folder>,
 ) -> Result<bool> {
-    if arguments.r.is_some() || arguments.local || arguments.additions || !arguments.leaders.is_empty() {
+    let exact =
+        arguments.r.is_some() || arguments.local || arguments.additions || !arguments.leaders.is_empty();
+    if exact || arguments.certificate.is_some() {
         bail!(
             "`{name}` is a recorded run: allowed with it are --F, --radius, --every, --time-limit, --json and -o"
         );

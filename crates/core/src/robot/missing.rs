@@ -14,8 +14,8 @@
 //! it may have left unseen, it is given up, and the robot says [`Reason::Overlooked`].
 //! One that was last sensed so near the rim that it may have left in a tick is taken for gone at once: nobody can tell.
 //!
-//! This is for controllers that reckon with those whom they do not see, such as `budget`; others forget who is not observed, or
-//! keep whom they hold.
+//! This is for controllers that reckon with those whom they do not see. `links` does so too, and keeps whom it holds beside
+//! (docs/theory, sec:unseen-links). All others forget who is not observed.
 
 use core::time::Duration;
 
@@ -116,11 +116,11 @@ impl<const D: usize, S: Slots<D>> Robot<D, S> {
     }
 
     /// Reckons where neighbours are that keep their slots although they are not sensed: where they were sensed last, with an
-    /// error that grows by the longest move a tick. What they tell of their value does not count.
+    /// error as large as they can have gone since. What they tell of their value does not count.
+    //= theory sec:unseen-links
     pub(crate) fn reckon(&mut self) {
         let Some(own) = self.position.filter(|_| self.params.controller().tells_lists()) else { return };
-        let (kept, horizon) = (self.params.kept(), self.horizon());
-        let room_m = 2.0 * self.params.reach().longest_m() + kept.errors.offset_m;
+        let horizon = self.horizon();
         for slot in &mut self.slots.as_mut()[..self.count] {
             if slot.sensed {
                 (slot.peer.unseen_ticks, slot.peer.vanished, slot.peer.inside) = (0, false, false);
@@ -128,10 +128,10 @@ impl<const D: usize, S: Slots<D>> Robot<D, S> {
             }
             slot.peer.unseen_ticks = slot.peer.unseen_ticks.saturating_add(1);
             (slot.offset_m, slot.linked) = (subtract(&own, &slot.position_m), false);
+            slot.peer.inside = horizon.surely_holds(&slot.offset_m, slot.gone_m);
             if slot.peer.unseen_ticks == 1 {
-                slot.peer.vanished = length(&slot.offset_m) + room_m <= kept.link.radius_m;
+                slot.peer.vanished = slot.peer.inside;
             }
-            slot.peer.inside = slot.peer.vanished && horizon.surely_holds(&slot.offset_m, slot.gone_m);
             slot.told = slot.told.map(|told| Told { value: None, ..told });
         }
     }

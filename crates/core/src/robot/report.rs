@@ -92,8 +92,6 @@ pub enum Reason {
     Untold,
     /// `links`: the robot counts on fewer neighbours than it must.
     Uncounted,
-    /// `links`: a neighbour that others may rest on was not sensed for longer than `told_max`.
-    Unseen,
     /// There is no controller: the desired velocity is only cut to its box.
     Unfiltered,
     /// `tick` was called again without `sense`: the robot stands still, because it does not know where it is by now.
@@ -134,7 +132,6 @@ impl Reason {
             Self::Uncertain => "uncertain",
             Self::Untold => "untold",
             Self::Uncounted => "uncounted",
-            Self::Unseen => "unseen",
             Self::Unfiltered => "unfiltered",
             Self::NotSensed => "not sensed",
             Self::NotShared => "not shared",

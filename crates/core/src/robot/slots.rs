@@ -77,7 +77,7 @@ impl<const D: usize, S: Slots<D>> Robot<D, S> {
             stays
         });
         if missed {
-            self.assurance.note(self.now, Reason::Unseen);
+            self.assurance.note(self.now, Reason::Overlooked);
         }
     }
 

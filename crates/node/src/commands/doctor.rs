@@ -1,17 +1,22 @@
 //! `doctor`: goes through everything that a robot needs, one step after another, and says which one fails.
 
 use core::time::Duration;
+use std::net::{TcpStream, ToSocketAddrs as _};
 use std::path::Path;
 use std::sync::mpsc::sync_channel;
 
 use crate::clock::Clock;
 use crate::commands::Failure;
-use crate::config::{Config, Plant};
+use crate::config::{Config, Network, Plant};
 use crate::identity::keys;
 use crate::identity::roster::Roster;
 use crate::node::load_roster;
 use crate::session::{Net, send};
 
+/// How long a session may take to open, ms.
+const SESSION_MS: u32 = 5_000;
+/// How long an endpoint may take to answer.
+const REACH: Duration = Duration::from_secs(2);
 /// How long a message may need to come back.
 const PATIENCE: Duration = Duration::from_secs(5);
 
@@ -55,8 +60,11 @@ pub fn doctor(path: &Path, say: &mut dyn FnMut(&str)) -> Result<(), Failure> {
         "plant",
         if plant { Ok("can be believed".into()) } else { Err("the roster has no key of a plant".into()) },
     )?;
+    for endpoint in &config.network.connect {
+        step(&format!("endpoint {endpoint}"), reach(endpoint))?;
+    }
     let clock = Clock::start(config.clock);
-    let net = Net::open(&config.network, &config.network.mode);
+    let net = Net::open_within(&config.network, &config.network.mode, Some(SESSION_MS));
     step(
         "session",
         net.as_ref()
@@ -79,12 +87,30 @@ fn private_key(config: &Config, roster: &Roster) -> Result<String, Failure> {
     Ok("is that of the roster, and only its owner can read it".into())
 }
 
-/// Publishes on one session and listens with another one.
+/// Whether somebody listens at an endpoint. Zenoh would try again for ever.
+fn reach(endpoint: &str) -> Result<String, Failure> {
+    let place = endpoint.split_once('/').map_or(endpoint, |(_, place)| place);
+    let place = place.split(['?', '#']).next().unwrap_or(place);
+    let found: Vec<_> = place.to_socket_addrs().map_err(|error| format!("`{place}`: {error}"))?.collect();
+    let mut why = "no address".to_owned();
+    for address in found {
+        match TcpStream::connect_timeout(&address, REACH) {
+            Ok(_) => return Ok("somebody listens".into()),
+            Err(error) => why = error.to_string(),
+        }
+    }
+    Err(format!(
+        "nobody listens there ({why}): is it running, is the address right, is a firewall in between?"
+    )
+    .into())
+}
+
+/// Publishes on one session and listens with another one, which connects as the robot does and to the robot's own endpoints.
 fn echo(config: &Config, net: &Net, key: &str, clock: Clock) -> Result<String, Failure> {
-    let other = Net::open(
-        &crate::config::Network { listen: Vec::new(), ..config.network.clone() },
-        &config.network.mode,
-    )?;
+    let own = config.network.listen.iter().map(|endpoint| endpoint.replace("/0.0.0.0:", "/127.0.0.1:"));
+    let connect = config.network.connect.iter().cloned().chain(own).collect();
+    let network = Network { listen: Vec::new(), connect, ..config.network.clone() };
+    let other = Net::open_within(&network, &network.mode, Some(SESSION_MS))?;
     let (queue, heard) = sync_channel(1);
     let _ear = other.listen(key, queue, |_, bytes| Some(bytes))?;
     let out = net.out(key)?;
@@ -99,7 +125,7 @@ fn echo(config: &Config, net: &Net, key: &str, clock: Clock) -> Result<String, F
         }
     }
     let hint = if config.network.mode == "peer" {
-        "two peers hear each other only if one lists the other in `network.connect`"
+        "a peer needs an endpoint in `network.listen`, or one in `network.connect` at which a router listens"
     } else {
         "is a router running at the endpoints of `network.connect`?"
     };

@@ -24,7 +24,7 @@ pub enum RosterCommand {
     New {
         /// Folder for both; it is made if it is not there
         dir: PathBuf,
-        /// File of a scenario whose tables team, link, controller and clock become the settings
+        /// File of a scenario whose tables team, link, controller, links, clock and consensus become the settings
         #[arg(long)]
         parameters: PathBuf,
         /// Name of the team

@@ -1,7 +1,7 @@
 //! `run`, `liar`, `plant`, `relay` and `fleet`.
 
 use core::sync::atomic::{AtomicBool, Ordering};
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::sync::mpsc::{RecvTimeoutError, sync_channel};
 
@@ -12,6 +12,7 @@ use core::time::Duration;
 use crate::clock::{Clock, Kind};
 use crate::commands::Failure;
 use crate::config::{Config, Network};
+use crate::fleet::tape::Sinks;
 use crate::fleet::{self, Options};
 use crate::identity::roster::Roster;
 use crate::identity::{epoch, keys};
@@ -47,6 +48,9 @@ pub struct Connection {
     /// What all keys of the team begin with
     #[arg(long, default_value = "closeranks")]
     pub prefix: String,
+    /// A file of Zenoh itself (JSON5), for certificates and access control
+    #[arg(long)]
+    pub zenoh: Option<PathBuf>,
 }
 
 impl Connection {
@@ -55,6 +59,7 @@ impl Connection {
             listen: self.listen.clone(),
             connect: self.connect.clone(),
             prefix: self.prefix.clone(),
+            zenoh: self.zenoh.clone(),
             ..Network::default()
         }
     }
@@ -162,11 +167,11 @@ fn plant_in<const D: usize>(
 }
 
 /// Runs a fleet; what is to be printed, and whether nothing is held against it.
-pub fn fleet(file: &Path, options: &Options, json: bool) -> Result<(String, bool), Failure> {
+pub fn fleet(file: &Path, options: &Options, sinks: Sinks, json: bool) -> Result<(String, bool), Failure> {
     let file = scenarios::load(file)?;
     let stop = Arc::new(AtomicBool::new(false));
     stop_on_signals(&stop)?;
-    let verdict = fleet::run(&file, options, &stop)?;
+    let verdict = fleet::run(&file, options, sinks, &stop)?;
     let text = if json { serde_json::to_string_pretty(&verdict)? } else { verdict.to_string() };
     Ok((text, verdict.is_good()))
 }

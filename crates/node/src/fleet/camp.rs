@@ -87,10 +87,9 @@ impl Camp {
             TcpListener::bind("127.0.0.1:0").and_then(|it| it.local_addr()).map_err(CampError::Port)?.port();
         let endpoint = format!("tcp/127.0.0.1:{port}");
         let path = folder.join("scenario.toml");
-        // The seed may come from the command line, so it is written as it is used.
-        fs::write(&path, with_seed(&file.text, file.scenario.seed)).map_err(failed(&path))?;
+        fs::write(&path, &file.text).map_err(failed(&path))?;
         let (roster, plant, operator) = enlist(&file.scenario, &file.text, &folder)?;
-        let robots = configure(&file.scenario, &roster, &operator, &folder, &endpoint)?;
+        let robots = configure(file, &roster, &operator, &folder, &endpoint)?;
         let arguments = ["relay", "--listen", &endpoint, "--prefix", PREFIX, "--scenario", "scenario.toml"];
         let router = Process::new("router".into(), arguments.map(String::from).to_vec());
         Ok(Self { folder, temporary, roster, plant, endpoint, router, robots, died: 0 })
@@ -171,6 +170,12 @@ impl Camp {
     pub fn memory_kb(&self) -> u64 {
         let children = self.robots.iter().filter_map(|robot| robot.child.as_ref());
         children.filter_map(|child| resident_kb(child.id())).max().unwrap_or(0)
+    }
+
+    /// The CPU time of each robot since its process began, s; none of one that does not run.
+    #[must_use]
+    pub fn cpu_s(&self) -> Vec<Option<f64>> {
+        self.robots.iter().map(|robot| robot.child.as_ref().and_then(|child| cpu_s(child.id()))).collect()
     }
 
     /// Which robots are proved two-faced.
@@ -305,12 +310,13 @@ fn enlist(
 
 /// Writes the configuration of every robot and says how each is started.
 fn configure(
-    scenario: &Scenario,
+    file: &FleetScenario,
     roster: &Roster,
     operator: &str,
     folder: &Path,
     endpoint: &str,
 ) -> Result<Vec<Process>, CampError> {
+    let scenario = &file.scenario;
     let values = initial_values(scenario)?;
     let mut processes = Vec::new();
     for (entry, value) in roster.robots().iter().zip(values) {
@@ -331,24 +337,32 @@ fn configure(
             desired: Desired::Scenario { file: "scenario.toml".into() },
             file: None,
         };
-        let file = format!("{}.toml", entry.name);
-        let path = folder.join(&file);
-        fs::write(&path, toml::to_string(&config)?).map_err(|error| CampError::File { path, error })?;
-        let mut arguments = vec!["run".to_owned(), "--config".into(), file];
+        let write = |name: &str, text: String| {
+            let path = folder.join(name);
+            fs::write(&path, text).map_err(|error| CampError::File { path, error })
+        };
+        let own = format!("{}.toml", entry.name);
+        write(&own, toml::to_string(&config)?)?;
+        let mut arguments = vec!["run".to_owned(), "--config".into(), own];
         if scenario.malicious.contains(&entry.id) {
+            let lies = format!("{}_lies.toml", entry.name);
+            write(&lies, file.text_of(entry.id))?;
             arguments[0] = "liar".into();
-            arguments.extend(["--scenario".into(), "scenario.toml".into()]);
+            arguments.extend(["--scenario".into(), lies]);
         }
         processes.push(Process::new(entry.name.clone(), arguments));
     }
     Ok(processes)
 }
 
-/// The text of a scenario with another seed.
-fn with_seed(text: &str, seed: u64) -> String {
-    let Ok(mut table) = toml::from_str::<toml::Table>(text) else { return text.to_owned() };
-    table.insert("seed".into(), toml::Value::Integer(i64::try_from(seed).unwrap_or(i64::MAX)));
-    toml::to_string(&table).unwrap_or_else(|_| text.to_owned())
+/// CPU time that a process has used, s. The system counts in hundredths of a second.
+fn cpu_s(pid: u32) -> Option<f64> {
+    let text = fs::read_to_string(format!("/proc/{pid}/stat")).ok()?;
+    // What stands before is the name of the program in brackets.
+    let (_, rest) = text.rsplit_once(')')?;
+    let ticks: Vec<f64> =
+        rest.split_whitespace().skip(11).take(2).filter_map(|word| word.parse().ok()).collect();
+    Some(ticks.iter().sum::<f64>() / 100.0)
 }
 
 /// Memory that a process holds, kB.

@@ -51,7 +51,7 @@ mod tests {
     fn deeds_come_in_the_order_of_their_times() {
         let kill =
             vec![Kill { robot: 4, at_s: 2.0, back_s: Some(5.0) }, Kill { robot: 3, at_s: 1.0, back_s: None }];
-        let events = Events::new(&Fleet { kill, restart_router_s: vec![3.0], garbage_per_s: 0.0 });
+        let events = Events::new(&Fleet { kill, restart_router_s: vec![3.0], ..Fleet::default() });
         let deeds: Vec<Deed> = events.deeds.iter().map(|(_, deed)| *deed).collect();
         assert_eq!(deeds, [Deed::Kill(3), Deed::Kill(4), Deed::RestartRouter, Deed::Revive(4)]);
     }

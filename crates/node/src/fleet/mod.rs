@@ -4,6 +4,7 @@ pub mod attacker;
 pub mod camp;
 pub mod events;
 pub mod table;
+pub mod tape;
 pub mod verdict;
 
 use core::sync::atomic::AtomicBool;
@@ -17,7 +18,8 @@ use crate::fleet::attacker::Attacker;
 use crate::fleet::camp::{Camp, CampError};
 use crate::fleet::events::Events;
 use crate::fleet::table::Table;
-use crate::fleet::verdict::Verdict;
+use crate::fleet::tape::{Sinks, Tape, TapeError};
+use crate::fleet::verdict::{Costs, Verdict};
 use crate::plant::pace::Pace;
 use crate::plant::world::World;
 use crate::scenarios::FleetScenario;
@@ -51,28 +53,56 @@ pub enum FleetError {
     Session(#[from] SessionError),
     #[error(transparent)]
     Run(#[from] RunError),
+    #[error(transparent)]
+    Tape(#[from] TapeError),
     #[error("robots {robots} did not report within {seconds} s; with --out DIR their logs are kept")]
     Absent { robots: String, seconds: u64 },
 }
 
-/// Runs the fleet until its time is over or `stop`, and says what came of it.
-pub fn run(file: &FleetScenario, options: &Options, stop: &AtomicBool) -> Result<Verdict, FleetError> {
+/// Runs the fleet until its time is over or `stop`, and says what came of it. What happens goes into `sinks`.
+pub fn run(
+    file: &FleetScenario,
+    options: &Options,
+    sinks: Sinks,
+    stop: &AtomicBool,
+) -> Result<Verdict, FleetError> {
     let mut file = file.clone();
-    file.scenario.seed = options.seed.unwrap_or(file.scenario.seed);
+    if let Some(seed) = options.seed {
+        (file.scenario.seed, file.text) = (seed, with_seed(&file.text, seed));
+    }
     file.scenario.duration_s = options.duration_s.unwrap_or(file.scenario.duration_s);
     if file.scenario.dimension == 3 {
-        run_in::<3>(&file, options, stop)
+        run_in::<3>(&file, options, sinks, stop)
     } else {
-        run_in::<2>(&file, options, stop)
+        run_in::<2>(&file, options, sinks, stop)
     }
+}
+
+/// Least, middle and greatest share of a core that a robot used in so many s; robots that were started anew do not count.
+fn cpu_share(begin_s: &[Option<f64>], end_s: &[Option<f64>], seconds: f64) -> [f64; 3] {
+    let both = begin_s.iter().zip(end_s).filter_map(|(begin, end)| Some(end.as_ref()? - begin.as_ref()?));
+    let mut shares: Vec<f64> =
+        both.filter(|used| *used >= 0.0).map(|used| used / seconds.max(1e-9)).collect();
+    shares.sort_by(f64::total_cmp);
+    let at = |place: usize| shares.get(place).copied().unwrap_or(0.0);
+    [at(0), at(shares.len() / 2), at(shares.len().saturating_sub(1))]
+}
+
+/// The text of a scenario with another seed.
+fn with_seed(text: &str, seed: u64) -> String {
+    let Ok(mut table) = toml::from_str::<toml::Table>(text) else { return text.to_owned() };
+    table.insert("seed".into(), toml::Value::Integer(i64::try_from(seed).unwrap_or(i64::MAX)));
+    toml::to_string(&table).unwrap_or_else(|_| text.to_owned())
 }
 
 fn run_in<const D: usize>(
     file: &FleetScenario,
     options: &Options,
+    sinks: Sinks,
     stop: &AtomicBool,
 ) -> Result<Verdict, FleetError> {
     let scenario = &file.scenario;
+    sinks.check(scenario)?;
     let mut camp = Camp::build(file, options.folder.clone())?;
     camp.start_all()?;
     let net = Net::open_within(&camp.network("client"), "client", Some(ROUTER_MS))?;
@@ -87,7 +117,8 @@ fn run_in<const D: usize>(
         camp.stop_all();
         return Err(FleetError::Absent { robots: absent.join(", "), seconds: PATIENCE.as_secs() });
     }
-    let memory_start = camp.memory_kb();
+    let mut tape = Tape::new(sinks, scenario, &file.text)?;
+    let (memory_start, cpu_start) = (camp.memory_kb(), camp.cpu_s());
     let attacker = Attacker::start(&camp.network("client"), scenario, file.fleet.garbage_per_s)?;
     let mut events = Events::new(&file.fleet);
     let length = Duration::from_secs_f64(scenario.duration_s);
@@ -96,14 +127,18 @@ fn run_in<const D: usize>(
         let since_s = now.since(began).as_secs_f64();
         events.happen(since_s, &mut camp);
         camp.notice_deaths();
+        tape.tick(&world.snapshot());
         table.draw(world, &camp.states(), now);
     });
     let injected = attacker.map_or(0, Attacker::stop);
-    let memory_end = camp.memory_kb();
+    let memory_kb = [memory_start, camp.memory_kb()];
+    let cpu_share = cpu_share(&cpu_start, &camp.cpu_s(), clock.now().since(began).as_secs_f64());
     let proofs = camp.proofs();
     camp.stop_all();
     table.end();
-    let verdict = Verdict::new(scenario, plant, &camp, [memory_start, memory_end], proofs, injected);
+    let costs = Costs { memory_kb, cpu_share };
+    let verdict = Verdict::new(scenario, plant, &camp, costs, proofs, injected);
     net.close();
+    tape.finish()?;
     Ok(verdict)
 }

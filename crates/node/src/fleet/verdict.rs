@@ -53,8 +53,18 @@ pub struct Verdict {
     pub injected: u64,
     /// Envelopes that robots rejected, by reason.
     pub rejects: Vec<(&'static str, u64)>,
+    /// What it cost.
+    #[serde(flatten)]
+    pub costs: Costs,
+}
+
+/// What a fleet costs.
+#[derive(Clone, Copy, Debug, Serialize)]
+pub struct Costs {
     /// Most memory of a robot at the start and at the end, kB.
     pub memory_kb: [u64; 2],
+    /// Least, middle and greatest share of a core that a robot used.
+    pub cpu_share: [f64; 3],
 }
 
 /// A law that was broken.
@@ -75,7 +85,7 @@ impl Verdict {
         scenario: &Scenario,
         plant: Pace<D>,
         camp: &Camp,
-        memory_kb: [u64; 2],
+        costs: Costs,
         two_faced: Vec<u16>,
         injected: u64,
     ) -> Self {
@@ -121,7 +131,7 @@ impl Verdict {
             two_faced,
             injected,
             rejects: rejects.collect(),
-            memory_kb,
+            costs,
         }
     }
 
@@ -184,8 +194,11 @@ impl fmt::Display for Verdict {
         writeln!(f, "rejected: {}", if rejects.is_empty() { "nothing".into() } else { rejects.join(", ") })?;
         writeln!(
             f,
-            "memory of a robot {} kB at the start, {} kB at the end",
-            self.memory_kb[0], self.memory_kb[1]
+            "memory of a robot {} kB at the start, {} kB at the end; CPU {:.1} to {:.1} % of a core",
+            self.costs.memory_kb[0],
+            self.costs.memory_kb[1],
+            100.0 * self.costs.cpu_share[0],
+            100.0 * self.costs.cpu_share[2]
         )?;
         writeln!(f, "in time {:.1} % of the reports", 100.0 * self.timely_share)?;
         if self.timely_share < TIMELY {

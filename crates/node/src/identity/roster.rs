@@ -7,7 +7,9 @@ use std::path::{Path, PathBuf};
 use std::{fs, io};
 
 use closeranks_core::RobotId;
+use closeranks_core::robot::neighbor::Member;
 use closeranks_sim::scenario::Scenario;
+use closeranks_sim::scenario::ranks::How;
 use ed25519_dalek::{Signature, Signer as _, SigningKey, VerifyingKey};
 use serde::{Deserialize, Serialize};
 use sha2::{Digest as _, Sha256};
@@ -249,6 +251,17 @@ impl Roster {
     #[must_use]
     pub fn plant(&self) -> Option<&VerifyingKey> {
         self.plant.as_ref()
+    }
+
+    /// A robot with its rank; without ranks that is 0.
+    #[must_use]
+    pub fn member(&self, id: RobotId) -> Member {
+        let ranks = self.scenario.ranking().and_then(|ranking| match &ranking.how {
+            How::Listed(ranks) => Some(ranks),
+            How::Own { .. } | How::Layers { .. } => None,
+        });
+        let rank = ranks.and_then(|ranks| ranks.get(usize::from(id.0).wrapping_sub(1)));
+        Member { id, rank: rank.copied().unwrap_or(0) }
     }
 
     /// Who signed.

@@ -1,5 +1,7 @@
 //! One robot: its state machine, its loop, its voice and its wish, put together from a configuration.
 
+mod connect;
+mod figures;
 pub mod pilot;
 mod reload;
 mod ros;
@@ -13,28 +15,27 @@ use core::sync::atomic::AtomicBool;
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
-use std::sync::mpsc::{SyncSender, sync_channel};
+use std::sync::mpsc::sync_channel;
 
 use closeranks_core::{Params, ParamsError, RobotError, RobotId};
 use closeranks_sim::scenario::Scenario;
 
 use crate::bytes::hex;
 use crate::clock::Clock;
-use crate::config::{Config, ConfigError, Desired, Hear, Plant};
+use crate::config::{Config, ConfigError, Desired, Plant};
 use crate::identity::epoch::{self, EpochError};
 use crate::identity::keys::{self, KeyError};
 use crate::identity::roster::{Roster, RosterError};
+use crate::node::connect::{Link, Wires, reconnect};
 use crate::node::pilot::{Identity, Pilot};
-use crate::node::ros::Planner;
-use crate::node::run::{Event, Node, QUEUE, Voice, Wish};
-use crate::node::voice::{Lying, Plain};
+use crate::node::run::{Node, QUEUE, Wish};
+use crate::node::voice::Silent;
 use crate::node::wish::{Hold, Key, Listed};
-use crate::plant::PlantPort;
 use crate::plant::replay::{REPLAY_MAX, Replay, ReplayError};
-use crate::plant::ros::Own;
 use crate::plant::simulated::Simulated;
+use crate::plant::{Nowhere, PlantPort};
 use crate::scenarios::{self, ScenarioError};
-use crate::session::{Ear, Net, SessionError, Token, number};
+use crate::session::{Net, SessionError};
 use crate::signals::stop_on_signals;
 
 /// Why a robot does not start.
@@ -74,11 +75,16 @@ pub enum NodeError {
     )]
     NoPlant,
     #[error(
-        "only `distrust` and the roster are read anew while a robot runs; anything else needs another start"
+        "only `distrust`, `network` and the roster are read anew while a robot runs; anything else needs another start"
     )]
     Restart,
     #[error("the roster differs and the simulated plant has read the old one: start it and all robots anew")]
     PlantsRoster,
+    #[error(
+        "{topic} is there with the type {found}, and this robot has {expected}: they would not hear each other. Set `plant.ros_distro`, or \
+         the definitions differ"
+    )]
+    Hash { topic: String, found: String, expected: String },
     #[error("signals cannot be handled: {0}")]
     Signals(#[from] ctrlc::Error),
 }
@@ -133,72 +139,66 @@ fn run_in<const D: usize>(
     let clock = Clock::start(config.clock);
     let id = named(roster, "robot", &config.robot)?;
     // What a file may have wrong is found before anything is opened or counted.
-    let recorded = recorded(config, &params, id, clock)?;
-    let listed = listed(config, id)?;
+    let port = port(config, roster, &params, id, clock)?;
+    let wish = wish(config, id)?;
     let identity = identity(config, Arc::clone(roster))?;
     let mut pilot = Pilot::new(identity, params, config.value)?;
     for name in &config.distrust {
         pilot.trust(named(roster, "distrust", name)?, false);
     }
-    let net = Net::open(&config.network, &config.network.mode)?;
     let period = params.settings().clock.level_period;
-    let mut tokens = Vec::new();
-    let mut own = Own::default();
-    let port: Box<dyn PlantPort<D>> = match (&config.plant, recorded) {
-        (_, Some(replay)) => Box::new(replay),
-        (Plant::Ros2(topics), _) => {
-            let (port, shown) =
-                ros::plant((topics, config.timeout(topics.source_timeout)), roster, id, period, &net)?;
-            own = port.own();
-            tokens = shown;
-            Box::new(port)
-        }
-        _ if roster.plant().is_none() => return Err(NodeError::NoPlant),
-        _ => Box::new(Simulated::new(Arc::clone(roster), id, &params)),
-    };
-    let wish: Box<dyn Wish<D>> = match (&config.desired, &config.plant, listed) {
-        (_, _, Some(listed)) => Box::new(listed),
-        (Desired::Key { timeout_s }, _, _) => Box::new(Key::new(config.timeout(*timeout_s))),
-        (Desired::Ros2 { timeout_s, .. }, Plant::Ros2(topics), _) => {
-            Box::new(Planner::new(own, topics, config.timeout(*timeout_s)))
-        }
-        _ => Box::new(Hold),
-    };
-    let (voice, shown) = voice(config, &net, id, params.settings().team.robots, lies)?;
-    tokens.extend(shown);
+    let (queue, events) = sync_channel(QUEUE);
+    let link = Link { config, roster, id, period, lies, queue };
+    let mut net = Net::open(&config.network, &config.network.mode)?;
+    let mut wires: Wires<D> = link.wires(&config.network, &net)?;
     // Until here nothing moves, so signals may end the process at once.
     stop_on_signals(stop)?;
-    let (queue, events) = sync_channel(QUEUE);
-    let ears = ears(&net, config, roster, id, &queue)?;
     if let Some(file) = &config.file {
-        reload::watch(file.clone(), config.clone(), Arc::clone(roster), queue.clone(), Arc::clone(stop));
+        let queue = link.queue.clone();
+        reload::watch(file.clone(), config.clone(), Arc::clone(roster), queue, Arc::clone(stop));
     }
-    drop(queue);
-    Node::new(pilot, port, voice, wish, clock, period).run(&events, stop);
-    drop((ears, tokens));
+    let (port, wish) = (port.unwrap_or_else(|| Box::new(Nowhere)), wish.unwrap_or_else(|| Box::new(Hold)));
+    let mut node = Node::new(pilot, port, Box::new(Silent), wish, clock, period);
+    let mut network = config.network.clone();
+    loop {
+        let kept = wires.into(&mut node);
+        let Some(new) = node.run(&events, stop) else { break };
+        drop(kept);
+        node.voice = Box::new(Silent);
+        (net, network) = reconnect(net, network, *new)?;
+        wires = link.wires(&network, &net)?;
+    }
+    // One write, so that the lines of processes that share a log do not mix.
+    let figures = node.end(net.traffic()).to_string();
+    eprintln!("{figures}");
     net.close();
     Ok(())
 }
 
-/// How the robot speaks, and what makes its topics visible.
-fn voice<const D: usize>(
+/// Where the robot is, unless topics say it, which need a session.
+fn port<const D: usize>(
     config: &Config,
-    net: &Net,
+    roster: &Arc<Roster>,
+    params: &Params<D>,
     id: RobotId,
-    robots: u16,
-    lies: Option<&Scenario>,
-) -> Result<(Box<dyn Voice<D>>, Vec<Token>), NodeError> {
-    let (mut viewer, mut tokens) = (None, Vec::new());
-    if let Plant::Ros2(topics) = &config.plant {
-        let (show, shown) = ros_view::viewer(topics, &config.robot, net)?;
-        (viewer, tokens) = (Some(show), shown);
-    }
-    let plain = Plain::new(net, id, robots, config.proofs.clone())?.seen_by(viewer);
-    let voice: Box<dyn Voice<D>> = match lies {
-        Some(scenario) => Box::new(Lying::new(plain, net, id, scenario)?),
-        None => Box::new(plain),
-    };
-    Ok((voice, tokens))
+    clock: Clock,
+) -> Result<Option<Box<dyn PlantPort<D>>>, NodeError> {
+    Ok(match (&config.plant, recorded(config, params, id, clock)?) {
+        (_, Some(replay)) => Some(Box::new(replay)),
+        (Plant::Ros2(_), _) => None,
+        _ if roster.plant().is_none() => return Err(NodeError::NoPlant),
+        _ => Some(Box::new(Simulated::new(Arc::clone(roster), id, params))),
+    })
+}
+
+/// Where the robot wants to go, unless a topic says it.
+fn wish<const D: usize>(config: &Config, id: RobotId) -> Result<Option<Box<dyn Wish<D>>>, NodeError> {
+    Ok(match (&config.desired, listed(config, id)?) {
+        (_, Some(listed)) => Some(Box::new(listed)),
+        (Desired::Key { timeout_s }, _) => Some(Box::new(Key::new(config.timeout(*timeout_s)))),
+        (Desired::Ros2 { .. }, _) => None,
+        _ => Some(Box::new(Hold)),
+    })
 }
 
 /// The recording that a configuration names, if it does.
@@ -228,48 +228,4 @@ fn read(path: &Path, most: u64) -> Result<String, NodeError> {
 fn listed<const D: usize>(config: &Config, id: RobotId) -> Result<Option<Listed<D>>, NodeError> {
     let Desired::Scenario { file } = &config.desired else { return Ok(None) };
     Ok(Some(Listed::new(scenarios::load(file)?.scenario, id.0)))
-}
-
-/// Everything that a robot listens to.
-fn ears(
-    net: &Net,
-    config: &Config,
-    roster: &Roster,
-    id: RobotId,
-    queue: &SyncSender<Event>,
-) -> Result<Vec<Ear>, SessionError> {
-    let said = match config.network.hear {
-        Hear::Direct => vec!["say/*".to_owned(), format!("aside/*/{}", id.0)],
-        Hear::Relayed => vec![format!("to/{}/*", id.0)],
-    };
-    let mut ears = Vec::new();
-    for key in said {
-        // A session hears itself too.
-        let own = id.0;
-        let other = move |key: &str| !(key.starts_with("say/") && number(key) == Some(own));
-        ears.push(
-            net.listen(&key, queue.clone(), move |key, bytes| other(key).then_some(Event::Said(bytes)))?,
-        );
-    }
-    ears.push(net.listen("evidence/*", queue.clone(), |_, bytes| Some(Event::Evidence(bytes)))?);
-    ears.push(net.listen("proof/*", queue.clone(), |_, bytes| Some(Event::Proof(bytes)))?);
-    if config.plant == Plant::Simulated {
-        let key = format!("sensed/{}", id.0);
-        ears.push(net.listen(&key, queue.clone(), move |_, bytes| Some(Event::Sensed(id, bytes)))?);
-    }
-    if matches!(config.desired, Desired::Key { .. }) {
-        let key = format!("want/{}", id.0);
-        ears.push(net.listen(&key, queue.clone(), |_, bytes| Some(Event::Want(bytes)))?);
-    }
-    if config.trust_key {
-        let key = format!("trust/{}", id.0);
-        ears.push(net.listen(&key, queue.clone(), |_, bytes| Some(Event::Trust(bytes)))?);
-    }
-    if let Plant::Ros2(topics) = &config.plant {
-        ears.extend(ros::poses(topics, roster, net, queue)?);
-        if let Desired::Ros2 { cmd_vel_in_topic, .. } = &config.desired {
-            ears.push(ros::wanted(topics, cmd_vel_in_topic, roster, id, net, queue)?);
-        }
-    }
-    Ok(ears)
 }

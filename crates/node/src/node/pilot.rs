@@ -88,7 +88,7 @@ impl<const D: usize> Pilot<D> {
         let slots = vec![Slot::default(); others];
         let gate = Gate::new(Arc::clone(&identity.roster), Purpose::Say, Some(identity.id), limits(&params));
         Ok(Self {
-            robot: Robot::new(params, identity.id, value, slots)?,
+            robot: Robot::new(params, identity.roster.member(identity.id), value, slots)?,
             memory: Memory::new(&params, others),
             gate,
             identity,
@@ -114,7 +114,7 @@ impl<const D: usize> Pilot<D> {
         self.sensed_at = Some(sensed.at);
         for (id, position_m) in &sensed.others {
             // A robot that is not of the team, or more than fit, are left out by the core, which says so in its mode.
-            let _ = self.robot.observe(*id, *position_m);
+            let _ = self.robot.observe(self.identity.roster.member(*id), *position_m);
         }
         let message = self.robot.share(&mut self.memory.lend())?;
         self.said += 1;
@@ -217,7 +217,8 @@ impl<const D: usize> Pilot<D> {
         }
         let output = self.robot.tick(desired, &mut self.memory.lend());
         let ended = output.report.round.is_some();
-        let spoke = self.robot.neighbors().iter().filter(|slot| ended && slot.told_value().is_some());
+        let used = |slot: &&Slot<D>| ended && slot.told_value().is_some() && self.robot.listens_to(slot);
+        let spoke = self.robot.neighbors().iter().filter(used);
         let heard = spoke.map(Slot::id).collect();
         let report = output.report;
         Report {

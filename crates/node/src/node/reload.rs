@@ -11,7 +11,7 @@ use std::time::SystemTime;
 
 use closeranks_core::RobotId;
 
-use crate::config::{Config, Plant};
+use crate::config::{Config, Network, Plant};
 use crate::identity::roster::Roster;
 use crate::node::run::Event;
 use crate::node::{NodeError, load_roster, named};
@@ -36,6 +36,7 @@ pub(crate) fn watch(
 ) {
     thread::spawn(move || {
         let mut seen = times(&file, &old.roster);
+        let mut network = old.network.clone();
         while !stop.load(Ordering::Relaxed) {
             thread::sleep(EVERY);
             let now = times(&file, &old.roster);
@@ -43,28 +44,39 @@ pub(crate) fn watch(
                 continue;
             }
             seen = now;
-            let event = match read(&file, &old, &first) {
-                Ok((roster, distrusted)) => Event::Files(roster, distrusted),
+            let News { roster, distrusted, network: new } = match read(&file, &old, &first) {
+                Ok(news) => news,
                 Err(error) => {
                     eprintln!("the changed files are not used: {error}");
                     continue;
                 }
             };
-            if queue.send(event).is_err() {
-                return;
+            let mut events = vec![Event::Files(roster, distrusted)];
+            if new != network {
+                network = new.clone();
+                events.push(Event::Network(Box::new(new)));
+            }
+            for event in events {
+                if queue.send(event).is_err() {
+                    return;
+                }
             }
         }
     });
 }
 
+/// What a running robot takes from its files.
+#[derive(Debug)]
+pub(crate) struct News {
+    pub(crate) roster: Arc<Roster>,
+    pub(crate) distrusted: Vec<RobotId>,
+    pub(crate) network: Network,
+}
+
 /// What a running robot takes from its files; an error if something in them is wrong or needs another start.
-pub(crate) fn read(
-    file: &Path,
-    old: &Config,
-    first: &Roster,
-) -> Result<(Arc<Roster>, Vec<RobotId>), NodeError> {
+pub(crate) fn read(file: &Path, old: &Config, first: &Roster) -> Result<News, NodeError> {
     let new = Config::load(file)?;
-    let rest = |of: &Config| Config { distrust: Vec::new(), ..of.clone() };
+    let rest = |of: &Config| Config { distrust: Vec::new(), network: Network::default(), ..of.clone() };
     if rest(&new) != rest(old) {
         return Err(NodeError::Restart);
     }
@@ -74,7 +86,7 @@ pub(crate) fn read(
     }
     let distrusted = new.distrust.iter().map(|name| named(&roster, "distrust", name));
     let distrusted = distrusted.collect::<Result<_, _>>()?;
-    Ok((roster, distrusted))
+    Ok(News { roster, distrusted, network: new.network })
 }
 
 #[cfg(test)]
@@ -97,7 +109,9 @@ mod tests {
         write("");
         let old = Config::load(&file).unwrap();
         write("distrust = ['robot_3']\n");
-        assert_eq!(read(&file, &old, &first).unwrap().1, [RobotId(3)]);
+        assert_eq!(read(&file, &old, &first).unwrap().distrusted, [RobotId(3)]);
+        write("[network]\nconnect = ['tcp/10.0.0.2:7447']\n");
+        assert_eq!(read(&file, &old, &first).unwrap().network.connect, ["tcp/10.0.0.2:7447"]);
         write("distrust = ['robot_9']\n");
         assert!(read(&file, &old, &first).unwrap_err().to_string().contains("`distrust` is `robot_9`"));
         write("value = 2.0\n");
@@ -109,7 +123,7 @@ mod tests {
         assert!(matches!(read(&file, &old, &first), Err(NodeError::PlantsRoster)));
         write("[plant]\nkind = 'ros2'\n");
         let old = Config::load(&file).unwrap();
-        assert_ne!(read(&file, &old, &first).unwrap().0.hash(), first.hash());
+        assert_ne!(read(&file, &old, &first).unwrap().roster.hash(), first.hash());
         fs::write(&roster, "junk").unwrap();
         assert!(matches!(read(&file, &old, &first), Err(NodeError::Roster(_))));
     }

@@ -2,12 +2,12 @@
 
 use crate::clock::wall_nanos;
 use crate::config::Ros2;
-use crate::node::ros::{NODE, topic};
+use crate::node::ros::Topic;
 use crate::node::status::{Row, Status};
 use crate::node::voice::Viewer;
-use crate::ros::keys::{self, End, attachment, key, tokens};
+use crate::ros::keys;
 use crate::ros::seen::{Diagnosis, Level, Marker, Shape, diagnostics, markers};
-use crate::session::{Net, Out, SessionError, Token, send_with};
+use crate::session::{Net, SessionError, Token};
 
 /// How often both are published, s; a change of the mode is published at once.
 const EVERY_S: f64 = 0.5;
@@ -18,34 +18,12 @@ const FREE: [f32; 4] = [0.2, 0.8, 0.3, 0.8];
 const IN_THE_WAY: [f32; 4] = [0.9, 0.2, 0.1, 1.0];
 const WHITE: [f32; 4] = [1.0; 4];
 
-/// One topic, and what names its publisher.
-struct Topic {
-    out: Out,
-    publisher: [u8; 16],
-    sequence: i64,
-}
-
-impl Topic {
-    fn send(&mut self, nanos: u64, bytes: Vec<u8>) {
-        self.sequence += 1;
-        send_with(&self.out, bytes, &attachment(self.sequence, nanos, &self.publisher));
-    }
-}
-
 /// What shows the status of the robot of that name in ROS 2, and what makes its topics visible.
 pub(super) fn viewer(ros: &Ros2, name: &str, net: &Net) -> Result<(Viewer, Vec<Token>), SessionError> {
-    let mut shown = Vec::new();
-    let mut open = |number: u32, pattern: &str, kind: &keys::Type| -> Result<Topic, SessionError> {
-        let to = topic(pattern, name);
-        let full = key(ros.domain, &to, kind, ros.ros_distro);
-        let [_, token] =
-            tokens(ros.domain, &net.name(), &format!("{NODE}_{name}"), number, End::Publisher, &to, &full);
-        shown.push(net.token(token)?);
-        let publisher = crate::wire::envelope::hash(format!("{} {number}", net.name()).as_bytes());
-        Ok(Topic { out: net.out_at(full)?, publisher, sequence: 0 })
-    };
-    let mut said = open(2, &ros.diagnostics_topic, &keys::DIAGNOSTICS)?;
-    let mut drawn = open(3, &ros.markers_topic, &keys::MARKERS)?;
+    let (mut said, mut tokens) =
+        Topic::open(ros, (name, &ros.diagnostics_topic), 2, &keys::DIAGNOSTICS, net)?;
+    let (mut drawn, others) = Topic::open(ros, (name, &ros.markers_topic), 3, &keys::MARKERS, net)?;
+    tokens.extend(others);
     let (name, frame) = (name.to_owned(), ros.frame.clone());
     let mut last: Option<(f64, &'static str)> = None;
     let show = move |status: &Status| {
@@ -57,7 +35,7 @@ pub(super) fn viewer(ros: &Ros2, name: &str, net: &Net) -> Result<(Viewer, Vec<T
             drawn.send(nanos, markers(nanos, &frame, &drawing(&name, status)));
         }
     };
-    Ok((Box::new(show), shown))
+    Ok((Box::new(show), tokens))
 }
 
 fn diagnosis(name: &str, status: &Status) -> Diagnosis {

@@ -11,10 +11,13 @@ use std::sync::mpsc::{Receiver, RecvTimeoutError};
 use closeranks_core::{Instant, RobotId};
 
 use crate::clock::{Clock, tick};
+use crate::config::Network;
 use crate::identity::roster::Roster;
+use crate::node::figures::{Figures, Said};
 use crate::node::pilot::{Notice, Pilot};
 use crate::node::status::{Status, Watch};
 use crate::plant::PlantPort;
+use crate::session::Traffic;
 use crate::wire::report::Report;
 
 /// The part of a tick after which a robot decides. What is left of it is for the way of its report to a simulated plant.
@@ -40,6 +43,8 @@ pub enum Event {
     Trust(Vec<u8>),
     /// Files that were changed: another roster, and who is not to be believed.
     Files(Arc<Roster>, Vec<RobotId>),
+    /// The robot is to be connected in another way.
+    Network(Box<Network>),
 }
 
 /// What a robot publishes.
@@ -86,6 +91,7 @@ pub struct Node<'a, const D: usize> {
     busy: Duration,
     fresh: bool,
     watch: Watch,
+    figures: Figures,
 }
 
 impl<'a, const D: usize> Node<'a, D> {
@@ -100,11 +106,13 @@ impl<'a, const D: usize> Node<'a, D> {
         period: Duration,
     ) -> Self {
         let (own_m, last, busy, fresh) = ([f64::NAN; D], None, Duration::ZERO, false);
-        Self { pilot, port, voice, wish, clock, period, own_m, last, busy, fresh, watch: Watch::default() }
+        let (watch, figures) = (Watch::default(), Figures::begin(clock.now()));
+        Self { pilot, port, voice, wish, clock, period, own_m, last, busy, fresh, watch, figures }
     }
 
-    /// Runs until `stop`, or until nobody sends events any more. Then the robot stands still, and says so.
-    pub fn run(&mut self, events: &Receiver<Event>, stop: &AtomicBool) {
+    /// Runs until `stop`, or until nobody sends events any more; then the robot stands still, and says so. Or until it is to be connected in
+    /// another way: then its base gets a velocity of 0, and the owner connects it and calls this again.
+    pub fn run(&mut self, events: &Receiver<Event>, stop: &AtomicBool) -> Option<Box<Network>> {
         let part = self.period.mul_f64(DECIDE);
         let mut decide_at = tick(self.clock.now(), self.period).after(part);
         while !stop.load(Ordering::Relaxed) {
@@ -117,6 +125,10 @@ impl<'a, const D: usize> Node<'a, D> {
             }
             let next = self.port.next_at().map_or(decide_at, |at| at.min(decide_at));
             match events.recv_timeout(next.since(now)) {
+                Ok(Event::Network(network)) => {
+                    self.port.drive(self.clock.now(), &[0.0; D]);
+                    return Some(network);
+                }
                 Ok(event) => self.handle(event),
                 Err(RecvTimeoutError::Timeout) => {}
                 Err(RecvTimeoutError::Disconnected) => break,
@@ -124,6 +136,7 @@ impl<'a, const D: usize> Node<'a, D> {
             self.sense();
         }
         self.stop();
+        None
     }
 
     fn handle(&mut self, event: Event) {
@@ -154,6 +167,8 @@ impl<'a, const D: usize> Node<'a, D> {
                 self.renew(&roster, &distrusted);
                 Vec::new()
             }
+            // Only `run` can do something about it.
+            Event::Network(_) => Vec::new(),
         };
         for notice in &notices {
             self.voice.notice(notice);
@@ -165,6 +180,7 @@ impl<'a, const D: usize> Node<'a, D> {
         let Some(sensed) = self.port.sensed(began) else { return };
         self.own_m = sensed.own_m;
         self.fresh = true;
+        self.figures.shown(began);
         if let Some(message) = self.pilot.sense(&sensed) {
             self.voice.say(began, &mut self.pilot, &message);
         }
@@ -181,6 +197,7 @@ impl<'a, const D: usize> Node<'a, D> {
         self.busy += self.clock.now().since(now);
         report.busy_us = u32::try_from(self.busy.as_micros()).unwrap_or(u32::MAX);
         self.port.drive(now, &report.velocity_m_s);
+        self.figures.drove(self.clock.now(), report.busy_us);
         let status = self.pilot.status(&mut self.watch, now, wished, &report);
         self.voice.report(self.clock.now(), &mut self.pilot, &mut report);
         self.voice.status(&status);
@@ -203,6 +220,11 @@ impl<'a, const D: usize> Node<'a, D> {
         if let Some(mut report) = self.pilot.stopped(self.last.as_ref()) {
             self.voice.report(now, &mut self.pilot, &mut report);
         }
+    }
+
+    /// What it cost, with what went through its sessions.
+    pub(crate) fn end(self, traffic: Traffic) -> Said {
+        self.figures.end(self.clock.now(), traffic)
     }
 
     /// The last report.

@@ -103,6 +103,19 @@ fn keep(folder: &Path, id: RobotId, bytes: &[u8]) {
     eprintln!("robot {} is two-faced; proof {} {place}", id.0, path.display());
 }
 
+/// The voice of a robot that is not connected.
+pub struct Silent;
+
+impl<const D: usize> Voice<D> for Silent {
+    fn say(&mut self, _now: Instant, _pilot: &mut Pilot<D>, _message: &Message) {}
+
+    fn report(&mut self, _now: Instant, _pilot: &mut Pilot<D>, _report: &mut Report<D>) {}
+
+    fn status(&mut self, _status: &Status) {}
+
+    fn notice(&mut self, _notice: &Notice) {}
+}
+
 /// The voice of a malicious robot of an experiment: the lies of a scenario, properly signed.
 pub struct Lying {
     plain: Plain,

@@ -24,3 +24,20 @@ pub trait PlantPort<const D: usize> {
     /// Moves with this velocity, m/s, until the next call. It is called in every tick, and with 0 before the robot stops.
     fn drive(&mut self, now: Instant, velocity_m_s: &[f64; D]);
 }
+
+/// The plant of a robot that is not connected to one.
+pub struct Nowhere;
+
+impl<const D: usize> PlantPort<D> for Nowhere {
+    fn arrived(&mut self, _now: Instant, _from: RobotId, _bytes: &[u8]) {}
+
+    fn sensed(&mut self, _now: Instant) -> Option<Sensed<D>> {
+        None
+    }
+
+    fn next_at(&self) -> Option<Instant> {
+        None
+    }
+
+    fn drive(&mut self, _now: Instant, _velocity_m_s: &[f64; D]) {}
+}

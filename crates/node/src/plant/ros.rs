@@ -120,16 +120,12 @@ mod tests {
     use std::sync::mpsc::channel;
 
     use super::*;
-    use crate::ros::cdr::Writer;
+    use closeranks_mcap::cdr::Writer;
 
     fn pose(frame: &str, x: f64) -> Vec<u8> {
         let mut writer = Writer::default();
-        writer.word(0);
-        writer.word(0);
-        writer.text(frame);
-        for number in [x, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0] {
-            writer.double(number);
-        }
+        writer.header(0, frame);
+        writer.doubles(&[x, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0]);
         writer.end()
     }
 

@@ -15,6 +15,7 @@ use closeranks_sim::faults::edges::Edges;
 use closeranks_sim::frame::Frame;
 use closeranks_sim::geometry::squared_distance;
 use closeranks_sim::monitors::Monitors;
+use closeranks_sim::output::snapshot::Snapshot;
 use closeranks_sim::output::summary::{Collector, Summary};
 use closeranks_sim::plant::Bodies;
 use closeranks_sim::scenario::Scenario;
@@ -36,6 +37,7 @@ pub struct World<const D: usize> {
     scenario: Scenario,
     params: Params<D>,
     gate: Gate,
+    roster: Arc<Roster>,
     frame: Frame<D>,
     bodies: Bodies<D>,
     edges: Edges<D>,
@@ -64,7 +66,8 @@ impl<const D: usize> World<D> {
             Frame { wants_phi: false, ..Frame::new(scenario.positions()?, initial_values(scenario)?) };
         let robots = frame.positions_m.len();
         Ok(Self {
-            gate: Gate::new(roster, Purpose::Report, None, limits(&params)),
+            gate: Gate::new(Arc::clone(&roster), Purpose::Report, None, limits(&params)),
+            roster,
             bodies: Bodies::new(scenario.plant, scenario.tick_s(), &frame.positions_m),
             edges: Edges::new(scenario, &params),
             monitors: Monitors::new(scenario, params),
@@ -108,6 +111,9 @@ impl<const D: usize> World<D> {
 
     /// Begins the next tick and gives each robot its look, in the order of their numbers.
     pub fn begin_tick(&mut self) -> Vec<Sensed<D>> {
+        if self.tick.is_some() {
+            self.bodies.integrate(&mut self.frame.positions_m, &self.frame.velocities_m_s);
+        }
         self.tick = Some(self.tick.map_or(0, |tick| tick.saturating_add(1)));
         self.reports.fill(None);
         let time_s = f64::from(self.tick.unwrap_or(0)) * self.scenario.tick_s();
@@ -163,11 +169,13 @@ impl<const D: usize> World<D> {
         self.reports.iter().all(Option::is_some)
     }
 
-    /// Ends the tick: looks at it, and moves everybody by what was reported in time.
+    /// Ends the tick and looks at it. Bodies move by what was reported in time when the next one begins, so that positions and velocities
+    /// of a frame belong together.
     pub fn end_tick(&mut self) {
         let tick = self.tick.unwrap_or(0);
         if tick.is_multiple_of(self.scenario.ticks_per_round()) {
             self.frame.heard.fill([0; 2]);
+            self.frame.listened.fill([0; 2]);
         }
         for index in 0..self.reports.len() {
             self.fill(index);
@@ -175,7 +183,6 @@ impl<const D: usize> World<D> {
         self.judge();
         self.monitors.watch(tick, &self.frame);
         self.collector.watch(&self.scenario, &self.frame, &self.monitors);
-        self.bodies.integrate(&mut self.frame.positions_m, &self.frame.velocities_m_s);
     }
 
     fn fill(&mut self, index: usize) {
@@ -185,6 +192,8 @@ impl<const D: usize> World<D> {
             frame.velocities_m_s[index] = [0.0; D];
             frame.modes[index] = Mode::Stopped;
             frame.outcomes[index] = Outcome::Free;
+            // It may have decided all the same, and counted on others than before: nothing is held against what is not known.
+            frame.counted[index].clear();
             self.late += u64::from(!malicious[index]);
             return;
         };
@@ -209,9 +218,14 @@ impl<const D: usize> World<D> {
         // The law of modes knows only robots that want something, or stand.
         frame.modes[index] = if report.mode == Mode::Hold { Mode::Stopped } else { report.mode };
         if !report.heard.is_empty() {
-            let normal = |id: &&RobotId| malicious.get(usize::from(id.0).wrapping_sub(1)) == Some(&false);
-            let counts = [report.heard.len(), report.heard.iter().filter(normal).count()];
-            frame.heard[index] = counts.map(|count| u16::try_from(count).unwrap_or(u16::MAX));
+            let lies = |id: &RobotId| malicious.get(usize::from(id.0).wrapping_sub(1)) == Some(&true);
+            let (own, need) = (self.roster.member(id(index)), self.params.need());
+            let counts = |other: &&RobotId| need.counts(own, self.roster.member(**other));
+            let (all, counted) = (&report.heard, report.heard.iter().filter(counts));
+            let small = |count: usize| u16::try_from(count).unwrap_or(u16::MAX);
+            frame.heard[index] =
+                [small(counted.clone().count()), small(counted.filter(|other| !lies(other)).count())];
+            frame.listened[index] = [small(all.len()), small(all.iter().filter(|other| lies(other)).count())];
         }
     }
 
@@ -254,6 +268,12 @@ impl<const D: usize> World<D> {
     #[must_use]
     pub fn frame(&self) -> &Frame<D> {
         &self.frame
+    }
+
+    /// The tick that ended as whoever watches the run sees it.
+    #[must_use]
+    pub fn snapshot(&self) -> Snapshot<'_> {
+        self.monitors.snapshot(self.tick(), self.scenario.tick_s(), &self.frame)
     }
 
     /// The number of the tick that is on.

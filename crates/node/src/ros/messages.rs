@@ -1,6 +1,6 @@
 //! The messages of ROS 2 that a robot reads and writes: where it is, and how it is to move.
 
-use crate::ros::cdr::{Reader, Writer};
+use closeranks_mcap::cdr::{Reader, Writer};
 
 /// A position, m, and an orientation as a unit quaternion (x, y, z, w), in a frame of the world.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -20,12 +20,6 @@ pub struct Twist {
     pub angular_rad_s: [f64; 3],
 }
 
-fn header<'a>(reader: &mut Reader<'a>) -> Option<&'a str> {
-    reader.word()?;
-    reader.word()?;
-    reader.text()
-}
-
 fn three(reader: &mut Reader<'_>) -> Option<[f64; 3]> {
     Some([reader.finite()?, reader.finite()?, reader.finite()?])
 }
@@ -42,7 +36,7 @@ fn pose(reader: &mut Reader<'_>) -> Option<Pose> {
 #[must_use]
 pub fn read_pose_stamped(bytes: &[u8]) -> Option<(&str, Pose)> {
     let mut reader = Reader::new(bytes)?;
-    let frame = header(&mut reader)?;
+    let frame = reader.header()?;
     let pose = pose(&mut reader)?;
     reader.end()?;
     Some((frame, pose))
@@ -52,7 +46,7 @@ pub fn read_pose_stamped(bytes: &[u8]) -> Option<(&str, Pose)> {
 #[must_use]
 pub fn read_odometry(bytes: &[u8]) -> Option<(&str, Pose)> {
     let mut reader = Reader::new(bytes)?;
-    let frame = header(&mut reader)?;
+    let frame = reader.header()?;
     reader.text()?;
     let pose = pose(&mut reader)?;
     // Covariance of the pose, the velocity, and its covariance.
@@ -62,9 +56,8 @@ pub fn read_odometry(bytes: &[u8]) -> Option<(&str, Pose)> {
 }
 
 fn write_twist(writer: &mut Writer, twist: &Twist) {
-    for number in twist.linear_m_s.iter().chain(&twist.angular_rad_s) {
-        writer.double(*number);
-    }
+    writer.doubles(&twist.linear_m_s);
+    writer.doubles(&twist.angular_rad_s);
 }
 
 /// The bytes of a `geometry_msgs/Twist`.
@@ -79,10 +72,7 @@ pub fn twist(twist: &Twist) -> Vec<u8> {
 #[must_use]
 pub fn twist_stamped(nanos: u64, frame: &str, twist: &Twist) -> Vec<u8> {
     let mut writer = Writer::default();
-    // The seconds are signed 32 bits in ROS 2; they end in 2038.
-    writer.word(u32::try_from((nanos / 1_000_000_000).min(0x7fff_ffff)).unwrap_or(0));
-    writer.word(u32::try_from(nanos % 1_000_000_000).unwrap_or(0));
-    writer.text(frame);
+    writer.header(nanos, frame);
     write_twist(&mut writer, twist);
     writer.end()
 }
@@ -92,7 +82,7 @@ pub fn twist_stamped(nanos: u64, frame: &str, twist: &Twist) -> Vec<u8> {
 pub fn read_twist(bytes: &[u8], stamped: bool) -> Option<Twist> {
     let mut reader = Reader::new(bytes)?;
     if stamped {
-        header(&mut reader)?;
+        reader.header()?;
     }
     let (linear_m_s, angular_rad_s) = (three(&mut reader)?, three(&mut reader)?);
     reader.end()?;
@@ -107,16 +97,11 @@ mod tests {
 
     fn odometry(frame: &str, child: &str, pose: &Pose) -> Vec<u8> {
         let mut writer = Writer::default();
-        writer.word(1);
-        writer.word(2);
-        writer.text(frame);
+        writer.header(1_000_000_002, frame);
         writer.text(child);
-        for number in pose.position_m.iter().chain(&pose.orientation) {
-            writer.double(*number);
-        }
-        for _ in 0..78 {
-            writer.double(0.0);
-        }
+        writer.doubles(&pose.position_m);
+        writer.doubles(&pose.orientation);
+        writer.doubles(&[0.0; 78]);
         writer.end()
     }
 

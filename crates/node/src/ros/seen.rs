@@ -1,6 +1,6 @@
 //! What people look at in ROS 2: `diagnostic_msgs/DiagnosticArray` and `visualization_msgs/MarkerArray`. They are written and never read.
 
-use crate::ros::cdr::Writer;
+use closeranks_mcap::cdr::Writer;
 
 /// Most texts or markers in a message.
 const LISTED_MAX: usize = 64;
@@ -31,24 +31,24 @@ pub struct Diagnosis {
     pub values: Vec<(String, String)>,
 }
 
-fn header(writer: &mut Writer, nanos: u64, frame: &str) {
-    // The seconds are signed 32 bits in ROS 2; they end in 2038.
-    writer.word(u32::try_from((nanos / 1_000_000_000).min(0x7fff_ffff)).unwrap_or(0));
-    writer.word(u32::try_from(nanos % 1_000_000_000).unwrap_or(0));
-    writer.text(frame);
-}
-
+/// Begins a sequence, and says how many of its elements are written.
 fn count(writer: &mut Writer, of: usize) -> usize {
     let listed = of.min(LISTED_MAX);
-    writer.word(u32::try_from(listed).unwrap_or(0));
+    writer.count(listed);
     listed
+}
+
+fn words(writer: &mut Writer, numbers: &[u32]) {
+    for number in numbers {
+        writer.word(*number);
+    }
 }
 
 /// The bytes of a `DiagnosticArray` with one status, at `nanos` since 1970.
 #[must_use]
 pub fn diagnostics(nanos: u64, of: &Diagnosis) -> Vec<u8> {
     let mut writer = Writer::default();
-    header(&mut writer, nanos, "");
+    writer.header(nanos, "");
     writer.word(1);
     writer.byte(of.level as u8);
     for text in [&of.name, &of.message, &of.hardware] {
@@ -88,7 +88,7 @@ pub fn markers(nanos: u64, frame: &str, of: &[Marker]) -> Vec<u8> {
     let mut writer = Writer::default();
     let listed = count(&mut writer, of.len());
     for marker in &of[..listed] {
-        header(&mut writer, nanos, frame);
+        writer.header(nanos, frame);
         write_marker(&mut writer, marker);
     }
     writer.end()
@@ -105,21 +105,23 @@ fn write_marker(writer: &mut Writer, marker: &Marker) {
     };
     writer.text(&marker.group);
     // Number 0 of its group, its kind, and the action to add it.
-    writer.words(&[0, kind, 0]);
-    at.iter().chain(&[0.0, 0.0, 0.0, 1.0]).chain(&scale).for_each(|number| writer.double(*number));
-    marker.color.iter().for_each(|part| writer.single(*part));
+    words(writer, &[0, kind, 0]);
+    writer.doubles(&at);
+    writer.doubles(&[0.0, 0.0, 0.0, 1.0]);
+    writer.doubles(&scale);
+    marker.color.iter().for_each(|part| writer.float(*part));
     // For one second, not locked to its frame.
-    writer.words(&[1, 0]);
+    words(writer, &[1, 0]);
     writer.byte(0);
     // Lines are whole: an even number of points.
     let listed = count(writer, points.len()) & !1;
-    points[..listed].iter().flatten().for_each(|number| writer.double(*number));
+    writer.doubles(points[..listed].as_flattened());
     // No colours of single points, no texture (its name, header, format and data), no points on it.
     writer.word(0);
     writer.text("");
-    header(writer, 0, "");
+    writer.header(0, "");
     writer.text("");
-    writer.words(&[0, 0]);
+    words(writer, &[0, 0]);
     writer.text(text);
     // No mesh: its name, its file's name and data, and whether its materials are used.
     writer.text("");

@@ -9,7 +9,7 @@ const STOPPED: u8 = 2;
 const DEGRADED: u8 = 16;
 
 /// Every reason with the word that people read, in the order of its number.
-const REASONS: [(Reason, &str); 15] = [
+const REASONS: [(Reason, &str); 14] = [
     (Reason::Degree, "degree"),
     (Reason::Infeasible, "infeasible"),
     (Reason::OutsideSafeSet, "outside"),
@@ -19,7 +19,6 @@ const REASONS: [(Reason, &str); 15] = [
     (Reason::Uncertain, "uncertain"),
     (Reason::Untold, "untold"),
     (Reason::Uncounted, "uncounted"),
-    (Reason::Unseen, "unseen"),
     (Reason::Unfiltered, "unfiltered"),
     (Reason::NotSensed, "not sensed"),
     (Reason::NotShared, "not shared"),

@@ -90,12 +90,12 @@ while time.monotonic() < end:
     time.sleep(STEP_S)
 
 tokens = sorted(str(reply.ok.key_expr) for reply in session.liveliness.get("@ros2_lv/**") if reply.ok)
-ours = [token for token in tokens if "closeranks_robot_1" in token]
+ours = sorted({token for token in tokens if "closeranks_robot_1" in token})
 print(f"commands {base.count}, farthest {farthest:.3f} m of at most 2.000, sideways {base.y:.3f} m, tokens of ours {len(ours)}")
 for token in ours:
     print(token)
 session.session.close()
-good = base.count > 10 and 0.3 < farthest <= 2.0 and abs(base.y) < 0.05 and len(ours) == 2
+good = base.count > 10 and 0.3 < farthest <= 2.0 and abs(base.y) < 0.05 and len(ours) == 4
 sys.stdout.flush()
 # The SDK leaves threads behind.
 import os

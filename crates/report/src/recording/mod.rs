@@ -10,14 +10,14 @@
 //! | positions that others recorded | [`elsewhere`] |
 
 pub mod elsewhere;
-pub mod history;
-pub mod mcap;
 pub mod positions;
 pub mod read;
 pub mod rounds;
 pub mod write;
 
 mod columns;
+
+pub use closeranks_mcap::{self as mcap, history};
 
 pub use self::positions::{ReadError, Recording};
 pub use self::read::read;

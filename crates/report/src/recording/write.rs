@@ -25,25 +25,11 @@ use ::parquet::file::metadata::KeyValue;
 use ::parquet::file::properties::{WriterProperties, WriterPropertiesPtr};
 use ::parquet::file::writer::SerializedFileWriter;
 use ::parquet::schema::types::{Type, TypePtr};
+pub use closeranks_mcap::Metadata;
 use closeranks_sim::output::parts::part_ticks;
 use closeranks_sim::output::record::{PART_ROWS, Record};
 
 use crate::recording::columns::{AXES, Column, columns};
-
-/// What a file says about itself.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Metadata<'a> {
-    /// The scenario in TOML.
-    pub scenario: &'a str,
-    /// Its seed.
-    pub seed: u64,
-    /// Version of the program.
-    pub version: &'a str,
-    /// Commit of the program.
-    pub commit: &'a str,
-    /// q₁ and q₂ (1/m⁴) of the weight of a link, as the controller has it.
-    pub weight: [f64; 2],
-}
 
 /// Why there is no file.
 #[derive(Debug, thiserror::Error)]

@@ -10,8 +10,9 @@ use crate::geometry::squared_distance;
 use crate::plant::Bodies;
 use crate::scenario::Scenario;
 
-/// The rounding of a position is smaller than this, m.
+/// The rounding of a position is smaller than this, m, and the same as a fraction of Δ_d: a millimetre may be all there is.
 const STILL_M: f64 = 1e-13;
+const STILL: f64 = 1e-12;
 /// The rounding of a squared distance, as a fraction of it, is smaller than this.
 const ROUNDING: f64 = 1e-9;
 
@@ -24,6 +25,8 @@ pub(crate) struct Judge {
     /// Stated bound of the distance between a robot and its reference, m. Only `budget` has room for one.
     away_m: f64,
     position_error_m: f64,
+    /// Who is no farther from where it should be than this, m, is there.
+    still_m: f64,
 }
 
 impl Judge {
@@ -36,6 +39,7 @@ impl Judge {
             disobeyed: obedient && disobedient,
             away_m: params.kept().errors.away_m,
             position_error_m: params.settings().errors.position_m,
+            still_m: STILL_M.min(STILL * params.settings().limits.distance_min_m),
         }
     }
 
@@ -52,7 +56,7 @@ impl Judge {
         for (index, wrong) in frame.assumptions.sensed_wrong.iter_mut().enumerate() {
             *wrong = edges.is_some_and(|edges| {
                 let error_m = edges.senses.error_m(index);
-                error_m > self.position_error_m + STILL_M || edges.sight.overlooks(index)
+                error_m > self.position_error_m + self.still_m || edges.sight.overlooks(index)
             });
         }
         for (index, unsensed) in frame.assumptions.unsensed.iter_mut().enumerate() {
@@ -90,7 +94,7 @@ impl Judge {
     /// True if some robot is farther from its reference than is stated.
     fn is_away<const D: usize>(&self, frame: &Frame<D>, bodies: &Bodies<D>) -> bool {
         if self.away_m == 0.0 {
-            return bodies.away_m(&frame.positions_m) > STILL_M;
+            return bodies.away_m(&frame.positions_m) > self.still_m;
         }
         let away = frame.references_m.iter().zip(&frame.positions_m);
         let limit_m2 = self.away_m * self.away_m * (1.0 + ROUNDING);

@@ -50,8 +50,8 @@ impl<const D: usize> Sight<D> {
         let (dropouts, robots) = (scenario.faults.sensing.dropouts, usize::from(scenario.team.robots));
         // A fast clock shows more time than has passed.
         let stretch = 1.0 + scenario.faults.clocks.drift_max;
-        // Only some controllers reckon with everybody whom they do not sense.
-        let reckons = params.controller().reckons();
+        // Only some controllers reckon with everybody whom they do not sense: those that promise anything.
+        let reckons = params.controller().promises();
         let sight_m = params.link().radius_m * (1.0 - HAIR) - 2.0 * params.kept().errors.offset_m;
         let whole = scenario.faults.sensing.is_right();
         Self {

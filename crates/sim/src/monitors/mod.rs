@@ -28,6 +28,7 @@ pub use crate::monitors::heard::Void;
 use crate::monitors::rule::Rule;
 use crate::monitors::truth::Truth;
 use crate::monitors::values::Values;
+use crate::output::snapshot::Snapshot;
 use crate::scenario::Scenario;
 
 /// Watches the frames of one run.
@@ -104,6 +105,12 @@ impl<const D: usize> Monitors<D> {
     /// The state of the last tick as it is.
     pub(crate) fn truth(&self) -> &Truth {
         &self.truth
+    }
+
+    /// The last tick that was watched, of which `frame` is what robots said, as whoever watches the run sees it.
+    #[must_use]
+    pub fn snapshot<'a>(&'a self, tick: u32, tick_s: f64, frame: &'a Frame<D>) -> Snapshot<'a> {
+        Snapshot::new(tick, tick_s, self.required_degree, frame, &self.truth)
     }
 
     /// True if a robot has as many neighbours that count as it must have so that a controller without weights can keep

@@ -47,6 +47,17 @@ pub fn scenario_with(text: &str, files: &Files) -> Result<Scenario, Vec<Problem>
     if problems.is_empty() { Ok(scenario) } else { Err(problems) }
 }
 
+/// What is not understood in a text, each field by itself: its team and its start are not looked at.
+pub(crate) fn misread(text: &str, files: &Files) -> Vec<Problem> {
+    let table = match table(text) {
+        Ok(table) => table,
+        Err(problems) => return problems,
+    };
+    let mut reader = reader::Reader::new(files);
+    fields::read(&mut reader, table.get_ref());
+    reader.finish()
+}
+
 /// The text as TOML.
 pub(crate) fn table(text: &str) -> Result<Spanned<DeTable<'_>>, Vec<Problem>> {
     let broken = |span, found| vec![Problem { span, field: String::new(), found, allowed: String::new() }];

@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use closeranks_core::num::exp;
 use toml::Value;
 
-use super::tree::{Node, below};
+use super::tree::{Node, Root, TOGETHER, below};
 use crate::random::Random;
 
 /// What a drawn field has in one run.
@@ -18,16 +18,34 @@ pub enum Drawn {
 }
 
 /// Draws in the order of the tree and notes what was drawn.
-pub(super) struct Drawer<'a> {
+struct Drawer<'a> {
     /// The generator of the draws.
-    pub(super) random: &'a mut Random,
+    random: &'a mut Random,
     /// Every drawn field by its full name.
-    pub(super) drawn: BTreeMap<String, Drawn>,
+    drawn: BTreeMap<String, Drawn>,
+}
+
+/// The values of a text, and every drawn field by its full name.
+pub(super) fn draw(root: &Root, random: &mut Random) -> (toml::Table, BTreeMap<String, Drawn>) {
+    let mut drawer = Drawer { random, drawn: BTreeMap::new() };
+    let entries = root.entries.iter();
+    let mut values: toml::Table = entries.map(|(key, node)| (key.clone(), drawer.value(key, node))).collect();
+    let mut drawn = core::mem::take(&mut drawer.drawn);
+    if let Some(Value::Table(chosen)) = root.together.as_ref().map(|node| drawer.value("", node)) {
+        drawn.retain(|path, _| {
+            let top = path.split(['.', '[']).next().unwrap_or_default();
+            !chosen.contains_key(top)
+        });
+        values.extend(chosen);
+        let name = drawer.drawn.remove("").map(|name| (TOGETHER.to_owned(), name));
+        drawn.extend(drawer.drawn.into_iter().chain(name));
+    }
+    (values, drawn)
 }
 
 impl Drawer<'_> {
     /// The value of `node`; it is noted if it was drawn.
-    pub(super) fn value(&mut self, path: &str, node: &Node) -> Value {
+    fn value(&mut self, path: &str, node: &Node) -> Value {
         match node {
             Node::Plain(value) => value.clone(),
             Node::Table(entries) => Value::Table(
@@ -55,7 +73,7 @@ impl Drawer<'_> {
             Node::Whole { min, max } => Value::Integer(min + self.step(max.abs_diff(*min))),
             Node::Number { min, max, log: false } => Value::Float(self.random.uniform(*min, *max)),
             Node::Number { min, max, log: true } => Value::Float(self.log_uniform(*min, *max)),
-            Node::Choice { items, sums } => self.choose(path, items, sums),
+            Node::Choice { items, sums, .. } => self.choose(path, items, sums),
             // What stands inside of a choice is noted by the choice, and a list is noted as a whole.
             Node::Plain(value) => value.clone(),
             Node::Table(entries) => Value::Table(

@@ -14,9 +14,18 @@
 //! level = { choose = [{ kind = "none" }, { kind = "bias", bias = { draw = [-4.0, 4.0] } }], weights = [1, 3] }
 //! ```
 //!
+//! At the top, `choose` takes one of several tables of tables, so that what belongs together is drawn together:
+//!
+//! ```toml
+//! choose = [{ }, { link = { radius_m = 1e-3 }, controller = { distance_min_m = 1e-4 } }]
+//! weights = [9, 1]
+//! ```
+//!
 //! A run is a function of text, seed of the sweep and its number alone. Draws are made in the alphabetical order of fields,
-//! after the seed of the scenario, which is always drawn. What cannot be run is drawn again from the same stream.
+//! after the seed of the scenario, which is always drawn. What cannot be run is drawn again from the same stream. A part of a choice that
+//! no draw could ever run is a mistake of the text, which is not read then.
 
+mod branches;
 mod drawing;
 mod reading;
 mod tree;
@@ -31,11 +40,10 @@ use crate::parse::value::one_of;
 use crate::parse::{self, Files, Problem};
 use crate::random::Random;
 use crate::scenario::{Controller, Scenario};
-use drawing::Drawer;
 pub use drawing::Drawn;
 use reading::Reading;
 pub use tree::Field;
-use tree::Node;
+use tree::Root;
 
 /// A run that could not be drawn in so many tries counts as one that cannot be drawn.
 pub const TRIES: u32 = 1_000;
@@ -46,7 +54,7 @@ const SEEDS: u64 = 1 << 53;
 /// A text with draws, read.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Plan {
-    entries: BTreeMap<String, Node>,
+    root: Root,
     controllers: Vec<Controller>,
     places: BTreeMap<String, Range<usize>>,
     fields: Vec<Field>,
@@ -94,11 +102,9 @@ impl Plan {
     pub fn read_with(text: &str, files: &Files) -> Result<Self, Vec<Problem>> {
         let table = parse::table(text)?;
         let mut reading = Reading::default();
-        let mut entries = reading.entries("", table.get_ref());
-        entries.remove("sweep");
+        let root = reading.root(table.get_ref());
         let controllers = controllers(&mut reading, table.get_ref());
-        let mut fields = BTreeMap::new();
-        Node::Table(entries.clone()).fields("", false, &mut fields);
+        let fields = root.fields();
         forbid(&mut reading, &fields, "seed", "left out: the seed of every run is drawn");
         if !controllers.is_empty() {
             forbid(&mut reading, &fields, "controller.kind", "a fixed one beside `sweep.controllers`");
@@ -108,7 +114,9 @@ impl Plan {
             return Err(reading.problems);
         }
         let (fields, files) = (fields.into_values().collect(), files.clone());
-        Ok(Self { entries, controllers, places: reading.places, fields, files })
+        let plan = Self { root, controllers, places: reading.places, fields, files };
+        let problems = plan.never_read();
+        if problems.is_empty() { Ok(plan) } else { Err(problems) }
     }
 
     /// Every drawn field, in alphabetical order.
@@ -131,13 +139,8 @@ impl Plan {
         let mut problems = Vec::new();
         for redraws in 0..TRIES {
             let scenario_seed = random.below(SEEDS);
-            let mut drawer = Drawer { random: &mut random, drawn: BTreeMap::new() };
-            let mut values = toml::Table::new();
-            for (key, node) in &self.entries {
-                values.insert(key.clone(), drawer.value(key, node));
-            }
+            let (mut values, mut drawn) = drawing::draw(&self.root, &mut random);
             values.insert("seed".into(), Value::Integer(scenario_seed.cast_signed()));
-            let mut drawn = drawer.drawn;
             match self.scenarios(&values) {
                 Ok(scenarios) => {
                     let drawn = self.fields.iter().map(|field| drawn.remove(&field.path)).collect();

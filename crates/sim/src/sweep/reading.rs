@@ -6,7 +6,7 @@ use std::collections::BTreeMap;
 use toml::de::{DeTable, DeValue};
 use toml::{Spanned, Value};
 
-use super::tree::{Node, below};
+use super::tree::{Node, Root, below};
 use crate::parse::Problem;
 use crate::parse::value::{describe, number, one_of, printable, whole_signed};
 
@@ -34,7 +34,7 @@ pub(super) fn is_drawn(table: &DeTable<'_>) -> bool {
         DeValue::Array(items) => items.iter().any(in_item),
         _ => false,
     };
-    table.get("sweep").is_some() || table.iter().any(|(_, value)| drawn(value))
+    table.get("sweep").is_some() || is_draw(table) || table.iter().any(|(_, value)| drawn(value))
 }
 
 fn in_item(item: &Item<'_>) -> bool {
@@ -50,6 +50,21 @@ fn is_draw(table: &DeTable<'_>) -> bool {
 }
 
 impl Reading {
+    /// The whole text, without the table `sweep`.
+    pub(super) fn root(&mut self, table: &DeTable<'_>) -> Root {
+        let mut entries = self.entries("", table);
+        entries.remove("sweep");
+        let Some(choose) = table.get("choose") else { return Root { entries, together: None } };
+        entries.retain(|key, _| !matches!(key.as_str(), "choose" | "weights"));
+        let together = self.parts("", table);
+        if let Node::Choice { items, .. } = &together
+            && !items.iter().all(|item| matches!(item, Node::Table(_)))
+        {
+            self.refuse("choose", choose, "a list of tables");
+        }
+        Root { entries, together: Some(together) }
+    }
+
     /// The entries of a table that is not a draw.
     pub(super) fn entries(&mut self, path: &str, table: &DeTable<'_>) -> BTreeMap<String, Node> {
         let entries = table.iter().map(|(key, value)| {
@@ -117,6 +132,11 @@ impl Reading {
     /// `{ choose = [...] }`, with `weights = [...]` if wanted.
     fn choice(&mut self, path: &str, table: &DeTable<'_>) -> Node {
         self.close(path, table, &["choose", "weights"]);
+        self.parts(path, table)
+    }
+
+    /// What `choose` and `weights` of a table say.
+    fn parts(&mut self, path: &str, table: &DeTable<'_>) -> Node {
         let Some(choose) = table.get("choose") else { return Node::List(Vec::new()) };
         let items = choose.get_ref().as_array().filter(|items| !items.is_empty());
         let Some(items) = items else {
@@ -139,7 +159,8 @@ impl Reading {
                 sums
             },
         );
-        Node::Choice { items: read, sums: sums.unwrap_or_default() }
+        let places = items.iter().map(Item::span).collect();
+        Node::Choice { items: read, sums: sums.unwrap_or_default(), places }
     }
 
     /// Notes a value that is not allowed.

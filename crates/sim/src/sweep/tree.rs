@@ -1,5 +1,6 @@
 //! A scenario text in which values may be draws, as a tree.
 
+use core::ops::Range;
 use std::collections::BTreeMap;
 
 use toml::Value;
@@ -35,7 +36,37 @@ pub(super) enum Node {
         items: Vec<Node>,
         /// The sums, which ascend; the last is that of all weights.
         sums: Vec<f64>,
+        /// Where each of them stands in the text.
+        places: Vec<Range<usize>>,
     },
+}
+
+/// The whole text as a tree.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Root {
+    /// Everything at its top but `together`.
+    pub(super) entries: BTreeMap<String, Node>,
+    /// What is drawn together: one of several texts, each of whose entries takes the place of the one of the same name.
+    pub(super) together: Option<Node>,
+}
+
+/// The name of the column that says which text was chosen at the top.
+pub(super) const TOGETHER: &str = "choose";
+
+impl Root {
+    /// Every drawn field by its full name.
+    pub(super) fn fields(&self) -> BTreeMap<String, Field> {
+        let mut found = BTreeMap::new();
+        for (key, node) in &self.entries {
+            node.fields(key, false, &mut found);
+        }
+        if let Some(node) = &self.together {
+            node.fields("", true, &mut found);
+            let name = found.remove("").map(|field| Field { path: TOGETHER.to_owned(), ..field });
+            found.extend(name.map(|field| (field.path.clone(), field)));
+        }
+        found
+    }
 }
 
 /// A drawn field, as a column.

@@ -143,8 +143,7 @@ impl<const D: usize> World<D> {
     #[must_use]
     pub fn snapshot(&self) -> Option<Snapshot<'_>> {
         let tick = self.done.checked_sub(1)?;
-        let (tick_s, required) = (self.scenario.tick_s(), self.scenario.composition().required);
-        Some(Snapshot::new(tick, tick_s, required, &self.frame, self.monitors.truth()))
+        Some(self.monitors.snapshot(tick, self.scenario.tick_s(), &self.frame))
     }
 
     /// What is run.

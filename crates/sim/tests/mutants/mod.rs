@@ -16,7 +16,7 @@ const LINKS: &str = "core/src/controller/links/control.rs";
 const SHARED: &str = "core/src/controller/rows.rs";
 const INEQUALITY: &str = "core/src/controller/budget/inequality.rs";
 
-pub(crate) const MUTANTS: [Mutant; 36] = [
+pub(crate) const MUTANTS: [Mutant; 42] = [
     Mutant {
         name: "gradient with the wrong sign",
         law: "decay",
@@ -188,6 +188,51 @@ pub(crate) const MUTANTS: [Mutant; 36] = [
         lines: &[("core/src/robot/assurance.rs", "self.anew = true;", "self.anew = false;")],
     },
     Mutant {
+        name: "tolerances that grow with R",
+        law: "mode",
+        lines: &[(
+            "core/src/controller/budget/recovery.rs",
+            "let hair_m2 = NEAR_ROUNDING * self.distance_min_m * self.distance_min_m;",
+            "let hair_m2 = NEAR_ROUNDING * self.curvature.link().radius_m * self.curvature.link().radius_m;",
+        )],
+    },
+    Mutant {
+        name: "tolerances of lengths near 1 m",
+        law: "mode",
+        lines: &[(
+            "core/src/controller/budget/recovery.rs",
+            "let hair_m2 = NEAR_ROUNDING * self.distance_min_m * self.distance_min_m;",
+            "let hair_m2 = 1e-8;",
+        )],
+    },
+    Mutant {
+        name: "rounding at the limit costs a promise",
+        law: "mode",
+        lines: &[(
+            "core/src/controller/budget/recovery.rs",
+            "const H_ROUNDING: f64 = 1e-11;",
+            "const H_ROUNDING: f64 = 0.0;",
+        )],
+    },
+    Mutant {
+        name: "late while it moves, and begun anew where it is",
+        law: "mode",
+        lines: &[(
+            "core/src/robot/assurance.rs",
+            "if late && (hold_max != params.settings().clock.level_period || errors.away_m == 0.0) {",
+            "if late {",
+        )],
+    },
+    Mutant {
+        name: "reports a larger h than it has",
+        law: "mode",
+        lines: &[(
+            "core/src/robot/tick.rs",
+            "let h = degree_barrier(self.level, need);",
+            "let h = degree_barrier(self.level, need) + 1e-6;",
+        )],
+    },
+    Mutant {
         name: "neighbours in need are followed",
         law: "untowed",
         lines: &[(
@@ -253,6 +298,15 @@ pub(crate) const MUTANTS: [Mutant; 36] = [
         name: "links: |v|² left out of (held)",
         law: "held",
         lines: &[(ROWS, "Row::far(offset, bound_m2)", "Row::new(*offset, 0.0, bound_m2)")],
+    },
+    Mutant {
+        name: "links: missing neighbours taken for those that stand still",
+        law: "decay",
+        lines: &[(
+            "core/src/controller/links/mod.rs",
+            "self.errors.offset_m + slot.gone_m",
+            "self.errors.offset_m + 0.0 * slot.gone_m",
+        )],
     },
     Mutant {
         name: "links: one release too many",

@@ -110,7 +110,7 @@ impl Links {
 
     /// How wrong the offset to a neighbour may be, m: since it was last sensed, it may have moved.
     pub(crate) fn error_m<const D: usize>(&self, slot: &Slot<D>) -> f64 {
-        self.errors.offset_m + f64::from(slot.peer.unseen_ticks) * self.move_max_m
+        self.errors.offset_m + slot.gone_m
     }
 
     /// Notes whether a neighbour that is counted on has been within R_h. Once it certainly was, it is for as long as it is

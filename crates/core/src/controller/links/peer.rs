@@ -18,7 +18,7 @@ pub struct Peer<const D: usize> {
     pub(crate) held: bool,
     /// Ticks since the neighbour was last sensed; 0 if it is sensed now.
     pub(crate) unseen_ticks: u32,
-    /// True if it was sensed well inside R in the tick before, and then no more: it cannot have left.
+    /// True if it was not sensed first in a tick in which it must still have been within R.
     pub(crate) vanished: bool,
     /// True if it is not sensed and must still be within R: it cannot have gone so far since.
     pub(crate) inside: bool,

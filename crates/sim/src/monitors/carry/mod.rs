@@ -4,6 +4,7 @@ mod before;
 mod distance;
 mod held;
 mod mode;
+mod report;
 mod rest;
 mod time;
 

@@ -11,6 +11,7 @@ use crate::faults::Clocks;
 use crate::faults::network::Network;
 use crate::frame::Frame;
 use crate::law::{Law, Verdicts, Violation};
+use crate::monitors::carry::report::{Reports, Untrue};
 use crate::monitors::carry::time::{fraction, longer_ago, since};
 use crate::monitors::rule::Rule;
 use crate::monitors::truth::{ROUNDING, Truth};
@@ -18,6 +19,8 @@ use crate::scenario::Scenario;
 
 /// Ticks in which all must have noticed that everything holds again.
 const NOTICE_TICKS: u64 = 2;
+/// Who lacks no more of h than this promises all the same: half of what robots take for rounding, and far more than rounding is.
+const H_HAIR: f64 = 0.5 * ROUNDING;
 
 /// Watches the modes of normal robots under `budget`.
 #[derive(Clone, Debug)]
@@ -38,6 +41,7 @@ pub(crate) struct ModeWatch<const D: usize> {
     /// How much more h may seem to be than it is.
     blur: f64,
     told_ticks: u64,
+    reports: Reports,
     /// The last tick in which a robot could have noticed anything wrong.
     unwell: Option<u32>,
     /// Robot-ticks of normal robots, those of them guaranteed, and those with a negative own h.
@@ -69,6 +73,7 @@ impl<const D: usize> ModeWatch<D> {
             wrong: vec![None; usize::from(scenario.team.robots)],
             told_ticks,
             blur: 4.0 * errors.offset_m * fall_max * f64::from(scenario.team.robots),
+            reports: Reports::new(scenario, &params),
             params,
             // Lists must have been exchanged once.
             unwell: params.controller().tells_lists().then_some(0),
@@ -77,10 +82,11 @@ impl<const D: usize> ModeWatch<D> {
         }
     }
 
-    /// Nobody promises what is not so, as far as it can know; and all promise again soon after everything holds.
+    /// Nobody promises or reports what is not so, as far as it can know; and all promise again soon after everything holds.
     pub(crate) fn watch(&mut self, tick: u32, frame: &Frame<D>, truth: &Truth, verdicts: &mut Verdicts) {
         let stopped = frame.modes.contains(&Mode::Stopped);
-        let safe = (0..truth.h_own.len()).all(|robot| truth.h_own[robot] >= ROUNDING)
+        let safe = (0..truth.h_own.len())
+            .all(|robot| truth.h_own[robot] >= -H_HAIR && self.can_count(robot, truth))
             && !self.crowd(truth, true).contains(&true);
         let crowded = self.crowd(truth, false);
         // Who senses a robot where it is not may reckon with it long after it has left.
@@ -113,6 +119,9 @@ impl<const D: usize> ModeWatch<D> {
                 let covered = (!self.params.controller().tells_lists() || !misled) && truth.is_local;
                 verdicts.broke(Law::Mode, at(truth.h[index]), covered);
             }
+            if let Some(Untrue { seen, demanded }) = self.reports.untrue(index, frame, truth) {
+                verdicts.broke(Law::Mode, Violation { tick, robots: [robot, 0], seen, demanded }, true);
+            }
             if !guaranteed && healed {
                 verdicts.broke(Law::Mode, at(f64::from(since(self.unwell, tick))), true);
             }
@@ -120,6 +129,13 @@ impl<const D: usize> ModeWatch<D> {
         if well && !all {
             self.recovery_ticks = self.recovery_ticks.max(since(self.unwell, tick).min(tick));
         }
+    }
+
+    /// True unless a normal robot keeps lists and may not find as many as it must count on. Where malicious robots move as they like that
+    /// is more than it needs, and they may be the ones that are out of range.
+    fn can_count(&self, robot: usize, truth: &Truth) -> bool {
+        let lists = self.params.controller().tells_lists();
+        !lists || self.malicious[robot] || truth.degrees[robot] >= self.rule.keep(robot)
     }
 
     /// True when a robot that senses within the stated errors must know that its h is negative, its degree too low, or another

@@ -1,0 +1,96 @@
+(* Reads certificates of `closeranks check --certificate` and asks the extracted checkers of evidence.v.
+
+     certificate FILE            says what is proved, or that nothing is; exit code 0 or 1
+     certificate --stream FILE   many certificates, each followed by a line `verdict yes` or `verdict no` of another checker: says
+                                 how many there are, or which one the two judge differently
+
+   The reader is not proved. It takes no more than crates/graph/src/evidence/text.rs does. *)
+
+exception Refused
+
+let numbers text =
+  let number word =
+    if word <> "" && String.for_all (fun c -> '0' <= c && c <= '9') word && String.length word < 10
+    then int_of_string word else raise Refused in
+  List.map number (List.filter (fun word -> word <> "") (String.split_on_char ' ' text))
+
+(* The numbers of a line that begins with a word. *)
+let after word line =
+  let length = String.length word in
+  if line = word then []
+  else if String.length line > length && String.sub line 0 (length + 1) = word ^ " "
+  then numbers (String.sub line length (String.length line - length))
+  else raise Refused
+
+let rec rising = function a :: (b :: _ as rest) -> a < b && rising rest | _ -> true
+
+let rec network node count lines =
+  if node = count then [], lines
+  else match lines with
+    | line :: rest ->
+      (match after "hears" line with
+       | own :: heard when own = node && rising heard ->
+         let others, rest = network (node + 1) count rest in heard :: others, rest
+       | _ -> raise Refused)
+    | [] -> raise Refused
+
+let judge lines =
+  let lines = List.filter (fun line -> line = "" || line.[0] <> '#') lines in
+  match lines with
+  | "closeranks certificate 1" :: nodes :: rest ->
+    let count = match after "nodes" nodes with [count] when count > 0 -> count | _ -> raise Refused in
+    let network, rest = network 0 count rest in
+    let starts word = match rest with line :: _ -> List.hd (String.split_on_char ' ' line) = word | [] -> false in
+    (match rest with
+     | [claim; first; second] when starts "not-robust" ->
+       (match after "not-robust" claim with
+        | [r; s] ->
+          Evidence_checker.refutes_check network r s (after "set" first) (after "set" second),
+          Printf.sprintf "not (%d,%d)-robust" r s
+        | _ -> raise Refused)
+     | [claim] when starts "robust-by-degrees" ->
+       (match after "robust-by-degrees" claim with
+        | [r] -> Evidence_checker.degrees_check network r, Printf.sprintf "(%d,s)-robust for every s" r
+        | _ -> raise Refused)
+     | [claim; core; others] when starts "ranks" ->
+       (match after "ranks" claim with
+        | [f] ->
+          Evidence_checker.order_check network f (after "core" core) (after "rest" others),
+          Printf.sprintf "survives any %d liars around each node" f
+        | _ -> raise Refused)
+     | _ -> raise Refused)
+  | _ -> raise Refused
+
+let judge lines = try judge lines with Refused -> false, "no certificate"
+
+let lines_of file =
+  let channel = open_in file in
+  let rec read lines = match input_line channel with
+    | line -> read (line :: lines)
+    | exception End_of_file -> close_in channel; List.rev lines in
+  read []
+
+let stream lines =
+  let count = ref 0 and accepted = ref 0 in
+  let compare block verdict =
+    let own, _ = judge (List.rev block) in
+    incr count;
+    if own then incr accepted;
+    if own <> verdict then begin
+      Printf.printf "judged differently, here %b:\n%s\n" own (String.concat "\n" (List.rev block));
+      exit 1
+    end in
+  let last = List.fold_left (fun block line -> match line with
+    | "verdict yes" -> compare block true; []
+    | "verdict no" -> compare block false; []
+    | line -> line :: block) [] lines in
+  if last <> [] || !accepted = 0 || !accepted = !count then (print_endline "not a stream of verdicts of both kinds"; exit 1);
+  Printf.printf "%d certificates, %d of them accepted, judged alike by both checkers\n" !count !accepted
+
+let () =
+  match Array.to_list Sys.argv with
+  | [_; "--stream"; file] -> stream (lines_of file)
+  | [_; file] ->
+    let proved, claim = judge (lines_of file) in
+    if proved then print_endline ("proved: " ^ claim) else (print_endline ("nothing is proved: " ^ claim); exit 1)
+  | _ -> prerr_endline "use: certificate FILE, or certificate --stream FILE"; exit 2
