@@ -35,11 +35,7 @@ pub(crate) const MUTANTS: [Mutant; 42] = [
                 "self.loss_max(known.budget) / (known.degree_max + 1.0)",
                 "self.loss_max(known.budget) / 2.0",
             ),
-            (
-                INEQUALITY,
-                "self.loss_max(own.h.max(0.0)) / (own.degree + 1.0)",
-                "self.loss_max(own.h.max(0.0)) / 2.0",
-            ),
+            (INEQUALITY, "if self.need.is_ranked() { 3.0 } else { own.degree + 1.0 }", "2.0"),
         ],
     },
     Mutant {
