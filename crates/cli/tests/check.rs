@@ -232,6 +232,45 @@ fn bad_arguments_are_refused() {
     }
 }
 
+/// What a rule of consensus needs: yes, no with a witness, or an honest not known.
+#[test]
+fn rules_of_consensus_are_asked_about_by_name() {
+    let (ring, complete) = (make(&["ring", "5"]), make(&["complete", "7"]));
+    for (graph, arguments, begins, code) in [
+        (&ring, &["--rule", "two-hop", "--F", "1"][..], "Yes: (2,2)-robust with two hops", 0),
+        (&ring, &["--rule", "w-msr", "--F", "1"], "No: does not survive", 1),
+        (&make(&["ring", "8"]), &["--rule", "two-hop", "--F", "1"], "No: not (2,2)-robust with two hops", 1),
+        (&make(&["complete", "15"]), &["--rule", "two-hop", "--F", "1"], "Not known: all sets", 1),
+        (&complete, &["--rule", "sw-msr", "--F", "1"], "Yes: (3,1)-robust", 0),
+        (
+            &complete,
+            &["--rule", "arc-p", "--F", "2"],
+            "Yes: every robot hears at least 6 others, and 5 are enough",
+            0,
+        ),
+        (
+            &ring,
+            &["--rule", "arc-p", "--F", "1"],
+            "Not known: 3 neighbours are enough, and a robot hears 2",
+            1,
+        ),
+        (&complete, &["--rule", "bp-msr", "--F", "1", "--leaders", "0,1,2"], "Yes: strongly 3-robust", 0),
+        (&complete, &["--rule", "bp-msr", "--F", "1"], "Not known: it needs --leaders", 1),
+        (&complete, &["--rule", "median", "--F", "1"], "Not known", 1),
+        (&complete, &["--rule", "trust", "--F", "1"], "Not known", 1),
+        (&complete, &["--rule", "linear", "--F", "1"], "No: one liar leads all", 1),
+        (&complete, &["--rule", "linear", "--F", "0"], "Yes", 0),
+    ] {
+        let (told, exit) = check(graph, arguments);
+        assert!(told.starts_with(begins), "{arguments:?}: {told}");
+        assert_eq!(exit, Some(code), "{arguments:?}: {told}");
+        assert!(told.contains("needs"), "{told}");
+    }
+    let refused = closeranks(Path::new("."), &["check", "-", "--rule", "w-msr"], &ring);
+    assert_eq!(refused.status.code(), Some(2));
+    assert!(text(&refused.stderr).contains("--F"), "{}", text(&refused.stderr));
+}
+
 #[test]
 fn the_folder_has_picture_and_page() {
     let folder = tempfile::tempdir().unwrap();
@@ -278,6 +317,9 @@ fn a_recorded_run_has_its_robustness_over_time() {
         json!({ "tick": 0, "time_s": 0.0, "r_max": 6, "f_max": 5, "degree_min": 10 })
     );
     assert_eq!(check(&["--r", "2"]).status.code(), Some(2));
+    let windows = check(&["--rule", "sw-msr", "--window", "3", "--F", "2"]);
+    assert!(text(&windows.stdout).contains("jointly 5-robust in"), "{}", text(&windows.stdout));
+    assert_eq!(check(&["--rule", "two-hop"]).status.code(), Some(2));
     let whole = fs::read(folder.path().join("run/run.parquet")).unwrap();
     for length in (4..whole.len()).step_by(whole.len() / 7) {
         let output = closeranks(folder.path(), &["check", "-"], &whole[..length]);

@@ -104,6 +104,14 @@ pub fn read(text: &str, path: &Path) -> Result<FleetScenario, ScenarioError> {
         let before = text.get(..error.span().map_or(0, |span| span.start)).unwrap_or_default();
         wrong(before.matches('\n').count() + 1, error.message().to_owned())
     })?;
+    if !scenario.consensus.is_of_robots() {
+        let found =
+            "`consensus` asks for a rule, or for values of several numbers, that only the simulator has";
+        return Err(wrong(
+            1,
+            format!("{found}; allowed are w-msr, trimmed-mean, median and linear in one dimension"),
+        ));
+    }
     table.fleet.check(&scenario).map_err(|problem| wrong(1, problem))?;
     let file = FleetScenario { scenario, text: text.to_owned(), fleet: table.fleet };
     for liar in &file.fleet.liar {

@@ -38,6 +38,10 @@ pub struct Frame<const D: usize> {
     pub values: Vec<f64>,
     /// y_i as each robot holds it, malicious or not.
     pub held: Vec<f64>,
+    /// Further numbers of values of several, one list a number: as in `values`.
+    pub more_values: Vec<Vec<f64>>,
+    /// As in `held`.
+    pub more_held: Vec<Vec<f64>>,
     /// Robots that told everybody the same level, and the same value, when they last told.
     pub one_level: Vec<bool>,
     /// See `one_level`.
@@ -111,6 +115,8 @@ impl<const D: usize> Frame<D> {
             phis: vec![f64::NAN; robots],
             wants_phi: true,
             held: values.clone(),
+            more_values: Vec::new(),
+            more_held: Vec::new(),
             one_level: vec![true; robots],
             one_value: vec![true; robots],
             values,

@@ -1,6 +1,6 @@
 //! What a run can be expected to keep, and what became of it.
 
-use closeranks_core::consensus::Rule;
+use crate::consensus::Consensus;
 
 /// Something that a run can be expected to keep.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -47,12 +47,12 @@ impl Law {
         matches!(self, Self::Composition | Self::Shares)
     }
 
-    /// False for what only some rules of consensus keep, and `rule` does not: nothing is promised then.
+    /// False for what only some rules of consensus keep, and `consensus` does not: nothing is promised then.
     #[must_use]
-    pub fn is_kept_by(self, rule: Rule) -> bool {
+    pub fn is_kept_by(self, consensus: &Consensus) -> bool {
         match self {
-            Self::Interval => matches!(rule, Rule::WMsr | Rule::TrimmedMean),
-            Self::Agreement => rule == Rule::WMsr,
+            Self::Interval => consensus.keeps_interval(),
+            Self::Agreement => consensus.contracts(),
             _ => true,
         }
     }

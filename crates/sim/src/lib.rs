@@ -16,12 +16,14 @@
 //! | how bodies follow velocities | [`plant`] |
 //! | what carries messages | [`transport`] |
 //! | what is possible for a team: starts, speeds, F | [`advice`] |
+//! | how a team agrees: rules, and values of several numbers | [`consensus`] |
 //! | all robots of a tick, one by one or as a team | [`engine`] |
 //! | the theorems as code, and exact robustness round by round | [`law`], [`monitors`] |
 //! | the run, its record and its table row | [`world`], [`output`] |
 
 pub mod advice;
 pub mod attack;
+pub mod consensus;
 pub mod controllers;
 pub mod engine;
 pub mod faults;

@@ -2,7 +2,6 @@
 #![expect(clippy::unwrap_used, reason = "helpers of tests")]
 
 use closeranks_core::Assume;
-use closeranks_core::consensus::Rule;
 use closeranks_core::settings::{
     BudgetSettings, Clock, ComposedSettings, Errors, LinkSettings, LinksSettings, Team,
 };
@@ -12,6 +11,7 @@ use core::time::Duration;
 use closeranks_core::equations::composition::PhiSplit;
 use closeranks_core::need::Listen;
 use closeranks_sim::attack::{LevelAttack, ValueAttack};
+use closeranks_sim::consensus::Rule;
 use closeranks_sim::engine::workers::{Piece, Workers};
 use closeranks_sim::plant::Plant;
 use closeranks_sim::scenario::desired::Desired;
@@ -127,10 +127,11 @@ fn teams_that_hold_links() {
 
 #[test]
 fn every_rule_of_consensus() {
-    for (_, consensus) in Rule::ALL {
+    for (_, rule) in Rule::ALL {
         for value in [ValueAttack::default(), ValueAttack::None] {
-            same_bits(&Scenario { consensus, attack: value.into(), ..short("rules") });
+            same_bits(&Scenario { consensus: rule.into(), attack: value.into(), ..short("rules") });
         }
+        let consensus = rule.into();
         same_bits(&Scenario { consensus, controller: Controller::Links, ..short("rules under links") });
     }
 }

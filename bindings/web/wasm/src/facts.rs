@@ -13,7 +13,7 @@ pub fn about() -> Value {
     json!({
         "version": env!("CARGO_PKG_VERSION"),
         "controllers": Controller::ALL.iter().map(|one| controller(*one)).collect::<Value>(),
-        "rules": Rule::ALL.map(|(_, one)| rule(one)),
+        "rules": Rule::ALL.into_iter().filter(|(_, one)| !one.asks_for_more()).map(|(_, one)| rule(one)).collect::<Vec<_>>(),
         "laws": Law::ALL.map(|law| json!({ "name": law.name(), "demand": law.demand() })),
     })
 }

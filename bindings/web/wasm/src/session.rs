@@ -148,7 +148,7 @@ impl Session {
             "tick_s": scenario.tick_s(),
             "ticks": scenario.ticks(),
             "ticks_per_round": scenario.ticks_per_round(),
-            "rule": facts::rule(scenario.consensus),
+            "rule": facts::rule(scenario.consensus.rule),
             "controller": facts::controller(scenario.controller),
             "obedient": scenario.attack.motion == MotionAttack::Obedient,
             "one_voice": scenario.attack.has_one_voice(),

@@ -12,7 +12,7 @@ use closeranks_report::content::Table;
 use closeranks_report::sweep::file::Writer;
 use closeranks_report::sweep::rows::{Cell, Head, Kind, Rows};
 use closeranks_report::table::{number, text};
-use closeranks_sim::scenario::{Controller, Rule, Scenario};
+use closeranks_sim::scenario::{Consensus, Controller, Rule, Scenario};
 use closeranks_sim::world::{self, Options};
 use closeranks_sweep::PROGRAM;
 use rayon::prelude::*;
@@ -88,7 +88,11 @@ fn under(scenario: Scenario, name: &'static str) -> Scenario {
 
 fn by_rule(scenario: Scenario, name: &'static str) -> Scenario {
     let rule = Rule::ALL.iter().find(|(known, _)| *known == name);
-    Scenario { consensus: rule.map_or(scenario.consensus, |(_, rule)| *rule), ..scenario }
+    let Some((_, rule)) = rule else { return scenario };
+    // Leaders are as many as percolation asks for, liars among them; given trusts are right.
+    let leaders = (1..=2 * scenario.team.faults + 1).collect();
+    let trust = scenario.malicious_mask().into_iter().map(|lies| if lies { 0.0 } else { 1.0 }).collect();
+    Scenario { consensus: Consensus { leaders, trust, ..(*rule).into() }, ..scenario }
 }
 
 /// One mark a case, run and entrant, in this order for every number of threads.
@@ -139,13 +143,28 @@ impl<'a> Sheet<'a> {
         Table { heads: heads.map(str::to_owned).collect(), rows: rows.collect() }
     }
 
+    /// How robots moved under each entrant in the first case, in the order of entrants.
+    fn conduct(&self, head: &str) -> Table {
+        let heads = [head, "progress", "deviation", "jerk", "blocked", "deadlock"];
+        let first = self.cases.first();
+        let rows = self.entrants.iter().map(|(name, _)| {
+            let means = first.map_or([f64::NAN; 5], |case| self.score(case, name).conduct());
+            let cells = means.into_iter().zip([2, 3, 0, 2, 2]).map(|(mean, digits)| number(mean, digits));
+            core::iter::once((*name).to_owned()).chain(cells).collect()
+        });
+        Table { heads: heads.map(str::to_owned).to_vec(), rows: rows.collect() }
+    }
+
     fn json(&self) -> Value {
         let entrants = self.entrants.iter().map(|(name, _)| {
             let cases = self.cases.iter().map(|case| {
                 let score = self.score(case, name);
+                let [progress_m, deviation_m_s, jerk_m_s3, blocked_s, deadlocked] = score.conduct();
                 let numbers = json!({
                     "runs": score.runs, "kept": score.kept, "agreed": score.agreed,
-                    "width_m": score.width_m(), "rounds": Some(score.rounds()).filter(|rounds| rounds.is_finite()),
+                    "width_m": score.width_m(), "progress_m": progress_m,
+                    "deviation_m_s": deviation_m_s, "jerk_m_s3": jerk_m_s3, "blocked_s": blocked_s, "deadlocked_share": deadlocked,
+                    "rounds": Some(score.rounds()).filter(|rounds| rounds.is_finite()),
                 });
                 (case.name.to_owned(), numbers)
             });
@@ -180,9 +199,12 @@ fn say(arguments: &Bench, [controllers, rules]: &[Sheet<'_>; 2], numbers: &Value
     output::say(&format!(
         "closeranks bench {VERSION}, {} runs of each case\n\n\
          Width at the end, m, mean; a run in which anything was broken counts 0:\n\n{}\n\
+         In `task`, whatever was broken: progress along the wish (m), deviation from it (m/s), jerk (m/s^3), time blocked (s), share of\n\
+         runs that end with everybody blocked:\n\n{}\n\
          Share of runs in which normal robots agree inside of what they held, against lies:\n\n{}",
         arguments.runs,
         text(&widths),
+        text(&controllers.conduct("controller")),
         text(&agreed)
     ));
 }

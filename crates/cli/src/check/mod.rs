@@ -8,6 +8,7 @@ mod mend;
 mod network;
 mod question;
 mod recording;
+mod rule;
 mod save;
 mod task;
 mod words;
@@ -18,6 +19,7 @@ use anyhow::{Result, bail};
 use clap::{Args, ValueEnum};
 use closeranks_graph::formats;
 use closeranks_graph::network::Network;
+use closeranks_sim::consensus::Rule;
 
 use crate::folder::Folder;
 use crate::output;
@@ -48,6 +50,7 @@ no direction; --directed gives them one. Parallel links count once and loops not
     closeranks check team.edges --local          # liars few in every neighbourhood instead of few in all
     closeranks check team.edges --leaders 1,2 --r 3 # do all follow robots 1 and 2?
     closeranks check matrix.csv --directed --transpose   # row u, column v: u hears v
+    closeranks check team.edges --rule two-hop --F 1     # what a rule of consensus needs; also of a run: --rule sw-msr --window 5
     closeranks check many.g6 --which 3           # the third graph of a file with several
     closeranks check out/run.parquet             # a recorded run: robustness at every consensus round
     closeranks check flight.csv --radius 3 --F 1 # positions of others, CSV or Parquet: time_s or tick, robot, x_m, y_m[, z_m]
@@ -140,6 +143,12 @@ pub(crate) struct Check {
     /// Liars that are at most F in every neighbourhood (F-local), however many in all.
     #[arg(long, conflicts_with_all = ["r", "s", "additions"])]
     local: bool,
+    /// Ask what this rule of consensus needs of the graph (docs/comparison.md); with --F, bp-msr with --leaders too.
+    #[arg(long, value_name = "RULE", value_parser = rule::named(), conflicts_with_all = ["r", "s", "local", "additions"])]
+    rule: Option<Rule>,
+    /// Of a recorded run, with --rule sw-msr: how many rounds are looked at together.
+    #[arg(long, value_name = "K", requires = "rule", value_parser = clap::value_parser!(u16).range(1..=1000))]
+    window: Option<u16>,
     /// Which edges to add, as few as can be, until --F or --r and --s hold.
     #[arg(long)]
     additions: bool,
@@ -192,6 +201,9 @@ fn graph(arguments: &Check, input: &Input, folder: Option<Folder>) -> Result<boo
     }
     if arguments.radius.is_some() {
         bail!("--radius is for recorded positions; a graph has its links");
+    }
+    if arguments.window.is_some() {
+        bail!("--window is for recorded runs; a graph is the same in every round");
     }
     let mut watch = Watch::new(arguments.time_limit, arguments.quiet);
     let task = Task::new(&input.reading.named, arguments)?;

@@ -19,7 +19,7 @@ use closeranks_sweep::PROGRAM;
 use serde_json::{Value, json};
 
 use super::answer::Answer;
-use super::{Check, analysis, words};
+use super::{Check, analysis, rule, words};
 use crate::folder::Folder;
 use crate::progress::Watch;
 
@@ -91,9 +91,17 @@ pub(super) fn check(
     let setting = Setting::of(recording, name, arguments)?;
     let mut watch = Watch::new(arguments.time_limit, arguments.quiet);
     let every = arguments.every.map_or(setting.every, |every| every as usize);
+    let faults = arguments.faults.map(u16::from).or(setting.faults);
+    if let Some(rule) = arguments.rule {
+        let (window, faults) = (arguments.window.map_or(5, usize::from), usize::from(faults.unwrap_or(0)));
+        let answer =
+            rule::recorded(recording, (rule, faults), (setting.radius_m, every, window), &mut watch)?;
+        watch.finish();
+        super::tell(arguments, &answer, "");
+        return Ok(answer.holds);
+    }
     let rounds = rounds(recording, &setting, every, &mut watch)?;
     watch.finish();
-    let faults = arguments.faults.map(u16::from).or(setting.faults);
     let answer = answer(recording, &setting, faults, &rounds, arguments);
     if let Some(folder) = folder {
         save(folder, name, &answer, &rounds, faults.unwrap_or(0))?;

@@ -4,9 +4,10 @@ use anyhow::{Result, bail};
 use closeranks_graph::effort::{Meter, Progress};
 use closeranks_graph::formats::Named;
 use closeranks_graph::graph::set::NodeSet;
+use closeranks_sim::consensus::Rule;
 
 use super::answer::Answer;
-use super::{Check, analysis, mend, question, words};
+use super::{Check, analysis, mend, question, rule, words};
 use crate::progress::Watch;
 
 /// A question about a graph.
@@ -17,6 +18,7 @@ pub(super) struct Task<'a> {
 
 enum Kind {
     Everything,
+    Rule { rule: Rule, faults: usize, leaders: NodeSet },
     Robust { r: usize, s: usize, faults: Option<usize> },
     Leaders { leaders: NodeSet, r: Option<usize> },
     Local { faults: Option<usize> },
@@ -33,7 +35,10 @@ impl<'a> Task<'a> {
             (None, Some(r)) => Some((r, arguments.s.map_or(1, usize::from))),
             (None, None) => None,
         };
-        let kind = if !arguments.leaders.is_empty() {
+        let kind = if let Some(rule) = arguments.rule {
+            let Some(faults) = faults else { bail!("--rule asks about so many liars: allowed is with --F") };
+            Kind::Rule { rule, faults, leaders: leaders(named, &arguments.leaders)? }
+        } else if !arguments.leaders.is_empty() {
             let leaders = leaders(named, &arguments.leaders)?;
             Kind::Leaders { leaders, r: r.or(faults.map(|faults| 2 * faults + 1)) }
         } else if arguments.local {
@@ -69,6 +74,9 @@ impl<'a> Task<'a> {
         let named = self.named;
         match kind {
             Kind::Everything => Answer::default(),
+            Kind::Rule { rule, faults, leaders } => {
+                rule::answer(named, (*rule, *faults), *leaders, limit, meter)
+            }
             Kind::Robust { r, s, faults } => question::robust(named, (*r, *s), *faults, limit, meter),
             Kind::Leaders { leaders, r } => question::leaders(named, *leaders, *r),
             Kind::Local { faults: Some(faults) } => question::local(named, *faults, limit, meter),

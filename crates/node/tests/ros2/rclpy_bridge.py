@@ -1,6 +1,7 @@
 """A bridge between DDS and Zenoh in the form of zenoh-plugin-ros2dds, for machines on which that plugin is not built: a key of Zenoh is the
 topic, a payload is the CDR of the message, nothing is attached. rclpy hands over bytes and looks into none of them."""
 
+import os
 import sys
 
 import rclpy
@@ -36,3 +37,5 @@ try:
     rclpy.spin(node)
 except rclpy.executors.ExternalShutdownException:
     pass  # the script asked it to stop
+# The session of Zenoh leaves threads behind, which would keep the process.
+os._exit(0)

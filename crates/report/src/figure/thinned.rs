@@ -125,6 +125,8 @@ fn empty(part: &Record) -> Record {
         phi: Vec::new(),
         value: Vec::new(),
         value_told: Vec::new(),
+        more_values: vec![Vec::new(); part.more_values.len()],
+        more_values_told: vec![Vec::new(); part.more_values_told.len()],
         degree_sensed: Vec::new(),
         level_sensed: Vec::new(),
         outcome: Vec::new(),

@@ -2,6 +2,7 @@
 
 use closeranks_sim::law::{Law, Verdict};
 use closeranks_sim::monitors::robustness::{narrowest, weakest};
+use closeranks_sim::output::conduct::Conduct;
 use closeranks_sim::scenario::Scenario;
 use closeranks_sim::world::Run;
 use serde_json::{Map, Value, json};
@@ -69,6 +70,7 @@ pub fn numbers(scenario: &Scenario, run: &Run, program: Program<'_>) -> Map<Stri
         "ok": summary.failures(scenario).next().is_none(),
     });
     let mut numbers = if let Value::Object(numbers) = numbers { numbers } else { Map::new() };
+    numbers.extend(conduct(&summary.conduct));
     if let Some(ranks) = ranks(scenario) {
         let first = summary.void.first.map(|(tick, robot, liars)| {
             json!({ "time_s": f64::from(tick) * scenario.tick_s(), "robot": robot, "listened_to": liars })
@@ -77,6 +79,19 @@ pub fn numbers(scenario: &Scenario, run: &Run, program: Program<'_>) -> Map<Stri
         numbers.insert("void".to_owned(), json!({ "rounds": summary.void.rounds, "first": first }));
     }
     numbers
+}
+
+/// How normal robots moved, means over them and the run.
+fn conduct(conduct: &Conduct) -> [(String, Value); 5] {
+    let Conduct { progress_m, deviation_m_s, jerk_m_s3, blocked_s, deadlocked } = *conduct;
+    let numbers = [
+        ("progress_m", json!(progress_m)),
+        ("deviation_m_s", json!(deviation_m_s)),
+        ("jerk_m_s3", json!(jerk_m_s3)),
+        ("blocked_s", json!(blocked_s)),
+        ("deadlocked", json!(deadlocked)),
+    ];
+    numbers.map(|(name, number)| (name.to_owned(), number))
 }
 
 /// The rank of each robot, if there are ranks.

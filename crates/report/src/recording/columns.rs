@@ -59,6 +59,10 @@ pub(crate) fn columns(record: &Record) -> Vec<Column<'_>> {
         column("degree_sensed", Data::Known(&record.degree_sensed)),
         column("level_sensed", Data::Known(&record.level_sensed)),
     ]);
+    for (place, (held, told)) in (2..).zip(record.more_values.iter().zip(&record.more_values_told)) {
+        columns.push(column(&format!("value_{place}"), Data::Numbers(held)));
+        columns.push(column(&format!("value_told_{place}"), Data::Known(told)));
+    }
     columns.push(column("outcome", Data::Outcome));
     columns
 }

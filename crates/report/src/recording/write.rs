@@ -4,7 +4,8 @@
 //! tick u32 | time_s f64 | robot u16 from 1 | malicious bool | x_m, y_m[, z_m] f64
 //! ux_m_s, uy_m_s[, uz_m_s] f64, the input held from this tick on, null at the last tick
 //! degree u16, δ_i | level f64, c_i | told f64, c_i as told | h f64, level − F′ | phi_i f64 | value f64, y_i as held
-//! value_told f64, y_i as told | degree_sensed f64 | level_sensed f64 | outcome string: free, active or infeasible
+//! value_told f64, y_i as told | degree_sensed f64 | level_sensed f64 | value_2, value_told_2[, value_3, value_told_3] f64 of values of
+//! several numbers | outcome string: free, active or infeasible
 //! ```
 //!
 //! `degree`, `level` and `h` are what is so, computed from the positions; what the robot senses itself, with whatever is wrong

@@ -149,7 +149,8 @@ impl Question {
     pub fn tracking_needed_m(&self) -> Option<f64> {
         match self.scenario.plant {
             Plant::Lag { lag_s } => Some(lag_s * self.speed_m_s()),
-            Plant::Single => None,
+            Plant::Double { .. } => self.scenario.plant.tracking_error_m(),
+            Plant::Single | Plant::Unicycle { .. } => None,
         }
     }
 

@@ -71,6 +71,11 @@ impl Liars {
         self.given_values = values.map(<[f64]>::to_vec);
     }
 
+    /// What malicious robots tell of values in this tick, if that was given from outside.
+    pub(crate) fn given_values(&self) -> Option<&[f64]> {
+        self.given_values.as_deref()
+    }
+
     /// Decides what is told of levels in `tick`.
     pub fn begin_tick(&mut self, tick: u32) {
         self.tick = tick;

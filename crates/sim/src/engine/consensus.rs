@@ -29,7 +29,7 @@ impl Consensus {
     /// For the robots of `scenario` with initial `values`.
     pub(crate) fn new(scenario: &Scenario, values: &[f64]) -> Self {
         Self {
-            rule: scenario.consensus,
+            rule: scenario.consensus.rule.of_robots().unwrap_or_default(),
             faults: scenario.team.faults,
             listens_to_counted: scenario.ranking().is_some_and(|ranks| ranks.listen == Listen::Counted),
             ticks_per_round: scenario.ticks_per_round(),

@@ -2,6 +2,7 @@
 
 use closeranks_core::controller::AtOnce;
 use closeranks_core::num::Vector;
+use closeranks_core::robot::Robot;
 
 use crate::attack::liars::Liars;
 use crate::engine::fleet::Fleet;
@@ -19,6 +20,12 @@ pub(crate) trait Robots<const D: usize>: Send + Sync {
     /// What went wrong around the robots in this tick; `None` where nothing can.
     fn edges(&self) -> Option<&Edges<D>> {
         None
+    }
+
+    /// Adds the indices of those whose values of the round that is on `robot` has; false where the network is perfect, so that these are
+    /// all within R.
+    fn heard(&self, _robot: usize, _senders: &mut Vec<u16>) -> bool {
+        false
     }
 
     /// Where robot `index` counts itself in this tick, if it keeps a reference of its own.
@@ -45,6 +52,12 @@ where
 
     fn edges(&self) -> Option<&Edges<D>> {
         Some(self.edges())
+    }
+
+    fn heard(&self, robot: usize, senders: &mut Vec<u16>) -> bool {
+        let neighbors = self.running(robot).into_iter().flat_map(Robot::neighbors);
+        senders.extend(neighbors.filter(|slot| slot.told_value().is_some()).map(|slot| slot.id().0 - 1));
+        true
     }
 
     fn counted(&self, index: usize) -> Option<Counted<D>> {

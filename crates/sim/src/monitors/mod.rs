@@ -4,6 +4,7 @@ mod agreement;
 mod carry;
 mod extremes;
 mod heard;
+mod numbers;
 mod pairs;
 pub mod robustness;
 mod rule;
@@ -18,6 +19,7 @@ use closeranks_core::num::sqrt;
 use closeranks_core::program::{InputBox, Outcome};
 use closeranks_core::settings::params::Params;
 
+use crate::consensus::Consensus;
 use crate::frame::Frame;
 use crate::law::{Law, Verdicts, Violation};
 use crate::monitors::carry::Carry;
@@ -25,6 +27,7 @@ pub use crate::monitors::extremes::Extremes;
 use crate::monitors::extremes::lower;
 use crate::monitors::heard::Heard;
 pub use crate::monitors::heard::Void;
+use crate::monitors::numbers::{Numbers, Outside};
 use crate::monitors::rule::Rule;
 use crate::monitors::truth::Truth;
 use crate::monitors::values::Values;
@@ -43,10 +46,12 @@ pub struct Monitors<const D: usize> {
     /// Whether the robots know their true levels, and no more of them lie than the team is prepared for.
     plain: bool,
     few_lie: bool,
+    consensus: Consensus,
     rule: Arc<Rule>,
     truth: Truth,
     carry: Carry<D>,
     verdicts: Verdicts,
+    numbers: Numbers,
     values: Values,
     heard: Heard,
     extremes: Extremes,
@@ -73,6 +78,8 @@ impl<const D: usize> Monitors<D> {
             verdicts: Verdicts::default(),
             heard: Heard::new(scenario, &rule),
             rule,
+            numbers: Numbers::new(&scenario.consensus),
+            consensus: scenario.consensus.clone(),
             collisions: Vec::new(),
             extremes: Extremes::new(),
         }
@@ -164,7 +171,7 @@ impl<const D: usize> Monitors<D> {
     }
 
     fn broke(&mut self, law: Law, violation: Violation) {
-        let covered = self.few_lie && law.is_kept_by(self.params.settings().consensus);
+        let covered = self.few_lie && law.is_kept_by(&self.consensus);
         self.verdicts.broke(law, violation, covered);
     }
 
@@ -230,15 +237,27 @@ impl<const D: usize> Monitors<D> {
     /// Values are updated once a round, so they are looked at once a round.
     fn watch_values(&mut self, tick: u32, frame: &Frame<D>) {
         let met = self.heard.end_round(tick, frame, &self.malicious);
-        let (few_lie, consensus) = (self.few_lie, self.params.settings().consensus);
+        let (few_lie, consensus) = (self.few_lie, &self.consensus);
         let verdicts = &mut self.verdicts;
         let spread = self.values.end_round(tick, &frame.values, &self.malicious, met, |law, violation| {
             verdicts.broke(law, violation, few_lie && law.is_kept_by(consensus));
         });
+        let spread = spread.max(self.watch_numbers(tick, frame));
         if spread < 1.0 && self.extremes.rounds_to_agree.is_none() {
             self.extremes.rounds_to_agree = Some(tick / self.ticks_per_round);
         }
         self.extremes.spread = spread;
+    }
+
+    /// Numbers beyond the first; their largest spread, 0 if there are none.
+    fn watch_numbers(&mut self, tick: u32, frame: &Frame<D>) -> f64 {
+        let mut broken = Vec::new();
+        let spread = self.numbers.watch(frame, &self.malicious, &mut |outside| broken.push(outside));
+        for Outside { robot, seen, demanded } in broken {
+            let robots = [u16::try_from(robot + 1).unwrap_or(u16::MAX), 0];
+            self.broke(Law::Interval, Violation { tick, robots, seen, demanded });
+        }
+        spread
     }
 }
 

@@ -34,6 +34,7 @@ impl Digest {
         let numbers = [&frame.levels, &frame.told, &frame.h, &frame.values];
         numbers.into_iter().flatten().for_each(|number| self.number(*number));
         frame.outcomes.iter().for_each(|outcome| self.word(*outcome as u64));
+        frame.more_values.iter().flatten().for_each(|number| self.number(*number));
     }
 
     /// The digest of all ticks so far.

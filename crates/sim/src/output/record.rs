@@ -42,6 +42,10 @@ pub struct Record {
     pub value: Vec<f64>,
     /// y_i as told; NaN as for `told`.
     pub value_told: Vec<f64>,
+    /// Further numbers of values of several, one column a number: as in `value`.
+    pub more_values: Vec<Vec<f64>>,
+    /// As in `value_told`.
+    pub more_values_told: Vec<Vec<f64>>,
     /// δ_i and c_i as the robot senses them; NaN of a robot that is down.
     pub degree_sensed: Vec<f64>,
     /// See `degree_sensed`.
@@ -73,6 +77,8 @@ impl Record {
             phi: column(),
             value: column(),
             value_told: column(),
+            more_values: vec![column(); scenario.consensus.dimension.saturating_sub(1)],
+            more_values_told: vec![column(); scenario.consensus.dimension.saturating_sub(1)],
             degree_sensed: column(),
             level_sensed: column(),
             outcome: Vec::with_capacity(rows),
@@ -98,6 +104,12 @@ impl Record {
             self.level_sensed.push(now.level_sensed(index));
         }
         self.outcome.extend(now.outcome);
+        for (place, column) in self.more_values.iter_mut().enumerate() {
+            column.extend(&now.more_values[place]);
+        }
+        for (place, column) in self.more_values_told.iter_mut().enumerate() {
+            column.extend((0..now.robots()).map(|index| now.more_value_told(place, index)));
+        }
     }
 
     /// Adds what `other`, a record of the same team, has at `place`.
@@ -124,7 +136,8 @@ impl Record {
     pub fn numbers(&self) -> Vec<&Vec<f64>> {
         let told = [&self.told, &self.value_told];
         let single = [&self.level, &self.h, &self.phi, &self.value, &self.degree_sensed, &self.level_sensed];
-        self.positions_m.iter().chain(&self.inputs_m_s).chain(single).chain(told).collect()
+        let more = self.more_values.iter().chain(&self.more_values_told);
+        self.positions_m.iter().chain(&self.inputs_m_s).chain(single).chain(told).chain(more).collect()
     }
 
     /// Every column of numbers, in the order of [`Record::numbers`].
@@ -133,7 +146,8 @@ impl Record {
         let single = [&mut self.level, &mut self.h, &mut self.phi, &mut self.value];
         let sensed = [&mut self.degree_sensed, &mut self.level_sensed];
         let vectors = self.positions_m.iter_mut().chain(&mut self.inputs_m_s);
-        vectors.chain(single).chain(sensed).chain(told).collect()
+        let more = self.more_values.iter_mut().chain(&mut self.more_values_told);
+        vectors.chain(single).chain(sensed).chain(told).chain(more).collect()
     }
 
     /// Number of rows.
@@ -172,7 +186,8 @@ impl Record {
     pub fn digest(&self) -> u64 {
         let vectors = self.positions_m.iter().chain(&self.inputs_m_s);
         let single = [&self.level, &self.told, &self.h, &self.phi, &self.value_told];
-        let bits = vectors.chain(single).flatten().map(|number| number.to_bits());
+        let bits =
+            vectors.chain(single).chain(&self.more_values_told).flatten().map(|number| number.to_bits());
         let small = self.degree.iter().map(|degree| u64::from(*degree));
         let outcomes = self.outcome.iter().map(|outcome| *outcome as u64);
         bits.chain(small).chain(outcomes).fold(0xcbf2_9ce4_8422_2325, |hash, word| {

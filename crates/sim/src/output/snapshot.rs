@@ -32,6 +32,8 @@ pub struct Snapshot<'a> {
     pub phi: &'a [f64],
     /// y_i as the robot holds it.
     pub value: &'a [f64],
+    /// Further numbers of values of several, one list a number.
+    pub more_values: &'a [Vec<f64>],
     /// What the program found.
     pub outcome: &'a [Outcome],
     /// What each robot says its answer is worth.
@@ -46,6 +48,7 @@ pub struct Snapshot<'a> {
 struct Told<'a> {
     levels: &'a [f64],
     values: &'a [f64],
+    more_values: &'a [Vec<f64>],
     one_level: &'a [bool],
     one_value: &'a [bool],
     degrees_sensed: &'a [u16],
@@ -73,12 +76,14 @@ impl<'a> Snapshot<'a> {
             level: &truth.levels,
             phi: &frame.phis,
             value: &frame.held,
+            more_values: &frame.more_held,
             outcome: &frame.outcomes,
             modes: &frame.modes,
             down: &frame.down,
             told: Told {
                 levels: &frame.told,
                 values: &frame.values,
+                more_values: &frame.more_values,
                 one_level: &frame.one_level,
                 one_value: &frame.one_value,
                 degrees_sensed: &frame.degrees,
@@ -123,6 +128,12 @@ impl<'a> Snapshot<'a> {
     #[must_use]
     pub fn value_told(&self, index: usize) -> f64 {
         self.known(index, self.told.values[index], self.told.one_value[index])
+    }
+
+    /// Number `place` beyond the first of y_i as told; NaN as for [`told`](Self::told).
+    #[must_use]
+    pub fn more_value_told(&self, place: usize, index: usize) -> f64 {
+        self.known(index, self.told.more_values[place][index], self.told.one_value[index])
     }
 
     /// δ_i as the robot senses it; NaN of a robot that is down.

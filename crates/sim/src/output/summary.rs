@@ -7,6 +7,7 @@ use crate::frame::Frame;
 use crate::geometry::squared_distance;
 use crate::law::{Law, Verdict, Verdicts};
 use crate::monitors::{Extremes, Monitors, Void};
+use crate::output::conduct::{Conduct, Watch};
 use crate::scenario::Scenario;
 
 /// Where the start lies.
@@ -44,6 +45,8 @@ pub struct Summary {
     pub speed_end_m_s: f64,
     /// Rate of growth of the radius of gyration at the start and at the end, m/s.
     pub spreading_m_s: [f64; 2],
+    /// How normal robots moved compared with what they wished.
+    pub conduct: Conduct,
     /// Fraction of the time of normal robots in which they said that they were guaranteed.
     pub guaranteed_share: f64,
     /// Fraction of that time in which their own h was negative. With free liars such a robot only comes closer to others.
@@ -97,6 +100,7 @@ pub struct Collector {
     start: Option<StartSummary>,
     spreading_start_m_s: f64,
     malicious_below: Vec<bool>,
+    conduct: Watch,
 }
 
 impl Collector {
@@ -108,6 +112,7 @@ impl Collector {
             self.spreading_start_m_s = spreading(frame);
             self.malicious_below = vec![false; malicious.len()];
         }
+        self.conduct.watch(scenario, frame, malicious);
         let required = monitors.required_degree();
         for index in 0..malicious.len() {
             self.malicious_below[index] |= malicious[index] && frame.degrees[index] < required;
@@ -124,6 +129,7 @@ impl Collector {
     ) -> Summary {
         let speeds = frame.velocities_m_s.iter().map(|velocity| squared_distance(velocity, &[0.0; D]));
         let [guaranteed_share, negative_share, covered_share] = monitors.carry().shares();
+        let normal = monitors.malicious().iter().filter(|lies| !**lies).count();
         let below = self.malicious_below.iter().filter(|below| **below).count();
         Summary {
             start: self.start.unwrap_or(NO_START),
@@ -134,6 +140,7 @@ impl Collector {
             liar_distance_m: mean_distance_to_liars(&frame.positions_m, &scenario.malicious_mask()),
             speed_end_m_s: sqrt(speeds.fold(0.0, f64::max)),
             spreading_m_s: [self.spreading_start_m_s, spreading(frame)],
+            conduct: self.conduct.finish(scenario, normal),
             guaranteed_share,
             negative_share,
             covered_share,

@@ -6,7 +6,9 @@ use closeranks_core::settings::range::Allowed;
 
 use super::reader::Reader;
 use crate::attack::ListsAttack;
+use crate::consensus::Consensus;
 use crate::geometry::squared_distance;
+use crate::plant::Plant;
 use crate::scenario::ranks::RanksError;
 use crate::scenario::start::{Start, StartError};
 use crate::scenario::{Controller, Limits, Scenario, Values};
@@ -23,6 +25,8 @@ pub(super) fn check(reader: &mut Reader, scenario: &Scenario) {
     boxes(reader, scenario);
     clocks(reader, scenario);
     values(reader, scenario);
+    plant(reader, scenario);
+    Consensus::check(reader, scenario);
     if !reader.is_clean() {
         return;
     }
@@ -126,12 +130,22 @@ fn clocks(reader: &mut Reader, scenario: &Scenario) {
     }
 }
 
+/// Headings lie in the plane, and a body that cannot follow promises nothing.
+fn plant(reader: &mut Reader, scenario: &Scenario) {
+    if matches!(scenario.plant, Plant::Unicycle { .. }) && scenario.dimension != 2 {
+        reader.refuse("plant.look_ahead_m", "in 3 dimensions", "only in 2");
+    }
+}
+
 fn values(reader: &mut Reader, scenario: &Scenario) {
-    if let Values::Listed(values) = &scenario.values
-        && values.len() != usize::from(scenario.team.robots)
-    {
-        let allowed = format!("{} numbers, one a robot", scenario.team.robots);
-        reader.refuse("values.values", format!("a list of {}", values.len()), allowed);
+    let (listed, what) = match &scenario.values {
+        Values::Listed(values) => (values.len(), "numbers"),
+        Values::Points(points) => (points.len(), "lists of numbers"),
+        Values::Random { .. } => return,
+    };
+    if listed != usize::from(scenario.team.robots) {
+        let allowed = format!("{} {what}, one a robot", scenario.team.robots);
+        reader.refuse("values.values", format!("a list of {listed}"), allowed);
     }
 }
 

@@ -25,6 +25,10 @@ pub(crate) const VALUE: Allowed = Allowed::Closed(-VALUE_MAX, VALUE_MAX);
 pub(crate) const POSITION: [Column; 3] =
     [Column::new("x_m", ANY), Column::new("y_m", ANY), Column::new("z_m", ANY)];
 
+/// Columns of a value of several numbers.
+pub(crate) const NUMBERS: [Column; 3] =
+    [Column::new("first", ANY), Column::new("second", ANY), Column::new("third", ANY)];
+
 /// One kind of something: the word that the field `kind` holds, and what reads the other fields of that kind.
 pub(crate) type Kind<T> = (&'static str, fn(&mut Reader, &mut Section<'_>) -> T);
 

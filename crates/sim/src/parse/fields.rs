@@ -1,16 +1,16 @@
 //! Every field of a scenario text, with its default and range.
 
-use closeranks_core::consensus::Rule;
 use closeranks_core::controller::assume::Assume;
 use closeranks_core::equations::composition::PhiSplit;
 use closeranks_core::settings::field::TABLE;
 use closeranks_core::settings::range::{Allowed, MAGNITUDE_MAX, ROBOTS_MAX};
 use toml::de::{DeTable, DeValue};
 
-use super::common::{ANY, POSITION, POSITIVE, interval, set, small};
+use super::common::{ANY, NUMBERS, POSITION, POSITIVE, interval, set, small};
 use super::reader::{Reader, Section};
 use super::value::{number, whole};
 use crate::attack::Attack;
+use crate::consensus::Consensus;
 use crate::faults::{Faults, Outages};
 use crate::law::Law;
 use crate::plant::Plant;
@@ -57,9 +57,13 @@ pub(super) fn read(reader: &mut Reader, table: &DeTable<'_>) -> Scenario {
         reader.table(&mut root, "attack", |reader, section| Attack::read(reader, section, &malicious));
     scenario.faults = Faults::read(reader, &mut root, scenario.team.robots);
     reader.table(&mut root, "plant", |reader, section| {
-        scenario.plant = Plant::read(reader, section);
+        scenario.plant = Plant::read(reader, section, scenario.speed_max_m_s());
         scenario.faults.outages = Outages::read(reader, section, scenario.team.robots);
     });
+    let stated = reader.was_given("controller.tracking_error_m");
+    if let (false, Some(error_m)) = (stated, scenario.plant.tracking_error_m()) {
+        scenario.errors.tracking_m = error_m;
+    }
     // What happens to the processes of a fleet; `closeranks-node` reads it.
     let _ = root.has("fleet");
     reader.close(&root);
@@ -182,11 +186,16 @@ fn start(reader: &mut Reader, section: &mut Section<'_>, scenario: &mut Scenario
 
 /// How values are updated.
 fn consensus(reader: &mut Reader, section: &mut Section<'_>, scenario: &mut Scenario) {
-    set(&mut scenario.consensus, reader.word(section, "rule", &Rule::ALL));
+    scenario.consensus = Consensus::read(reader, section, scenario.team.robots);
 }
 
 fn values(reader: &mut Reader, section: &mut Section<'_>, scenario: &mut Scenario) {
     let listed = reader.kind(section, &[("random", false), ("listed", true)]) == Some(true);
+    if listed && scenario.consensus.dimension > 1 {
+        let columns = &NUMBERS[..scenario.consensus.dimension];
+        scenario.values = Values::Points(reader.rows(section, "values", columns).unwrap_or_default());
+        return;
+    }
     if listed {
         let allowed = format!("a finite number, {ANY}");
         scenario.values =

@@ -44,6 +44,12 @@ impl<const D: usize> Lag<D> {
         }
     }
 
+    /// The velocity with which each robot really moves, m/s.
+    #[must_use]
+    pub fn moving_m_s(&self) -> &[Vector<D>] {
+        &self.moving_m_s
+    }
+
     /// Where the velocities alone would have taken each robot, m.
     #[must_use]
     pub fn references_m(&self) -> &[Vector<D>] {

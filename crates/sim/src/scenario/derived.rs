@@ -49,7 +49,7 @@ impl Scenario {
             clock: self.clock,
             errors: self.errors,
             ranks: self.core_of_ranks(),
-            consensus: self.consensus,
+            consensus: self.consensus.rule.of_robots().unwrap_or_default(),
         })
     }
 
@@ -86,9 +86,14 @@ impl Scenario {
 
     /// ρ, the longest move of a robot in a tick, m.
     fn move_max_m(&self) -> f64 {
+        self.clock.hold_max().as_secs_f64() * self.speed_max_m_s()
+    }
+
+    /// The greatest speed that a robot can be asked for, m/s.
+    pub(crate) fn speed_max_m_s(&self) -> f64 {
         let Limits { input_min_m_s, input_max_m_s, .. } = &self.limits;
         let corner = input_min_m_s.iter().zip(input_max_m_s).map(|(low, high)| low.abs().max(high.abs()));
-        self.clock.hold_max().as_secs_f64() * sqrt(corner.fold(0.0, |sum, speed| sum + speed * speed))
+        sqrt(corner.fold(0.0, |sum, speed| sum + speed * speed))
     }
 
     /// The paper's composition, for whoever wants to know φ and φ_i, whatever the controller.

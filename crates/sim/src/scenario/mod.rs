@@ -9,13 +9,13 @@ mod scatter;
 
 pub mod start;
 
-pub use closeranks_core::consensus::Rule;
 use closeranks_core::num::Vector;
 use closeranks_core::settings::{
     self, BudgetSettings, Clock, ComposedSettings, Errors, LinkSettings, LinksSettings, Team,
 };
 
 use crate::attack::Attack;
+pub use crate::consensus::{Consensus, Rule};
 pub use crate::controllers::Controller;
 use crate::faults::Faults;
 use crate::law::Law;
@@ -61,7 +61,7 @@ pub struct Scenario {
     /// Where robots start.
     pub start: Start,
     /// How values are updated.
-    pub consensus: Rule,
+    pub consensus: Consensus,
     /// y_i(t₀).
     pub values: Values,
     /// Where robots want to go.
@@ -88,6 +88,8 @@ pub enum Values {
     },
     /// The value of each robot is listed.
     Listed(Vec<f64>),
+    /// The numbers of the value of each robot are listed.
+    Points(Vec<Vec<f64>>),
 }
 
 /// What no controller may exceed, in a number of dimensions that is known when the scenario is read.
@@ -128,7 +130,7 @@ impl Default for Scenario {
             clock: Clock::default(),
             errors: Errors::default(),
             start: Start::Inside,
-            consensus: Rule::default(),
+            consensus: Consensus::default(),
             values: Values::Random { min: -500.0, max: 500.0 },
             desired: Desired::Paper,
             attack: Attack::default(),
@@ -166,7 +168,7 @@ impl Scenario {
     /// taken it, and promises nothing where the two differ; only single robots keep that account.
     #[must_use]
     pub fn is_plain(&self) -> bool {
-        let followed = self.plant == Plant::Single || !self.controller.row().guarantees;
+        let followed = self.plant.follows() || !self.controller.row().guarantees;
         self.faults.is_none() && self.attack.is_plain() && followed
     }
 
@@ -181,7 +183,7 @@ impl Scenario {
 
     /// The laws that a run under `controller` is expected to keep if the scenario names none.
     pub(crate) fn usual(&self, controller: Controller) -> Vec<Law> {
-        let kept = |law: &Law| law.is_kept_by(self.consensus);
+        let kept = |law: &Law| law.is_kept_by(&self.consensus);
         controller.row().expects.iter().copied().filter(kept).collect()
     }
 

@@ -12,6 +12,7 @@ use closeranks_core::program::Outcome;
 use closeranks_core::settings::params::Params;
 
 use crate::attack::liars::Liars;
+use crate::consensus::exchange::Exchange;
 use crate::controllers::{Answer, Global, TeamView, Velocities};
 use crate::engine;
 pub use crate::engine::Engine;
@@ -31,7 +32,7 @@ use crate::scenario::Scenario;
 use crate::world::any::AnyWorld;
 use crate::world::given::{Given, GivenError};
 pub use crate::world::outcome::{Options, Run, RunError};
-pub use crate::world::script::{initial_values, want};
+pub use crate::world::script::{initial_numbers, initial_values, want};
 
 /// Runs `scenario` from the first tick to the last. `progress` is called before each tick with its number.
 pub fn run(scenario: &Scenario, options: Options, progress: &mut dyn FnMut(u32)) -> Result<Run, RunError> {
@@ -65,6 +66,7 @@ pub struct World<const D: usize> {
     params: Params<D>,
     robots: Box<dyn Robots<D>>,
     workers: Arc<dyn Workers>,
+    exchange: Option<Exchange>,
     global: Option<Global>,
     answers: Vec<Answer<D>>,
     frame: Frame<D>,
@@ -98,6 +100,7 @@ impl<const D: usize> World<D> {
             params,
             robots: engine::robots(scenario, params, &frame, &values, options.engine)?,
             workers: Arc::new(Alone),
+            exchange: Exchange::new(scenario, &initial_numbers(scenario)?),
             global: scenario.controller.global(&scenario.parameters()),
             answers: Vec::new(),
             bodies: Bodies::new(scenario.plant, scenario.tick_s(), &frame.positions_m),
@@ -144,6 +147,12 @@ impl<const D: usize> World<D> {
     pub fn snapshot(&self) -> Option<Snapshot<'_>> {
         let tick = self.done.checked_sub(1)?;
         Some(self.monitors.snapshot(tick, self.scenario.tick_s(), &self.frame))
+    }
+
+    /// Where the bodies are, m: the axles of unicycles, whose positions are the points ahead of them.
+    #[must_use]
+    pub fn axles_m(&self) -> Vec<Vector<D>> {
+        self.bodies.axles_m(&self.frame.positions_m)
     }
 
     /// What is run.
@@ -204,6 +213,9 @@ impl<const D: usize> World<D> {
         let tick = self.done;
         self.ask();
         self.robots.step(&mut self.frame, &mut self.liars, self.workers.as_ref());
+        if let Some(exchange) = &mut self.exchange {
+            exchange.step(tick, &mut self.frame, self.robots.as_ref(), self.liars.given_values());
+        }
         for (outcome, answer) in self.frame.outcomes.iter_mut().zip(&self.answers) {
             *outcome = answer.outcome;
         }

@@ -6,14 +6,27 @@ use crate::scenario::desired::Desired;
 use crate::scenario::{Scenario, Values};
 use crate::world::outcome::RunError;
 
-/// y_i(t₀).
+/// The first number of y_i(t₀), and the only one where values have one.
 pub fn initial_values(scenario: &Scenario) -> Result<Vec<f64>, RunError> {
+    initial_numbers(scenario).map(|mut numbers| numbers.swap_remove(0))
+}
+
+/// y_i(t₀), a list for each of its numbers.
+pub fn initial_numbers(scenario: &Scenario) -> Result<Vec<Vec<f64>>, RunError> {
+    let (robots, dimension) = (scenario.team.robots, scenario.consensus.dimension.max(1));
+    let found = |found: usize| {
+        if found == usize::from(robots) { Ok(()) } else { Err(RunError::Values { found, robots }) }
+    };
     match &scenario.values {
-        Values::Listed(values) if values.len() == usize::from(scenario.team.robots) => Ok(values.clone()),
-        Values::Listed(values) => Err(RunError::Values { found: values.len(), robots: scenario.team.robots }),
+        Values::Listed(values) => found(values.len()).map(|()| vec![values.clone(); dimension]),
+        Values::Points(points) => found(points.len()).map(|()| {
+            let column = |d: usize| points.iter().map(|point| point.get(d).copied().unwrap_or(0.0)).collect();
+            (0..dimension).map(column).collect()
+        }),
         Values::Random { min, max } => {
             let mut random = Random::new(scenario.seed, Stream::Values);
-            Ok((0..scenario.team.robots).map(|_| random.uniform(*min, *max)).collect())
+            let mut column = || (0..robots).map(|_| random.uniform(*min, *max)).collect();
+            Ok((0..dimension).map(|_| column()).collect())
         }
     }
 }

@@ -78,8 +78,12 @@ impl Reports {
 fn is_steered<const D: usize>(scenario: &Scenario, params: &Params<D>) -> bool {
     let speed_m_s = params.reach().longest_m() / params.hold_s();
     let follows = match scenario.plant {
-        Plant::Single => true,
+        Plant::Single | Plant::Unicycle { .. } => true,
         Plant::Lag { lag_s } => lag_s * speed_m_s <= params.settings().errors.tracking_m,
+        Plant::Double { .. } => {
+            let needed_m = scenario.plant.tracking_error_m();
+            needed_m.is_some_and(|needed_m| needed_m <= params.settings().errors.tracking_m)
+        }
     };
     let Outages { goes_on, crash, .. } = scenario.faults.outages;
     follows && !goes_on && crash.is_none() && scenario.faults.sensing.is_right()

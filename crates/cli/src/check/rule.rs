@@ -1,0 +1,182 @@
+//! What a rule of consensus needs of a graph, asked of the graph: `--rule NAME`.
+
+use anyhow::{Result, bail};
+use clap::builder::{PossibleValuesParser, TypedValueParser};
+use closeranks_graph::decide::Robustness;
+use closeranks_graph::effort::{Effort, Meter, Progress};
+use closeranks_graph::formats::Named;
+use closeranks_graph::graph::Graph;
+use closeranks_graph::graph::set::NodeSet;
+use closeranks_graph::hops::{self, HopWitness};
+use closeranks_graph::makers::random::geometric;
+use closeranks_graph::verdict::Verdict;
+use closeranks_report::recording::Recording;
+use closeranks_sim::consensus::{Needs, Rule};
+use serde_json::{Value, json};
+
+use super::answer::{Answer, numbers};
+use super::{question, words};
+use crate::progress::Watch;
+
+/// Reads the name of a rule.
+pub(super) fn named() -> impl TypedValueParser<Value = Rule> {
+    PossibleValuesParser::new(Rule::ALL.map(|(name, _)| name)).map(|name| {
+        let known = Rule::ALL.into_iter().find(|(known, _)| *known == name);
+        known.map_or(Rule::default(), |(_, rule)| rule)
+    })
+}
+
+/// Does `rule` survive F liars on this graph?
+pub(super) fn answer(
+    named: &Named,
+    (rule, faults): (Rule, usize),
+    leaders: NodeSet,
+    limit: &str,
+    meter: &mut Meter<'_>,
+) -> Answer {
+    let answer = match rule.row().needs {
+        Needs::Robust => question::robust(named, (faults + 1, faults + 1), Some(faults), limit, meter),
+        Needs::JointlyRobust => question::robust(named, (2 * faults + 1, 1), None, limit, meter),
+        Needs::FromLeaders if !leaders.is_empty() => question::leaders(named, leaders, Some(2 * faults + 1)),
+        Needs::NoLiars if faults == 0 => question::robust(named, (1, 1), Some(0), limit, meter),
+        Needs::NoLiars => said(named, rule, "no", "No: one liar leads all.".to_owned(), &json!({})),
+        Needs::RobustInTwoHops => two_hops(named, faults, meter),
+        Needs::Degrees => degrees(named, rule, faults),
+        Needs::FromLeaders => unknown(named, rule, "it needs --leaders"),
+        Needs::Trusted => {
+            unknown(named, rule, "it depends on whom robots trust, which the graph does not say")
+        }
+        Needs::Unknown => unknown(named, rule, "nobody knows a condition"),
+    };
+    let needs = format!("`{}` with F = {faults} needs {}.", rule.name(), rule.row().needs.words());
+    let why = core::iter::once(needs).chain(answer.why).collect();
+    Answer { why, ..answer }
+}
+
+fn said(named: &Named, rule: Rule, answer: &str, sentence: String, more: &Value) -> Answer {
+    let question = json!({ "rule": rule.name() });
+    let numbers = numbers(named, &question, answer, more);
+    Answer { holds: answer == "yes", sentence, numbers, ..Answer::default() }
+}
+
+fn unknown(named: &Named, rule: Rule, why: &str) -> Answer {
+    said(named, rule, "undecided", format!("Not known: {why}."), &json!({}))
+}
+
+/// Enough neighbours are enough; with fewer nobody knows.
+fn degrees(named: &Named, rule: Rule, faults: usize) -> Answer {
+    let (least, enough) = (named.graph.degree_min(), faults + named.graph.node_count() / 2);
+    let more = json!({ "degree_min": least, "enough": enough });
+    if least >= enough {
+        let sentence = format!("Yes: every robot hears at least {least} others, and {enough} are enough.");
+        return said(named, rule, "yes", sentence, &more);
+    }
+    let sentence = format!("Not known: {enough} neighbours are enough, and a robot hears {least}.");
+    said(named, rule, "undecided", sentence, &more)
+}
+
+fn two_hops(named: &Named, faults: usize, meter: &mut Meter<'_>) -> Answer {
+    let rule = Rule::TwoHop;
+    let what = format!("({},{})-robust with two hops", faults + 1, faults + 1);
+    match hops::witness(&named.graph, faults, meter) {
+        Ok(None) => said(named, rule, "yes", format!("Yes: {what}, proved by trying all sets."), &json!({})),
+        Ok(Some(HopWitness { liars, first, second, .. })) => {
+            let sets = json!({ "liars": words::values(named, liars), "S1": words::values(named, first),
+                "S2": words::values(named, second) });
+            let answer = said(
+                named,
+                rule,
+                "no",
+                format!("No: not {what}, proved by a witness."),
+                &json!({ "witness": sets }),
+            );
+            let why = format!(
+                "If {} lie and pass on lies, too few paths lead from outside into {} and into {}.",
+                words::braces(named, liars),
+                words::braces(named, first),
+                words::braces(named, second)
+            );
+            let labels = ["one side", "the other side", "lie"];
+            Answer { why: vec![why], sets: [first, second, liars], labels, ..answer }
+        }
+        Err(_) if named.graph.node_count() > hops::NODES_MAX => {
+            unknown(named, rule, &format!("all sets are tried, of up to {} robots", hops::NODES_MAX))
+        }
+        Err(_) => unknown(named, rule, "the time was up; --time-limit gives more"),
+    }
+}
+
+/// Does a rule survive F liars in a recorded run? Windows of so many rounds are asked for `sw-msr`.
+pub(super) fn recorded(
+    recording: &Recording,
+    (rule, faults): (Rule, usize),
+    (radius_m, every, window): (f64, usize, usize),
+    watch: &mut Watch,
+) -> Result<Answer> {
+    if rule != Rule::SwMsr {
+        bail!(
+            "--rule {} is for graphs; of recorded runs allowed is --rule sw-msr with --window",
+            rule.name()
+        );
+    }
+    let ticks: Vec<usize> = (0..recording.ticks()).step_by(every).collect();
+    if ticks.len() < window {
+        bail!("--window {window} is longer than the run, which has {} rounds", ticks.len());
+    }
+    let graphs = ticks.iter().map(|tick| Ok(geometric(recording.at(*tick), radius_m)?));
+    let graphs: Vec<Graph> = graphs.collect::<Result<_>>()?;
+    let (mut held, mut open, mut first) = (0, 0, None);
+    let mut before: Option<(Graph, Option<bool>)> = None;
+    for (place, graphs) in graphs.windows(window).enumerate() {
+        let union = union(graphs)?;
+        let robust = match before.take() {
+            Some((last, robust)) if last == union => robust,
+            _ => is_robust(&union, 2 * faults + 1, watch),
+        };
+        held += usize::from(robust == Some(true));
+        open += usize::from(robust.is_none());
+        if robust == Some(false) {
+            first.get_or_insert(ticks[place]);
+        }
+        before = Some((union, robust));
+    }
+    let all = graphs.len() - window + 1;
+    let (what, r) = (format!("windows of {window} rounds"), 2 * faults + 1);
+    let sentence = match first {
+        Some(tick) => {
+            format!("No: jointly {r}-robust in {held} of {all} {what}, first not from tick {tick} on.")
+        }
+        None if open > 0 => {
+            format!("Undecided: jointly {r}-robust in {held} of {all} {what}, {open} were not settled.")
+        }
+        None => format!("Yes: jointly {r}-robust in all {all} {what}."),
+    };
+    let numbers = json!({ "rule": rule.name(), "F": faults, "window": window, "windows": all, "robust": held,
+        "open": open, "first_not_robust_tick": first });
+    let why = vec![format!("`{}` with F = {faults} needs {}.", rule.name(), rule.row().needs.words())];
+    Ok(Answer { holds: held == all, sentence, why, numbers, ..Answer::default() })
+}
+
+fn is_robust(graph: &Graph, r: usize, watch: &mut Watch) -> Option<bool> {
+    let mut look = |progress: &Progress| watch.look(progress);
+    let mut meter = Meter::new(u64::MAX, &mut look);
+    match Robustness::new(graph, &Effort::UNLIMITED).decide(r, 1, &mut meter) {
+        Verdict::Robust(_) => Some(true),
+        Verdict::NotRobust(_) => Some(false),
+        Verdict::Unknown => None,
+    }
+}
+
+/// Who hears whom in some round.
+fn union(graphs: &[Graph]) -> Result<Graph> {
+    let robots = graphs.first().map_or(1, Graph::node_count);
+    let hears =
+        |node: usize| graphs.iter().fold(NodeSet::EMPTY, |all, graph| all.union(graph.in_neighbors(node)));
+    let mut union = Graph::empty(robots, false)?;
+    for to in 0..robots {
+        for from in hears(to).iter().filter(|from| *from < to) {
+            union.add_edge(from, to)?;
+        }
+    }
+    Ok(union)
+}

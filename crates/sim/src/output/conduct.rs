@@ -1,0 +1,133 @@
+//! How normal robots moved compared with what they wished.
+
+use closeranks_core::num::{Vector, dot, length, sqrt, subtract};
+
+use crate::frame::Frame;
+use crate::scenario::Scenario;
+
+/// A robot wishes to move if its wish is at least this fast, m/s.
+const WISH_MIN_M_S: f64 = 0.05;
+/// It is blocked if it moves along its wish at less than this share of it.
+const BLOCKED_SHARE: f64 = 0.05;
+/// A team is deadlocked if everybody who wishes to move was blocked for the last so many seconds.
+const DEADLOCK_S: f64 = 1.0;
+
+/// Means over normal robots and the run. The wish is the desired velocity cut to the box.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Conduct {
+    /// How far a robot went along its wish, m.
+    pub progress_m: f64,
+    /// How far its velocity was from its wish, m/s.
+    pub deviation_m_s: f64,
+    /// Root mean square of the second difference of its velocity over the square of the tick, m/s³.
+    pub jerk_m_s3: f64,
+    /// How long it was blocked: it wished to move at 0.05 m/s or more and went along its wish at less than 5 % of it, s.
+    pub blocked_s: f64,
+    /// Everybody who wished to move was blocked for the whole of the last second.
+    pub deadlocked: bool,
+}
+
+/// Sums over the ticks of a run.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Watch {
+    /// Velocities of the last tick and of the one before, one robot after another, m/s.
+    before: [Vec<f64>; 2],
+    robot_ticks: u64,
+    jerk_ticks: u64,
+    progress: f64,
+    deviation: f64,
+    jerk2: f64,
+    blocked: u64,
+    /// Ticks in a row in which everybody who wished to move was blocked, and somebody did.
+    stuck: u32,
+}
+
+impl Watch {
+    /// Looks at a tick.
+    pub(crate) fn watch<const D: usize>(
+        &mut self,
+        scenario: &Scenario,
+        frame: &Frame<D>,
+        malicious: &[bool],
+    ) {
+        let (mut wishing, mut blocked) = (0, 0);
+        let normal = |robot: &usize| !malicious[*robot] && !frame.down[*robot];
+        for robot in (0..malicious.len()).filter(normal) {
+            let wish = cut(scenario, &frame.desired_m_s[robot]);
+            let (velocity, speed) = (&frame.velocities_m_s[robot], length(&wish));
+            self.robot_ticks += 1;
+            self.deviation += length(&subtract(velocity, &wish));
+            if speed > 0.0 {
+                self.progress += dot(velocity, &wish) / speed;
+            }
+            if speed >= WISH_MIN_M_S {
+                wishing += 1;
+                blocked += u32::from(dot(velocity, &wish) < BLOCKED_SHARE * speed * speed);
+            }
+            let [one, two] = self.before.each_ref().map(|before| before.get(robot * D..(robot + 1) * D));
+            if let (Some(one), Some(two)) = (one, two) {
+                let second: Vector<D> = core::array::from_fn(|d| velocity[d] - 2.0 * one[d] + two[d]);
+                self.jerk2 += dot(&second, &second);
+                self.jerk_ticks += 1;
+            }
+        }
+        self.blocked += u64::from(blocked);
+        self.stuck = if wishing > 0 && blocked == wishing { self.stuck.saturating_add(1) } else { 0 };
+        self.before.swap(0, 1);
+        self.before[0].clear();
+        self.before[0].extend_from_slice(frame.velocities_m_s.as_flattened());
+    }
+
+    /// What it came to.
+    #[expect(clippy::cast_precision_loss, reason = "ticks are far below 2^53")]
+    pub(crate) fn finish(&self, scenario: &Scenario, normal: usize) -> Conduct {
+        let (tick_s, robots) = (scenario.tick_s(), normal.max(1) as f64);
+        let jerk = sqrt(self.jerk2 / self.jerk_ticks.max(1) as f64);
+        Conduct {
+            progress_m: self.progress * tick_s / robots,
+            deviation_m_s: self.deviation / self.robot_ticks.max(1) as f64,
+            jerk_m_s3: jerk / (tick_s * tick_s),
+            blocked_s: self.blocked as f64 * tick_s / robots,
+            deadlocked: f64::from(self.stuck) * tick_s >= DEADLOCK_S,
+        }
+    }
+}
+
+fn cut<const D: usize>(scenario: &Scenario, desired: &Vector<D>) -> Vector<D> {
+    let bound = |bounds: &[f64], d: usize| bounds.get(d).copied().unwrap_or(0.0);
+    let (low, high) = (&scenario.limits.input_min_m_s, &scenario.limits.input_max_m_s);
+    core::array::from_fn(|d| desired[d].max(bound(low, d)).min(bound(high, d)))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn conduct(velocities: &[[f64; 2]]) -> Conduct {
+        let scenario = Scenario::default();
+        let mut watch = Watch::default();
+        let mut frame = Frame::<2>::new(vec![[0.0; 2]; 2], vec![0.0; 2]);
+        frame.desired_m_s = vec![[9.0, 0.0]; 2];
+        for velocity in velocities {
+            frame.velocities_m_s = vec![*velocity, [-1.5, 0.0]];
+            watch.watch(&scenario, &frame, &[false, true]);
+        }
+        watch.finish(&scenario, 1)
+    }
+
+    /// The wish is cut to 1.5 m/s, liars are not counted.
+    #[test]
+    fn what_is_told_of_simple_runs() {
+        let straight = conduct(&[[1.5, 0.0]; 400]);
+        assert!((straight.progress_m - 3.0).abs() < 1e-9);
+        assert_eq!((straight.deviation_m_s, straight.jerk_m_s3, straight.blocked_s), (0.0, 0.0, 0.0));
+        assert!(!straight.deadlocked);
+        let still = conduct(&[[0.0, 0.0]; 400]);
+        assert!((still.blocked_s - 2.0).abs() < 1e-9 && still.deadlocked);
+        assert_eq!((still.progress_m, still.deviation_m_s), (0.0, 1.5));
+        assert!(!conduct(&[[0.0, 0.0]; 100]).deadlocked);
+        // 0, 1, 0, 1: the second difference is 2 in every tick.
+        let shaking: Vec<[f64; 2]> = (0..100).map(|tick| [f64::from(tick % 2), 0.0]).collect();
+        assert!((conduct(&shaking).jerk_m_s3 - 2.0 / 2.5e-5).abs() < 1e-3);
+    }
+}
