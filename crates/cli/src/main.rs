@@ -17,6 +17,7 @@ mod results;
 mod run;
 mod source;
 mod sweep;
+mod threads;
 mod view;
 mod wrap;
 

@@ -1,7 +1,6 @@
 //! Who counts for whom, and how many of them a robot must keep: one rule for a whole team.
 
 use crate::id::Member;
-use crate::robot::neighbor::RobotId;
 
 /// Which neighbours a robot must keep enough of.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -96,9 +95,22 @@ impl Need {
         of.saturating_sub(1)
     }
 
+    /// True where ranks tell who counts for whom.
+    #[inline]
+    #[must_use]
+    pub fn is_ranked(&self) -> bool {
+        self.above.is_some()
+    }
+
+    /// How many must count for a robot that needs most.
+    #[must_use]
+    pub fn most(&self) -> u16 {
+        self.in_core.max(self.above.unwrap_or(0))
+    }
+
     /// How many of `others`, all different and none of them `robot` itself, count for `robot`.
     #[inline]
-    pub fn counting_among(&self, robot: impl Into<Member>, others: impl Iterator<Item = RobotId>) -> usize {
+    pub fn counting_among(&self, robot: impl Into<Member>, others: impl Iterator<Item = Member>) -> usize {
         if self.above.is_none() {
             return others.count();
         }
@@ -125,6 +137,7 @@ fn among(robots: u16, faults: u16, keep: Keep) -> u16 {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::robot::neighbor::RobotId;
 
     //= paper thm:rs_robust type=test
     //= theory eq:need type=test

@@ -18,6 +18,8 @@ mod budget_team;
 mod seeded;
 
 const TEAMS: core::ops::Range<u64> = 0..120;
+/// Seeds of teams with ranks.
+const RANKED: core::ops::Range<u64> = 1_000..1_150;
 /// Mutants need so many teams.
 const TEAMS_FOR_MUTANTS: core::ops::Range<u64> = 0..240;
 const TICKS: usize = 25;
@@ -31,7 +33,8 @@ fn law<const D: usize>(
 ) -> Result<usize, String> {
     let mut ticks = 0;
     for seed in teams {
-        let Some(mut team) = Team::<D>::random(seed, assume, form) else { continue };
+        let team = if RANKED.contains(&seed) { Team::ranked } else { Team::random };
+        let Some(mut team) = team(seed, assume, form) else { continue };
         for tick in 0..TICKS {
             team.tick(builder).map_err(|broken| format!("seed {seed}, tick {tick}: {broken}"))?;
             ticks += 1;
@@ -70,6 +73,29 @@ fn it_holds_when_leaving_one_may_be_paid_for_by_approaching_another() {
 fn the_theorem_for_free_liars_holds_when_malicious_robots_move_as_they_like() {
     holds::<2>(Assume::Free, Form::Link);
     holds::<3>(Assume::Free, Form::Link);
+}
+
+/// With ranks a robot loses what those who count for it take, who share what may be lost by weights and by numbers.
+//= theory eq:known-ranked type=test
+#[test]
+fn the_theorems_hold_with_ranks() {
+    for (assume, form) in
+        [(Assume::Obedient, Form::Level), (Assume::Obedient, Form::Link), (Assume::Free, Form::Link)]
+    {
+        let ticks = law::<2>(assume, form, RANKED, &crate_rows).unwrap_or_else(|broken| panic!("{broken}"));
+        assert!(ticks > 500, "only {ticks} ticks");
+    }
+}
+
+/// Shares that add up to more than what may be lost break the law, and the test notices.
+#[test]
+fn larger_shares_break_the_law_with_ranks() {
+    for form in [Form::Level, Form::Link] {
+        let greedy = |budget: &Budget, own: RobotId, sightings: &[Sighting<2>], reach: Reach<2>| {
+            crate_rows(&Budget { gamma: 4.0 * budget.gamma, ..*budget }, own, sightings, reach)
+        };
+        assert!(law(Assume::Obedient, form, RANKED, &greedy).is_err(), "{form:?}");
+    }
 }
 
 /// What may be wrong with a row.

@@ -9,6 +9,7 @@ use closeranks_sim::attack::LevelAttack;
 use closeranks_sim::attack::liars::Liars;
 use closeranks_sim::engine::fleet::Fleet;
 use closeranks_sim::engine::team::Team;
+use closeranks_sim::engine::workers::Alone;
 use closeranks_sim::frame::Frame;
 use closeranks_sim::plant::Bodies;
 use closeranks_sim::scenario::start::Start;
@@ -53,7 +54,7 @@ fn tick_of_a_team(bencher: Bencher<'_, '_>, robots: u16) {
     let mut bodies = Bodies::new(scenario.plant, scenario.tick_s(), &frame.positions_m);
     bencher.bench_local(|| {
         want(&scenario, 0, &mut frame);
-        team.step(&mut frame, &mut liars);
+        team.step(&mut frame, &mut liars, &Alone);
         bodies.integrate(&mut frame.positions_m, &frame.velocities_m_s);
     });
     let links = u32::from(robots) * u32::from(robots - 1) / 2;
@@ -67,7 +68,7 @@ fn tick_of_a_team_of_budget_in_part(bencher: Bencher<'_, '_>) {
     let (params, frame, values) = world(&scenario);
     let AnyController::Budget(budget) = *params.controller() else { return };
     let mut team = Team::new(&scenario, params, budget, &values);
-    tick_in_part(bencher, &scenario, frame, |frame, liars| team.step(frame, liars));
+    tick_in_part(bencher, &scenario, frame, |frame, liars| team.step(frame, liars, &Alone));
 }
 
 /// The same under `links`.

@@ -9,12 +9,17 @@ use closeranks_sim::scenario::Limits;
 use core::time::Duration;
 
 use closeranks_core::equations::composition::PhiSplit;
+use closeranks_core::need::Listen;
 use closeranks_sim::attack::{LevelAttack, ValueAttack};
 use closeranks_sim::consensus::Rule;
+use closeranks_sim::engine::workers::{Piece, Workers};
 use closeranks_sim::plant::Plant;
+use closeranks_sim::scenario::desired::Desired;
+use closeranks_sim::scenario::ranks::{How, Ranking};
 use closeranks_sim::scenario::start::Start;
 use closeranks_sim::scenario::{Controller, Scenario};
-use closeranks_sim::world::{Engine, Options, Run, run};
+use closeranks_sim::world::{Engine, Options, Run, World, run};
+use std::sync::Arc;
 
 fn recorded(scenario: &Scenario, engine: Engine) -> Run {
     run(scenario, Options { record: true, engine, ..Options::default() }, &mut |_| ()).unwrap()
@@ -271,4 +276,93 @@ fn budget_in_wide_teams() {
             ..budget("wide")
         });
     }
+}
+
+/// A team with ranks: `robots` in a hexagon, `spacing_m` apart, which pull outwards.
+fn ranked(controller: Controller, (robots, faults): (u16, u16), spacing_m: f64, how: How) -> Scenario {
+    Scenario {
+        controller,
+        team: Team { robots, faults },
+        malicious: vec![2, robots - 1],
+        start: Start::Hexagon { spacing_m },
+        desired: Desired::Outward,
+        duration_s: 0.5,
+        ranks: Some(Ranking { how, listen: Listen::All }),
+        ..short("ranks")
+    }
+}
+
+/// Who counts for whom depends on ranks: both engines ask the same rule, whatever the size of the team.
+#[test]
+fn teams_with_ranks() {
+    for controller in [Controller::Budget, Controller::Links] {
+        for (team, spacing_m) in [((12, 1), 0.6), ((40, 2), 0.6), ((40, 2), 1.1), ((150, 2), 1.0)] {
+            for (how, listen) in
+                [(How::Own { core: 7 }, Listen::All), (How::Layers { core: 6 }, Listen::Counted)]
+            {
+                let mut scenario = ranked(controller, team, spacing_m, how);
+                scenario.duration_s = if team.0 > 100 { 0.03 } else { 0.1 };
+                scenario.ranks.as_mut().unwrap().listen = listen;
+                same_bits(&scenario);
+                if team.0 < 100 {
+                    let start = Start::Random { half_side_m: 2.0, distance_min_m: 0.35 };
+                    same_bits(&Scenario { start, ..scenario });
+                }
+            }
+        }
+    }
+}
+
+/// The rule of a team may be any `Need`: here the ranks are listed, in an order that no choice would give.
+#[test]
+fn teams_with_another_need() {
+    let listed = How::Listed((0..30).map(|robot| [0, 0, 3, 1, 9][robot % 5]).collect());
+    for controller in [Controller::Budget, Controller::Links] {
+        same_bits(&ranked(controller, (30, 1), 0.5, listed.clone()));
+    }
+    let scenario = ranked(Controller::Budget, (30, 1), 0.5, listed);
+    let without = Scenario { ranks: None, ..scenario.clone() };
+    assert_ne!(recorded(&scenario, Engine::Team).record, recorded(&without, Engine::Team).record);
+}
+
+/// Liars that move as they like are computed one by one in either case; the laws hold with ranks.
+#[test]
+fn free_liars_with_ranks() {
+    let mut scenario = ranked(Controller::Budget, (40, 2), 0.6, How::Own { core: 9 });
+    scenario.budget.assume = Assume::Free;
+    same_bits(&scenario);
+}
+
+/// Runs pieces from the last to the first, so many of them.
+#[derive(Debug)]
+struct Backwards(usize);
+
+impl Workers for Backwards {
+    fn count(&self) -> usize {
+        self.0
+    }
+
+    fn run(&self, pieces: Vec<Piece<'_>>) {
+        for piece in pieces.into_iter().rev() {
+            piece();
+        }
+    }
+}
+
+/// Who computes a large team, and in how many pieces, changes no bit.
+#[test]
+fn any_number_of_workers_gives_the_same_bits() {
+    let scenario = Scenario {
+        malicious: vec![7, 301],
+        ..ranked(Controller::Budget, (700, 1), 1.2, How::Own { core: 5 })
+    };
+    let digest = |workers: usize| {
+        let mut world = World::<2>::new(&scenario, Options { digest: true, ..Options::default() }).unwrap();
+        world.employ(Arc::new(Backwards(workers)));
+        for _ in 0..4 {
+            world.step();
+        }
+        world.digest()
+    };
+    assert!([2, 3, 8].iter().all(|workers| digest(*workers) == digest(1)));
 }

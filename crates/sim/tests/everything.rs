@@ -21,6 +21,7 @@ fn default_of(row: &Row) -> f64 {
     } = Scenario::default();
     let parts = Parts {
         team: &mut team,
+        ranks: None,
         link: &mut link,
         distance_min_m: &mut limits.distance_min_m,
         composed: Some(&mut composed),

@@ -133,8 +133,8 @@ fn bad_ranks_are_refused_by_name() {
     assert!(scenario(&OWN.replace("{ core = 7 }", &low)).is_ok());
     let word = with("{ core = 7, kind = \"best\" }");
     assert!(word.contains("team.ranks.kind") && word.contains("own"), "{word}");
-    let other = refused(&OWN.replace("\"links\"", "\"budget\""));
-    assert!(other.contains("team.ranks") && other.contains("only under links"), "{other}");
+    let other = refused(&OWN.replace("\"links\"", "\"composed\""));
+    assert!(other.contains("team.ranks") && other.contains("only under budget, links"), "{other}");
     let alone = OWN.replace("[clock]", "[start]\nkind = \"hexagon\"\nspacing_m = 3.5\n[clock]");
     assert!(refused(&alone).contains("no 7 robots of the start"), "{}", refused(&alone));
 }

@@ -4,6 +4,7 @@
 use std::fs::{self, File};
 use std::io::Read as _;
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 
 use anyhow::{Context as _, Result, bail};
 use closeranks_report::recording::mcap::{ROBOTS_MAX, RunWriter, opened_by};
@@ -14,6 +15,7 @@ use closeranks_sim::world::{Options, Run};
 
 use crate::folder::parent;
 use crate::results::recorder::{Watch, metadata};
+use crate::threads::Threads;
 use crate::{invocation, output};
 
 /// How names of such recordings end.
@@ -137,6 +139,7 @@ pub(crate) fn run(
     watch: &mut Watch<'_>,
 ) -> Result<Run> {
     let mut world = AnyWorld::new(scenario, options)?;
+    world.employ(Arc::new(Threads::all()));
     while !world.is_over() {
         progress(world.ticks_done());
         world.step();

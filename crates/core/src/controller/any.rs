@@ -11,7 +11,7 @@ use crate::equations::link::LinkShape;
 use crate::id::Member;
 use crate::need::Need;
 use crate::num::Vector;
-use crate::robot::neighbor::{RobotId, Slot};
+use crate::robot::neighbor::Slot;
 use crate::robot::report::Mode;
 use crate::robot::scratch::{Needs, Scratch};
 use crate::settings::{Controller, Settings};
@@ -110,7 +110,7 @@ impl<const D: usize> AnyController<D> {
 
     /// The level of a robot with these sightings, if the controller keeps one ([`Control::certain_level`]).
     #[must_use]
-    pub fn certain_level(&self, own: RobotId, sightings: &[Sighting<D>], scratch: &mut [f64]) -> Option<f64> {
+    pub fn certain_level(&self, own: Member, sightings: &[Sighting<D>], scratch: &mut [f64]) -> Option<f64> {
         dispatch!(self, controller => controller.certain_level(own, sightings, scratch))
     }
 

@@ -6,15 +6,15 @@
 
 use crate::controller::{Control, Decision};
 use crate::equations::link::Link;
+use crate::id::Member;
 use crate::num::{Vector, subtract};
-use crate::robot::neighbor::RobotId;
 use crate::robot::scratch::Scratch;
 
 /// A robot itself, as its neighbours do not know it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Own {
-    /// Its number.
-    pub id: RobotId,
+    /// Its number and its rank.
+    pub member: Member,
     /// c_i, or what the controller has in its place.
     pub level: f64,
     /// The level that it tells. By Assumption 1 a liar's own row uses its lie.
@@ -26,8 +26,8 @@ pub struct Own {
 /// A neighbour as a controller needs it.
 #[derive(Clone, Copy, Debug)]
 pub struct Neighbor<'a, const D: usize, Pair, Known> {
-    /// Its number.
-    pub id: RobotId,
+    /// Its number and its rank.
+    pub member: Member,
     /// x_i − x_j, m.
     pub offset_m: Vector<D>,
     /// What both ends share; `None` where the pair bounds the move of neither.
@@ -64,15 +64,17 @@ impl<const D: usize> Batch<'_, D> {
 /// What can be said of a neighbour j as robot i sees it, in a world in which all sense exactly and hear the same.
 #[derive(Clone, Copy, Debug)]
 pub struct Glimpse {
-    /// The number of j.
-    pub id: RobotId,
+    /// j.
+    pub member: Member,
+    /// The weight of the link of i and j, if i counts for j, or else 0. Only ranks ask for it.
+    pub weight: f64,
     /// The level that j told.
     pub told_level: f64,
     /// The true level of j.
     pub level: f64,
-    /// How many neighbours j has.
+    /// How many neighbours j has that count for it.
     pub degree: u16,
-    /// How many robots of the team i does not see.
+    /// How many robots that may count for j i does not see.
     pub unseen: usize,
     /// How many of these are neighbours of j.
     pub unseen_near: usize,
@@ -90,7 +92,7 @@ pub struct Motion<const D: usize> {
 }
 
 /// A controller whose robots can be computed all at once where nothing goes wrong.
-pub trait AtOnce<const D: usize>: Control<D> {
+pub trait AtOnce<const D: usize>: Control<D> + Send + Sync {
     /// What both ends of a link share. Two robots of which [`pair`](Self::pair) makes nothing do not bound each other.
     type Pair: Copy + core::fmt::Debug + Send + Sync + 'static;
     /// What others make of a level that a robot told.

@@ -96,7 +96,8 @@ impl<const D: usize> Control<D> for ComposedController<D> {
     }
 
     fn alone(&self, view: &View<'_, D>, desired: &Vector<D>, scratch: &mut Scratch<'_, D>) -> Decision<D> {
-        let own = Own { id: view.id, level: view.told_level, told_level: view.told_level, degree: 0 };
+        let own =
+            Own { member: view.member(), level: view.told_level, told_level: view.told_level, degree: 0 };
         let told = self.told(Some(view.told_level));
         let mut sums = self.sums(&told);
         for slot in view.linked() {
@@ -107,7 +108,7 @@ impl<const D: usize> Control<D> for ComposedController<D> {
             }
         }
         let neighbors = view.linked().map(|slot| Neighbor {
-            id: slot.id,
+            member: slot.member(),
             offset_m: slot.offset_m,
             pair: None,
             known: slot.told_level(),

@@ -155,7 +155,7 @@ pub trait Control<const D: usize> {
 
     /// The level of robot `own` with these `sightings`, certain with the stated errors, if the controller keeps one. `scratch` has
     /// one number a sighting.
-    fn certain_level(&self, _own: RobotId, _sightings: &[Sighting<D>], _scratch: &mut [f64]) -> Option<f64> {
+    fn certain_level(&self, _own: Member, _sightings: &[Sighting<D>], _scratch: &mut [f64]) -> Option<f64> {
         None
     }
 

@@ -89,7 +89,8 @@ impl<const D: usize, S: Slots<D>> Robot<D, S> {
     fn mode(&self, standing: Standing) -> Mode {
         let reason = self.assurance.reason(self.now, self.params.settings().clock.told_max);
         let missing = small(self.neighbors().iter().filter(|slot| slot.is_missing()).count());
-        let degree = small(self.sensed().count()).saturating_add(missing);
+        let in_view = self.neighbors().iter().filter(|slot| slot.sensed || slot.is_missing());
+        let degree = small(in_view.filter(|slot| self.counts(slot)).count());
         self.params.controller().mode(&Standing { degree, missing, reason, ..standing })
     }
 

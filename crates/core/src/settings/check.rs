@@ -52,7 +52,7 @@ impl<const D: usize> Settings<D> {
     fn check_ranks(&self) -> Result<(), ParamsError> {
         let Some(ranks) = self.ranks else { return Ok(()) };
         let (core, Team { robots, faults }) = (f64::from(ranks.core), self.team);
-        let ranked = matches!(self.controller, Controller::Links(_));
+        let ranked = matches!(self.controller, Controller::Links(_) | Controller::Budget(_));
         let least = if ranked { f64::from(faults) * 2.0 + 1.0 } else { f64::from(robots) };
         let allowed = Allowed::Closed(least, f64::from(robots));
         if allowed.holds(core) {

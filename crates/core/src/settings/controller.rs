@@ -6,7 +6,6 @@ use crate::controller::assume::Assume;
 use crate::controller::budget::settings::fraction_of_rate;
 use crate::controller::budget::weight::{Conditions, Weight};
 use crate::equations::composition::PhiSplit;
-use crate::need::Need;
 
 /// Which controller a robot runs.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -51,12 +50,6 @@ pub struct BudgetSettings {
 }
 
 impl BudgetSettings {
-    /// Who counts for whom in a team of `robots` of which up to `faults` are malicious, and how many a robot must keep.
-    #[must_use]
-    pub fn need(&self, robots: u16, faults: u16) -> Need {
-        Need::new(robots, faults, self.assume.keep())
-    }
-
     /// What is set, and for the rest what is chosen for these conditions.
     #[must_use]
     pub fn weight(&self, of: &Conditions) -> Weight {

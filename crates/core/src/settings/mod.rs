@@ -21,7 +21,6 @@ use crate::equations::link::LinkShape;
 use crate::need::{Keep, Need, Ranks};
 use crate::program::InputBox;
 use crate::program::balls::reach::Reach;
-use crate::robot::neighbor::RobotId;
 
 /// Who is in the team.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -124,10 +123,10 @@ impl<const D: usize> Settings<D> {
     /// What `budget` chooses its own weight for.
     #[must_use]
     pub fn conditions(&self, parameters: &BudgetSettings) -> Conditions {
-        let need = parameters.need(self.team.robots, self.team.faults);
+        let need = self.need(parameters.assume.keep());
         Conditions {
             radius_m: self.link.radius_m,
-            need: need.need(RobotId(1)),
+            need: need.most(),
             period_s: self.clock.level_period.as_secs_f64(),
             move_max_m: self.reach().longest_m(),
             offset_error_m: self.error_bounds().offset_m,
@@ -153,15 +152,19 @@ impl<const D: usize> Settings<D> {
     /// Who counts for whom in the team, and how many of them a robot must `keep`.
     #[must_use]
     pub fn need(&self, keep: Keep) -> Need {
-        let Team { robots, faults } = self.team;
-        match self.ranks {
-            None => Need::new(robots, faults, keep),
-            Some(ranks) => Need::ranked(robots, ranks.core, faults, keep),
-        }
+        need_of(self.team, self.ranks, keep)
     }
 
     /// The need F′ of controllers that count all neighbours.
     pub(crate) fn need_of_neighbors(&self) -> Need {
         Need::new(self.team.robots, self.team.faults, Keep::Neighbors)
+    }
+}
+
+/// The rule of a team with `ranks`, if it has any, in which a robot must `keep` enough of those.
+fn need_of(Team { robots, faults }: Team, ranks: Option<Ranks>, keep: Keep) -> Need {
+    match ranks {
+        None => Need::new(robots, faults, keep),
+        Some(ranks) => Need::ranked(robots, ranks.core, faults, keep),
     }
 }

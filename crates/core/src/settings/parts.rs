@@ -4,9 +4,10 @@ use core::time::Duration;
 
 use crate::controller::budget::weight::{Conditions, Weight};
 use crate::controller::errors::ErrorBounds;
-use crate::robot::neighbor::RobotId;
+use crate::need::Ranks;
 use crate::settings::{
     BudgetSettings, Clock, ComposedSettings, Controller, Errors, LinkSettings, LinksSettings, Settings, Team,
+    need_of,
 };
 
 /// The settings of a team without those of a dimension. Parameters of a controller are there if it may be run.
@@ -14,6 +15,8 @@ use crate::settings::{
 pub struct Parts<'a> {
     /// Who is in the team.
     pub team: &'a mut Team,
+    /// Its ranks, if it has any.
+    pub ranks: Option<Ranks>,
     /// What a link is.
     pub link: &'a mut LinkSettings,
     /// Δ_d, m.
@@ -47,6 +50,7 @@ impl<const D: usize> Settings<D> {
         };
         Parts {
             team: &mut self.team,
+            ranks: self.ranks,
             link: &mut self.link,
             distance_min_m: &mut self.limits.distance_min_m,
             composed,
@@ -62,10 +66,11 @@ impl<const D: usize> Settings<D> {
 
 /// What the weight of `budget` is chosen for; `None` without that controller.
 pub(super) fn conditions(of: &Parts<'_>) -> Option<Conditions> {
-    let need = of.budget.as_ref()?.need(of.team.robots, of.team.faults);
+    let keep = of.budget.as_ref()?.assume.keep();
+    let need = need_of(*of.team, of.ranks, keep);
     Some(Conditions {
         radius_m: of.link.radius_m,
-        need: need.need(RobotId(1)),
+        need: need.most(),
         period_s: of.clock.level_period.as_secs_f64(),
         move_max_m: of.move_max_m,
         offset_error_m: ErrorBounds::new(of.errors.position_m, of.errors.tracking_m).offset_m,

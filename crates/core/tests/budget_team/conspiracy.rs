@@ -46,7 +46,8 @@ impl<const D: usize> Team<D> {
     /// The direction in which i takes most from k, of length 1.
     fn outward(&self, i: usize, k: usize) -> Vector<D> {
         let mut sum = [0.0; D];
-        let counts = |j: usize| !(self.budget.assume == Assume::Free && self.malicious[j]);
+        let counts =
+            |j: usize| self.counts(k, j) && !(self.budget.assume == Assume::Free && self.malicious[j]);
         for j in (0..self.count()).filter(|&j| if i == k { self.in_range(i, j) && counts(j) } else { j == k })
         {
             let offset = subtract(&self.positions[i], &self.positions[j]);

@@ -14,7 +14,7 @@ use closeranks_core::num::{Vector, add_scaled, dot, length, subtract};
 use closeranks_core::program::InputBox;
 use closeranks_core::program::balls::reach::Reach;
 use closeranks_core::program::balls::row::Row;
-use closeranks_core::robot::neighbor::RobotId;
+use closeranks_core::robot::neighbor::{Member, RobotId};
 
 use crate::seeded::Seeded;
 
@@ -49,7 +49,7 @@ pub(crate) fn crate_rows<const D: usize>(
     // Every other time there is so little memory that trimmed sums compute each weight twice. The answer must be the same.
     let scratch = if sightings.len().is_multiple_of(2) { 144 } else { 3 * sightings.len() };
     let memory = Memory { rows: &mut [Row::default(); ROWS_MAX], weights: &mut vec![0.0; scratch] };
-    budget.rows(own, sightings, &[0.0; D], reach, memory).program.rows().to_vec()
+    budget.rows(member(budget, own), sightings, &[0.0; D], reach, memory).program.rows().to_vec()
 }
 
 #[derive(Clone, Debug)]
@@ -71,7 +71,29 @@ impl<const D: usize> Team<D> {
         let robots = u16::try_from(count).ok()?;
         let faults = u16::try_from(random.below((count - 1) / 2 + 1)).ok()?;
         let need = Need::new(robots, faults, assume.keep());
-        let link = shape(seed % 3 == 2, robots, need.need(RobotId(1)), &mut random);
+        Self::of((seed, random), need, faults, assume, form)
+    }
+
+    /// The same with ranks ([`member`]), in a team of 6 to 14 robots whose core is as small as it may be, or somewhat larger.
+    pub(crate) fn ranked(seed: u64, assume: Assume, form: Form) -> Option<Self> {
+        let mut random = Seeded(seed);
+        let count = 6 + random.below(9);
+        let robots = u16::try_from(count).ok()?;
+        let faults = u16::try_from(random.below(3)).ok()?;
+        let core = 2 * faults + 1 + u16::try_from(random.below(3)).ok()?;
+        let need = Need::ranked(robots, core.min(robots), faults, assume.keep());
+        Self::of((seed, random), need, faults, assume, form)
+    }
+
+    fn of(
+        (seed, mut random): (u64, Seeded),
+        need: Need,
+        faults: u16,
+        assume: Assume,
+        form: Form,
+    ) -> Option<Self> {
+        let (robots, count) = (need.robots(), usize::from(need.robots()));
+        let link = shape(seed % 3 == 2, robots, need.most(), &mut random);
         let period_s = [0.005, 0.05][random.below(2)];
         let reach = Reach::new(&InputBox { min_m_s: [-1.5; D], max_m_s: [1.5; D] }, period_s);
         let budget = Budget {
@@ -141,10 +163,10 @@ impl<const D: usize> Team<D> {
     /// h_k at the positions `x`, from the level or, with free liars, from the trimmed one.
     pub(crate) fn h(&self, x: &[Vector<D>], k: usize) -> f64 {
         let mut weights: Vec<f64> =
-            (0..self.count()).filter(|&j| j != k).map(|j| self.weight(x, k, j)).collect();
+            (0..self.count()).filter(|&j| self.counts(k, j)).map(|j| self.weight(x, k, j)).collect();
         weights.sort_by(f64::total_cmp);
         let trimmed = if self.budget.assume == Assume::Free { usize::from(self.budget.faults) } else { 0 };
-        weights[..weights.len().saturating_sub(trimmed)].iter().sum::<f64>() - f64::from(self.need())
+        weights[..weights.len().saturating_sub(trimmed)].iter().sum::<f64>() - self.need_of(k)
     }
 
     /// What the theorem keeps at 0 or more: h_k, or under `Free` the sum over normal neighbours less θ.
@@ -152,10 +174,20 @@ impl<const D: usize> Team<D> {
         match self.budget.assume {
             Assume::Obedient => self.h(x, k),
             Assume::Free => {
-                let normal = self.honest().filter(|&j| j != k).map(|j| self.weight(x, k, j));
-                normal.sum::<f64>() - f64::from(self.need())
+                let normal = self.honest().filter(|&j| self.counts(k, j)).map(|j| self.weight(x, k, j));
+                normal.sum::<f64>() - self.need_of(k)
             }
         }
+    }
+
+    fn need_of(&self, k: usize) -> f64 {
+        f64::from(self.budget.need.need(member(&self.budget, id(k))))
+    }
+
+    /// True if j counts for k.
+    pub(crate) fn counts(&self, k: usize, j: usize) -> bool {
+        let [own, other] = [k, j].map(|robot| member(&self.budget, id(robot)));
+        self.budget.need.counts(own, other)
     }
 
     pub(crate) fn in_range(&self, i: usize, j: usize) -> bool {
@@ -175,7 +207,8 @@ impl<const D: usize> Team<D> {
     pub(crate) fn sightings(&self, i: usize) -> Vec<Sighting<D>> {
         let near = (0..self.count()).filter(|&j| self.in_range(i, j) || (self.error_m > 0.0 && i != j));
         let own = self.sensed(i, i);
-        near.map(|j| Sighting::new(id(j), subtract(&own, &self.sensed(i, j)))).collect()
+        let of = |j: usize| member(&self.budget, id(j));
+        near.map(|j| Sighting::new(of(j), subtract(&own, &self.sensed(i, j)))).collect()
     }
 
     /// Where i senses j in this tick: anywhere up to the error from where it is, as a rule right at the bound.
@@ -190,6 +223,13 @@ impl<const D: usize> Team<D> {
 /// The number of a robot.
 pub(crate) fn id(index: usize) -> RobotId {
     RobotId(u16::try_from(index + 1).unwrap_or(u16::MAX))
+}
+
+/// The robot as the roster has it: with ranks the first robots are the core, and after them two at a time share a rank.
+pub(crate) fn member(budget: &Budget, id: RobotId) -> Member {
+    let core = budget.need.counting(RobotId(1)) + 1;
+    let rank = if budget.need.is_ranked() && id.0 > core { (id.0 - core).div_ceil(2) } else { 0 };
+    Member { id, rank }
 }
 
 /// Places in a box of some 2 m, or 8 m long, no two closer than [`SPACING_M`].

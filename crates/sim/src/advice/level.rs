@@ -17,7 +17,7 @@ pub(super) struct Levels<'a, const D: usize> {
 impl<'a, const D: usize> Levels<'a, D> {
     /// `None` under a controller that keeps no level for certain.
     pub(super) fn new(params: &'a Params<D>) -> Option<Self> {
-        params.controller().certain_level(RobotId(1), &[], &mut [])?;
+        params.controller().certain_level(RobotId(1).into(), &[], &mut [])?;
         Some(Self { params, sightings: Vec::new(), scratch: Vec::new() })
     }
 
@@ -30,7 +30,7 @@ impl<'a, const D: usize> Levels<'a, D> {
         self.sightings.extend(others.map(sighting));
         self.scratch.resize(self.sightings.len(), 0.0);
         let id = RobotId(u16::try_from(index + 1).unwrap_or(u16::MAX));
-        let level = self.params.controller().certain_level(id, &self.sightings, &mut self.scratch);
+        let level = self.params.controller().certain_level(id.into(), &self.sightings, &mut self.scratch);
         degree_barrier(level.unwrap_or(f64::NEG_INFINITY), self.params.need().need(id))
     }
 

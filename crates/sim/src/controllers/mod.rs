@@ -73,7 +73,7 @@ controllers! {
             about: "ours, from what is sensed alone: a guarantee in discrete time that no message can touch",
             knows: Knows::Local,
             guarantees: true,
-            ranks: false,
+            ranks: true,
             uses_phi: false,
             promises: &Law::PROMISED,
             counted: Counted::Covered,

@@ -3,6 +3,7 @@
 use closeranks_core::controller::{AtOnce, Batch};
 use closeranks_core::settings::params::Params;
 
+use crate::engine::roster::Roster;
 use crate::frame::Frame;
 use crate::geometry::near::{Near, small};
 
@@ -17,6 +18,8 @@ pub(crate) struct Links<Pair> {
     firsts: Vec<u16>,
     stops: Vec<usize>,
     near: Near,
+    /// How many neighbours count for each robot.
+    counted: Vec<u16>,
     scales: Scales<Pair>,
 }
 
@@ -53,7 +56,7 @@ impl<Pair: Copy> Links<Pair> {
             weights: Vec::with_capacity(BATCH),
             slopes: Vec::with_capacity(BATCH),
         };
-        Self { firsts: Vec::new(), stops: Vec::new(), near: Near::default(), scales }
+        Self { firsts: Vec::new(), stops: Vec::new(), near: Near::default(), counted: Vec::new(), scales }
     }
 
     /// Finds the links of `frame`, and fills its levels, degrees and number of links.
@@ -62,6 +65,7 @@ impl<Pair: Copy> Links<Pair> {
         &mut self,
         params: &Params<D>,
         controller: &C,
+        roster: &Roster,
         frame: &mut Frame<D>,
     ) {
         self.firsts.clear();
@@ -70,6 +74,8 @@ impl<Pair: Copy> Links<Pair> {
         self.scales.pair_weights.clear();
         frame.levels.fill(0.0);
         frame.degrees.fill(0);
+        self.counted.clear();
+        self.counted.resize(frame.positions_m.len(), 0);
         let radius_m = params.link().radius_m;
         self.near.look(&frame.positions_m, radius_m);
         for second in 0..frame.positions_m.len() {
@@ -79,11 +85,14 @@ impl<Pair: Copy> Links<Pair> {
             for (firsts, distances_m2) in firsts.chunks(BATCH / 2).zip(distances_m2.chunks(BATCH / 2)) {
                 self.scales.take(second, firsts, distances_m2);
                 if self.scales.ends.len() >= BATCH / 2 {
-                    self.scales.weigh(params, controller, frame);
+                    self.scales.weigh(params, controller, (roster, &mut self.counted), frame);
                 }
             }
         }
-        self.scales.weigh(params, controller, frame);
+        self.scales.weigh(params, controller, (roster, &mut self.counted), frame);
+        if !roster.is_ranked() {
+            self.counted.copy_from_slice(&frame.degrees);
+        }
         frame.links = u32::try_from(self.firsts.len()).unwrap_or(u32::MAX);
     }
 
@@ -91,6 +100,18 @@ impl<Pair: Copy> Links<Pair> {
     pub(crate) fn by_second(&self) -> impl Iterator<Item = (usize, &[u16])> {
         let from = core::iter::once(&0).chain(&self.stops);
         from.zip(&self.stops).map(|(from, to)| &self.firsts[*from..*to]).enumerate()
+    }
+
+    /// The ends of all links, in order.
+    pub(crate) fn ends(&self) -> impl Iterator<Item = [u16; 2]> + Clone {
+        let from = core::iter::once(&0).chain(&self.stops);
+        let rows = from.zip(&self.stops).map(|(from, to)| &self.firsts[*from..*to]).zip(0..);
+        rows.flat_map(|(firsts, second)| firsts.iter().map(move |first| [*first, second]))
+    }
+
+    /// How many neighbours count for each robot.
+    pub(crate) fn counted(&self) -> &[u16] {
+        &self.counted
     }
 
     /// The pairs in order.
@@ -115,6 +136,7 @@ impl<Pair: Copy> Scales<Pair> {
         &mut self,
         params: &Params<D>,
         controller: &C,
+        (roster, counted): (&Roster, &mut [u16]),
         frame: &mut Frame<D>,
     ) {
         let Self { pairs, pair_weights, ends, distances_m2, weights, slopes } = self;
@@ -124,7 +146,11 @@ impl<Pair: Copy> Scales<Pair> {
         let mut rest = &weights[..];
         for row in ends.chunk_by(|one, next| one[1] == next[1]) {
             let (own, later) = rest.split_at(row.len());
-            add_row(row, own, &mut frame.levels, &mut frame.degrees);
+            if roster.is_ranked() {
+                add_ranked_row(roster, row, own, &mut frame.levels, [&mut frame.degrees, counted]);
+            } else {
+                add_row(row, own, &mut frame.levels, &mut frame.degrees);
+            }
             rest = later;
         }
         let mut links = Batch { positions_m: &frame.positions_m, ends, distances_m2, weights, slopes };
@@ -154,4 +180,24 @@ fn add_row(row: &[[u16; 2]], weights: &[f64], levels: &mut [f64], degrees: &mut 
         degrees_before[usize::from(*first)] += 1;
     }
     (levels[second], degrees[second]) = (level, degree + small(row.len()));
+}
+
+/// Adds links of one second end to levels of the ends for which the other one counts, and to degrees: of all, and of those that count.
+fn add_ranked_row(
+    roster: &Roster,
+    row: &[[u16; 2]],
+    weights: &[f64],
+    levels: &mut [f64],
+    [degrees, counted]: [&mut [u16]; 2],
+) {
+    for (ends, weight) in row.iter().zip(weights) {
+        let [first, second] = ends.map(usize::from);
+        for (end, other) in [(first, second), (second, first)] {
+            degrees[end] += 1;
+            if roster.counts(end, other) {
+                levels[end] += weight;
+                counted[end] += 1;
+            }
+        }
+    }
 }

@@ -1,15 +1,19 @@
 //! What computes the robots of a tick: one by one, or all at once with the same bits.
 
+mod bench;
 mod consensus;
 mod dense;
 pub mod fleet;
 pub(crate) mod judge;
 mod links;
+mod marks;
 pub mod memory;
 pub(crate) mod phi;
 pub(crate) mod robots;
+mod roster;
 mod sees;
 pub mod team;
+pub mod workers;
 
 use closeranks_core::controller::{AtOnce, WithAtOnce};
 use closeranks_core::robot::error::RobotError;

@@ -7,6 +7,7 @@ use closeranks_core::robot::Robot;
 use crate::attack::liars::Liars;
 use crate::engine::fleet::Fleet;
 use crate::engine::team::Team;
+use crate::engine::workers::Workers;
 use crate::faults::edges::Edges;
 use crate::frame::Frame;
 use crate::transport::Transport;
@@ -14,7 +15,7 @@ use crate::transport::Transport;
 /// Computes the robots of a run. A world can go from thread to thread, and so can they.
 pub(crate) trait Robots<const D: usize>: Send + Sync {
     /// One tick: fills everything in `frame` but positions, desired velocities, references and assumptions.
-    fn step(&mut self, frame: &mut Frame<D>, liars: &mut Liars);
+    fn step(&mut self, frame: &mut Frame<D>, liars: &mut Liars, workers: &dyn Workers);
 
     /// What went wrong around the robots in this tick; `None` where nothing can.
     fn edges(&self) -> Option<&Edges<D>> {
@@ -45,7 +46,7 @@ impl<const D: usize, T: Transport> Robots<D> for Fleet<D, T>
 where
     Self: Send + Sync,
 {
-    fn step(&mut self, frame: &mut Frame<D>, liars: &mut Liars) {
+    fn step(&mut self, frame: &mut Frame<D>, liars: &mut Liars, _workers: &dyn Workers) {
         self.step(frame, liars);
     }
 
@@ -69,7 +70,7 @@ impl<const D: usize, C: AtOnce<D> + Copy> Robots<D> for Team<D, C>
 where
     Self: Send + Sync,
 {
-    fn step(&mut self, frame: &mut Frame<D>, liars: &mut Liars) {
-        self.step(frame, liars);
+    fn step(&mut self, frame: &mut Frame<D>, liars: &mut Liars, workers: &dyn Workers) {
+        self.step(frame, liars, workers);
     }
 }

@@ -1,30 +1,28 @@
-//! Who sees whom, a bit a pair, and the neighbours of each robot with their links.
+//! Who sees whom in a small team, a bit a pair, and the neighbours of each robot with their links.
 
-use crate::engine::links::Linked;
+use crate::engine::dense::DENSE_MAX;
 
-/// Who is linked to whom. Memory is n²/8 bytes.
+/// Who is linked to whom in a team of at most [`DENSE_MAX`] robots, a word a robot.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Sees {
-    words: usize,
     bits: Vec<u64>,
 }
+
+const _: () = assert!(DENSE_MAX <= 64, "a word has a bit for each robot");
 
 impl Sees {
     /// Nobody sees anybody, in a team of so many robots.
     pub(crate) fn new(robots: usize) -> Self {
-        let words = robots.div_ceil(64);
-        Self { words, bits: vec![0; robots * words] }
+        Self { bits: vec![0; robots] }
     }
 
     /// Takes the links, robot by robot with those before it.
     pub(crate) fn fill<'a>(&mut self, links: impl Iterator<Item = (usize, &'a [u16])>) {
         self.bits.fill(0);
-        let words = self.words;
         for (second, firsts) in links {
-            let (before, from_second) = self.bits.split_at_mut(second * words);
             for first in firsts.iter().map(|first| usize::from(*first)) {
-                before[first * words + second / 64] |= 1 << (second % 64);
-                from_second[first / 64] |= 1 << (first % 64);
+                self.bits[first] |= 1 << second;
+                self.bits[second] |= 1 << first;
             }
         }
     }
@@ -32,25 +30,14 @@ impl Sees {
     /// True if the two are linked.
     #[inline]
     pub(crate) fn linked(&self, robot: usize, other: usize) -> bool {
-        self.bits[robot * self.words + other / 64] >> (other % 64) & 1 == 1
+        self.bits[robot] >> other & 1 == 1
     }
 
     /// How many neighbours of `other` `robot` does not see, itself left aside.
     #[inline]
     pub(crate) fn unseen_near(&self, robot: usize, other: usize) -> usize {
-        if self.words > 1 {
-            return self.unseen_near_of_many(robot, other);
-        }
         let (own, its) = (self.bits[robot], self.bits[other]);
         (its & !own & !(1 << robot)).count_ones() as usize
-    }
-
-    /// The same in a team whose bits take several words.
-    #[inline(never)]
-    fn unseen_near_of_many(&self, robot: usize, other: usize) -> usize {
-        let [own, its] = [robot, other].map(|of| &self.bits[of * self.words..][..self.words]);
-        let beyond = own.iter().zip(its).map(|(own, its)| (its & !own).count_ones() as usize);
-        beyond.sum::<usize>() - usize::from(self.linked(other, robot))
     }
 }
 
@@ -73,21 +60,20 @@ pub(crate) struct Half {
 }
 
 impl Around {
-    /// Takes the pairs of a team of so many robots.
-    pub(crate) fn fill<Pair>(&mut self, robots: usize, pairs: &[Linked<Pair>]) {
+    /// Takes links of a team of so many robots, in order of their second ends and then of the first.
+    pub(crate) fn fill(&mut self, robots: usize, links: impl Iterator<Item = [u16; 2]> + Clone) {
         self.starts.clear();
         self.starts.resize(robots + 1, 0);
-        for end in pairs.iter().flat_map(|linked| linked.ends) {
+        for end in links.clone().flatten() {
             self.starts[usize::from(end) + 1] += 1;
         }
         for robot in 0..robots {
             self.starts[robot + 1] += self.starts[robot];
         }
-        self.neighbors.resize(2 * pairs.len(), Half::default());
+        self.neighbors.resize(self.starts[robots] as usize, Half::default());
         self.filled.clear();
         self.filled.extend_from_slice(&self.starts[..robots]);
-        for (pair, linked) in (0..).zip(pairs) {
-            let [first, second] = linked.ends;
+        for (pair, [first, second]) in (0..).zip(links) {
             for (end, other) in [(first, second), (second, first)] {
                 let place = &mut self.filled[usize::from(end)];
                 self.neighbors[*place as usize] = Half { other, pair };

@@ -7,19 +7,21 @@
 use closeranks_core::controller::{AtOnce, Decision, Glimpse, Motion, Neighbor, Own, Standing};
 use closeranks_core::equations::barrier::degree_barrier;
 use closeranks_core::num::{Vector, dot, subtract};
-use closeranks_core::robot::neighbor::RobotId;
+use closeranks_core::robot::neighbor::Member;
 use closeranks_core::robot::scratch::Scratch;
 use closeranks_core::settings::params::Params;
 
 use crate::attack::liars::Liars;
+use crate::engine::bench::{Bench, Decided};
 use crate::engine::consensus::Consensus;
 use crate::engine::dense::{DENSE_MAX, Dense};
 use crate::engine::links::{Linked, Links};
-use crate::engine::memory::Memory;
+use crate::engine::marks::{Marks, counting};
 use crate::engine::phi::Phi;
+use crate::engine::roster::Roster;
 use crate::engine::sees::{Around, Half, Sees};
+use crate::engine::workers::{Piece, Workers, share};
 use crate::frame::Frame;
-use crate::geometry::near::small;
 use crate::scenario::Scenario;
 
 /// A team in a perfect network.
@@ -29,7 +31,9 @@ pub struct Team<const D: usize, C: AtOnce<D>> {
     consensus: Consensus,
     /// φ_i of a controller that does not use it, from what all told; `None` where that is of another weight than φ.
     phi: Option<Phi>,
-    memory: Memory<D>,
+    /// What each of those who compute the team needs.
+    benches: Vec<Bench<D>>,
+    decided: Vec<Decided<D>>,
     tick: u32,
 }
 
@@ -38,10 +42,12 @@ pub struct Team<const D: usize, C: AtOnce<D>> {
 struct Robots<const D: usize, C: AtOnce<D>> {
     params: Params<D>,
     controller: C,
+    roster: Roster,
     links: Links<C::Pair>,
-    sees: Sees,
+    /// In a small team without ranks who sees whom, in bits.
+    sees: Option<Sees>,
     around: Around,
-    /// Tables in place of `around`, in a small team.
+    /// Tables in place of `around`, in a small team whose controller looks at neighbours.
     dense: Option<Dense>,
     /// What others make of what each told, and what each adds up.
     told: Vec<C::Told>,
@@ -72,14 +78,16 @@ impl<const D: usize, C: AtOnce<D> + Copy> Team<D, C> {
     /// The team of `scenario` under `controller`, that of `params`, with initial `values`.
     #[must_use]
     pub fn new(scenario: &Scenario, params: Params<D>, controller: C, values: &[f64]) -> Self {
-        let count = values.len();
+        let (count, roster) = (values.len(), Roster::new(scenario, &params));
+        let small = count <= DENSE_MAX && !roster.is_ranked();
         let robots = Robots {
             params,
             controller,
+            roster,
             links: Links::new(),
-            sees: Sees::new(count),
+            sees: small.then(|| Sees::new(count)),
             around: Around::default(),
-            dense: (C::LOOKS && count <= DENSE_MAX).then(|| Dense::new(count)),
+            dense: (C::LOOKS && small).then(|| Dense::new(count)),
             told: Vec::with_capacity(count),
             sums: Vec::with_capacity(count),
             others: Vec::with_capacity(count),
@@ -88,49 +96,83 @@ impl<const D: usize, C: AtOnce<D> + Copy> Team<D, C> {
             robots,
             consensus: Consensus::new(scenario, values),
             phi: params.tells_paper_levels().then(|| Phi::new(scenario)),
-            memory: Memory::new(&params, count),
+            benches: Vec::new(),
+            decided: Vec::with_capacity(count),
             tick: 0,
         }
     }
 
     /// One tick: fills everything in `frame` but positions and desired velocities.
-    pub fn step(&mut self, frame: &mut Frame<D>, liars: &mut Liars) {
+    pub fn step(&mut self, frame: &mut Frame<D>, liars: &mut Liars, workers: &dyn Workers) {
         let (robots, round) = (&mut self.robots, self.consensus.is_due(self.tick));
-        robots.links.find(&robots.params, &robots.controller, frame);
-        if C::LOOKS || round {
-            robots.sees.fill(robots.links.by_second());
-        }
+        robots.links.find(&robots.params, &robots.controller, &robots.roster, frame);
+        robots.look(round, frame.positions_m.len());
         liars.begin_tick(self.tick);
         robots.tell(frame, liars);
         if round {
-            self.consensus.hold(frame, liars, |robot, other| robots.sees.linked(robot, other));
+            match &robots.sees {
+                Some(sees) => self.consensus.hold(frame, liars, |robot, other| sees.linked(robot, other)),
+                None => self.consensus.hold_around(frame, liars, &robots.around, &robots.roster),
+            }
         }
         robots.add(frame);
-        robots.control(frame, &mut self.memory.lend());
+        self.control(frame, workers);
         if let Some(phi) = self.phi.as_mut().filter(|_| frame.wants_phi && !C::USES_PHI) {
-            phi.fill(robots.links.by_second(), &frame.told, &frame.positions_m, &mut frame.phis);
+            phi.fill(self.robots.links.by_second(), &frame.told, &frame.positions_m, &mut frame.phis);
         }
         self.tick = self.tick.saturating_add(1);
+    }
+
+    /// Decides for every robot, a piece of the team for each worker.
+    fn control(&mut self, frame: &mut Frame<D>, workers: &dyn Workers) {
+        let Self { robots, benches, decided, .. } = self;
+        let count = frame.positions_m.len();
+        let (each, mut dense) = (share(count, workers), robots.dense.take());
+        benches.resize_with(count.div_ceil(each), || Bench::new(&robots.params, count));
+        decided.resize(count, Decided::NOTHING);
+        if let Some(dense) = &mut dense {
+            dense.fill(robots.links.pairs(), robots.links.pair_weights());
+            robots.control_in_tables(dense, frame, &mut benches[0].memory.lend(), decided);
+        } else {
+            let (robots, frame) = (&*robots, &*frame);
+            let pieces = decided.chunks_mut(each).zip(&mut *benches).enumerate();
+            let pieces = pieces.map(|(piece, (decided, bench))| -> Piece<'_> {
+                Box::new(move || robots.control_from(piece * each, decided, bench, frame))
+            });
+            workers.run(pieces.collect());
+        }
+        robots.dense = dense;
+        decided.iter().enumerate().for_each(|(robot, decided)| decided.write(robot, frame));
     }
 }
 
 impl<const D: usize, C: AtOnce<D> + Copy> Robots<D, C> {
+    /// Takes in who is linked to whom, as far as somebody asks: controllers that look at neighbours, and rounds.
+    fn look(&mut self, round: bool, count: usize) {
+        match &mut self.sees {
+            _ if !C::LOOKS && !round => {}
+            Some(sees) => sees.fill(self.links.by_second()),
+            None => self.around.fill(count, self.links.ends()),
+        }
+    }
+
     /// Levels, as they are and as they are told, and what others make of them.
     fn tell(&mut self, frame: &mut Frame<D>, liars: &mut Liars) {
         self.told.clear();
         for (index, level) in frame.levels.iter().enumerate() {
-            frame.h[index] = degree_barrier(*level, self.params.need().need(id(index)));
+            frame.h[index] = degree_barrier(*level, self.roster.need(index));
             let tells = self.controller.tells_levels();
             frame.told[index] = if tells { liars.level(index, *level) } else { *level };
             self.told.push(self.controller.told(Some(frame.told[index])));
         }
         self.others.clear();
         if C::LOOKS {
-            self.others.extend((0..frame.told.len()).map(|other| Other {
+            let Self { others, controller, roster, links, .. } = self;
+            others.extend((0..frame.told.len()).map(|other| Other {
                 told_level: frame.told[other],
                 level: frame.levels[other],
-                degree: frame.degrees[other],
-                known: self.controller.know(&glimpse(frame, other)),
+                degree: links.counted()[other],
+                known: controller.know(&glimpse(frame, roster.member(other), links.counted())),
             }));
         }
     }
@@ -161,30 +203,35 @@ impl<const D: usize, C: AtOnce<D> + Copy> Robots<D, C> {
         }
     }
 
-    fn control(&mut self, frame: &mut Frame<D>, scratch: &mut Scratch<'_, D>) {
-        let mut dense = self.dense.take();
-        match &mut dense {
-            _ if !C::LOOKS => self.control_from_sums(frame, scratch),
-            Some(dense) => self.control_in_tables(dense, frame, scratch),
-            None => self.control_in_lists(frame, scratch),
+    /// Decides for the robots from `first` on.
+    fn control_from(&self, first: usize, decided: &mut [Decided<D>], bench: &mut Bench<D>, frame: &Frame<D>) {
+        let Bench { memory, marks } = bench;
+        let scratch = &mut memory.lend();
+        for (robot, decided) in (first..).zip(decided) {
+            *decided = if C::LOOKS {
+                self.control_in_lists(robot, marks, frame, scratch)
+            } else {
+                self.control_from_sums(robot, frame, scratch)
+            };
         }
-        self.dense = dense;
     }
 
     /// Where sums say everything, neighbours are looked at only if sums fail.
-    fn control_from_sums(&self, frame: &mut Frame<D>, scratch: &mut Scratch<'_, D>) {
-        for robot in 0..frame.positions_m.len() {
-            let others = (0..frame.positions_m.len()).filter(|other| *other != robot);
-            let neighbors = others.filter_map(|other| self.distant(robot, other, frame));
-            let decision = self.decide(robot, neighbors, frame, scratch);
-            self.take(robot, &decision, frame);
-        }
+    fn control_from_sums(&self, robot: usize, frame: &Frame<D>, scratch: &mut Scratch<'_, D>) -> Decided<D> {
+        let others = (0..frame.positions_m.len()).filter(|other| *other != robot);
+        let neighbors = others.filter_map(|other| self.distant(robot, other, frame));
+        self.decide(robot, neighbors, frame, scratch)
     }
 
     /// In a small team sums over what a robot sees are taken for all others at once.
-    fn control_in_tables(&self, dense: &mut Dense, frame: &mut Frame<D>, scratch: &mut Scratch<'_, D>) {
-        dense.fill(self.links.pairs(), self.links.pair_weights());
-        for robot in 0..frame.positions_m.len() {
+    fn control_in_tables(
+        &self,
+        dense: &mut Dense,
+        frame: &Frame<D>,
+        scratch: &mut Scratch<'_, D>,
+        decided: &mut [Decided<D>],
+    ) {
+        for (robot, decided) in decided.iter_mut().enumerate() {
             let looker = Looker::new(robot, frame);
             if looker.unseen > 0 {
                 dense.look_around(robot);
@@ -192,24 +239,25 @@ impl<const D: usize, C: AtOnce<D> + Copy> Robots<D, C> {
             let neighbors = dense
                 .neighbors(robot)
                 .map(|(other, pair)| self.neighbor(&looker, other, pair, || dense.low(other), frame));
-            let decision = self.decide(robot, neighbors, frame, scratch);
-            self.take(robot, &decision, frame);
+            *decided = self.decide(robot, neighbors, frame, scratch);
         }
     }
 
-    /// In a large team they are taken where they are asked for.
-    fn control_in_lists(&mut self, frame: &mut Frame<D>, scratch: &mut Scratch<'_, D>) {
-        self.around.fill(frame.positions_m.len(), self.links.pairs());
-        for robot in 0..frame.positions_m.len() {
-            let looker = Looker::new(robot, frame);
-            let neighbors = self.around.of(robot).iter().map(|half| {
-                let other = usize::from(half.other);
-                let low = || self.seen_level(robot, other);
-                self.neighbor(&looker, other, half.pair as usize, low, frame)
-            });
-            let decision = self.decide(robot, neighbors, frame, scratch);
-            self.take(robot, &decision, frame);
+    /// In a large team, and with ranks, they are taken where they are asked for.
+    fn control_in_lists(
+        &self,
+        robot: usize,
+        marks: &mut Marks,
+        frame: &Frame<D>,
+        scratch: &mut Scratch<'_, D>,
+    ) -> Decided<D> {
+        let looker = Looker::new(robot, frame);
+        if looker.unseen > 0 || self.roster.is_ranked() {
+            marks.look_from(robot, frame.positions_m.len(), &self.around);
         }
+        let halves = self.around.of(robot).iter();
+        let neighbors = halves.map(|half| self.neighbor_in_lists(&looker, *half, marks, frame));
+        self.decide(robot, neighbors, frame, scratch)
     }
 
     #[inline]
@@ -219,25 +267,23 @@ impl<const D: usize, C: AtOnce<D> + Copy> Robots<D, C> {
         neighbors: impl Iterator<Item = Neighbor<'a, D, C::Pair, C::Known>> + Clone,
         frame: &Frame<D>,
         scratch: &mut Scratch<'_, D>,
-    ) -> Decision<D> {
+    ) -> Decided<D> {
         let (level, told_level) = (frame.levels[robot], frame.told[robot]);
-        let own = Own { id: id(robot), level, told_level, degree: frame.degrees[robot] };
+        let own =
+            Own { member: self.roster.member(robot), level, told_level, degree: self.links.counted()[robot] };
         let (desired_m_s, before_m_s) = (frame.asked_m_s[robot], frame.velocities_m_s[robot]);
         let motion = Motion { desired_m_s, before_m_s };
-        self.controller.decide(&own, &self.sums[robot], neighbors, &motion, scratch)
+        let decision = self.controller.decide(&own, &self.sums[robot], neighbors, &motion, scratch);
+        self.judged(robot, &decision, frame)
     }
 
+    /// A decision with what it is worth.
     #[inline]
-    fn take(&self, robot: usize, decision: &Decision<D>, frame: &mut Frame<D>) {
-        let (degree, h, need) = (frame.degrees[robot], frame.h[robot], self.params.need().need(id(robot)));
-        let (outcome, phi, reason) = (decision.outcome, decision.phi, decision.doubt);
-        frame.velocities_m_s[robot] = decision.velocity_m_s;
-        frame.outcomes[robot] = outcome;
-        frame.modes[robot] =
-            self.controller.mode(&Standing { degree, need, h, phi, outcome, untold: 0, missing: 0, reason });
-        if let Some(phi) = phi {
-            frame.phis[robot] = phi;
-        }
+    fn judged(&self, robot: usize, decision: &Decision<D>, frame: &Frame<D>) -> Decided<D> {
+        let (degree, h, need) = (self.links.counted()[robot], frame.h[robot], self.roster.need(robot));
+        let Decision { velocity_m_s, outcome, phi, doubt: reason } = *decision;
+        let standing = Standing { degree, need, h, phi, outcome, untold: 0, missing: 0, reason };
+        Decided { velocity_m_s, outcome, mode: self.controller.mode(&standing), phi }
     }
 
     /// A neighbour as a robot knows it.
@@ -252,29 +298,56 @@ impl<const D: usize, C: AtOnce<D> + Copy> Robots<D, C> {
         frame: &Frame<D>,
     ) -> Neighbor<'_, D, C::Pair, C::Known> {
         let offset_m = subtract(&looker.position_m, &frame.positions_m[other]);
-        let (pair, id) = (Some(&self.links.pairs()[pair].pair), id(other));
+        let (pair, member) = (Some(&self.links.pairs()[pair].pair), self.roster.member(other));
         let Other { told_level, level, degree, known } = &self.others[other];
         if looker.unseen == 0 {
-            return Neighbor { id, offset_m, pair, known: *known };
+            return Neighbor { member, offset_m, pair, known: *known };
         }
         let known = self.controller.know(&Glimpse {
-            id,
+            member,
+            weight: 0.0,
             told_level: *told_level,
             level: *level,
             degree: *degree,
             unseen: looker.unseen,
-            unseen_near: self.sees.unseen_near(looker.index, other),
+            unseen_near: self.sees.as_ref().map_or(0, |sees| sees.unseen_near(looker.index, other)),
             low: low(),
         });
-        Neighbor { id, offset_m, pair, known }
+        Neighbor { member, offset_m, pair, known }
     }
 
-    /// Sum of the weights of `other` with `robot` and with whomever it sees, in order of numbers.
-    fn seen_level(&self, robot: usize, other: usize) -> f64 {
-        let seen =
-            |of: &&Half| usize::from(of.other) == robot || self.sees.linked(robot, usize::from(of.other));
-        let halves = self.around.of(other).iter().filter(seen);
-        halves.fold(0.0, |sum, half| sum + self.links.pair_weights()[half.pair as usize])
+    /// The same from lists. Of a neighbour for which the robot does not count nothing needs to be known.
+    #[inline]
+    fn neighbor_in_lists(
+        &self,
+        looker: &Looker<D>,
+        half: Half,
+        marks: &Marks,
+        frame: &Frame<D>,
+    ) -> Neighbor<'_, D, C::Pair, C::Known> {
+        let (other, pair) = (usize::from(half.other), half.pair as usize);
+        let offset_m = subtract(&looker.position_m, &frame.positions_m[other]);
+        let (member, ranked) = (self.roster.member(other), self.roster.is_ranked());
+        let known = match &self.others[other] {
+            _ if ranked && !self.roster.counts(other, looker.index) => C::Known::default(),
+            Other { known, .. } if !ranked && looker.unseen == 0 => *known,
+            Other { told_level, level, degree, .. } => {
+                let weights = self.links.pair_weights();
+                let seen = marks.seen(other, &self.around, weights, &self.roster);
+                let counting = counting(looker.index, other, &self.around, &self.roster);
+                self.controller.know(&Glimpse {
+                    member,
+                    weight: weights[pair],
+                    told_level: *told_level,
+                    level: *level,
+                    degree: *degree,
+                    unseen: self.roster.counting(other).saturating_sub(counting),
+                    unseen_near: usize::from(*degree).saturating_sub(seen.links),
+                    low: seen.low,
+                })
+            }
+        };
+        Neighbor { member, offset_m, pair: Some(&self.links.pairs()[pair].pair), known }
     }
 
     /// A neighbour of a controller that needs neighbours one by one only in rare cases.
@@ -287,18 +360,20 @@ impl<const D: usize, C: AtOnce<D> + Copy> Robots<D, C> {
         let offset_m = subtract(&frame.positions_m[robot], &frame.positions_m[other]);
         let radius_m = self.params.link().radius_m;
         let in_range = radius_m * radius_m - dot(&offset_m, &offset_m) >= 0.0;
-        let known = self.controller.know(&glimpse(frame, other));
-        in_range.then_some(Neighbor { id: id(other), offset_m, pair: None, known })
+        let known = self.controller.know(&glimpse(frame, self.roster.member(other), self.links.counted()));
+        in_range.then_some(Neighbor { member: self.roster.member(other), offset_m, pair: None, known })
     }
 }
 
-/// What whoever sees everybody sees of `other`.
-fn glimpse<const D: usize>(frame: &Frame<D>, other: usize) -> Glimpse {
+/// What whoever sees everybody sees of `member`, where so many are `counted` for each robot.
+fn glimpse<const D: usize>(frame: &Frame<D>, member: Member, counted: &[u16]) -> Glimpse {
+    let other = usize::from(member.id.0) - 1;
     Glimpse {
-        id: id(other),
+        member,
+        weight: 0.0,
         told_level: frame.told[other],
         level: frame.levels[other],
-        degree: frame.degrees[other],
+        degree: counted[other],
         unseen: 0,
         unseen_near: 0,
         low: 0.0,
@@ -310,8 +385,4 @@ impl<const D: usize> Looker<D> {
         let unseen = frame.positions_m.len() - 1 - usize::from(frame.degrees[index]);
         Self { index, position_m: frame.positions_m[index], unseen }
     }
-}
-
-fn id(index: usize) -> RobotId {
-    RobotId(small(index + 1))
 }

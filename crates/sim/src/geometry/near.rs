@@ -6,6 +6,8 @@ use crate::geometry::squared_distance;
 
 /// Teams up to this size are looked at pair by pair.
 const FEW: usize = 128;
+/// So many candidates are sorted after most of them are left out, more of them before.
+const SOME: usize = 96;
 /// A grid of fewer cells than this per axis does not help.
 const CELLS_MIN: f64 = 4.0;
 /// Cells per axis are never more than this: memory stays in bounds however wide the team is.
@@ -60,16 +62,25 @@ impl Near {
         if self.sparse {
             self.grid.around(second, &mut self.candidates);
             let Self { candidates, found, .. } = self;
+            let some = candidates.len() <= SOME;
+            if !some {
+                candidates.sort_unstable();
+            }
             let near = candidates.iter().map(|first| (*first, &positions_m[usize::from(*first)]));
-            found.take(candidates.len(), near, own, radius_m)
+            let kept = found.take(candidates.len(), near, own, radius_m);
+            if some {
+                found.sort(kept);
+            }
+            found.first(kept)
         } else {
-            self.found.take(second, (0..).zip(&positions_m[..second]), own, radius_m)
+            let kept = self.found.take(second, (0..).zip(&positions_m[..second]), own, radius_m);
+            self.found.first(kept)
         }
     }
 }
 
 impl Found {
-    /// Keeps of at most `count` robots those within the radius of `own`.
+    /// Keeps of at most `count` robots those within the radius of `own`, and says how many they are.
     #[inline]
     fn take<'a, const D: usize>(
         &mut self,
@@ -77,7 +88,7 @@ impl Found {
         robots: impl Iterator<Item = (u16, &'a Vector<D>)>,
         own: &Vector<D>,
         radius_m: f64,
-    ) -> (&[u16], &[f64]) {
+    ) -> usize {
         if self.firsts.len() < count {
             self.firsts.resize(count, 0);
             self.distances_m2.resize(count, 0.0);
@@ -90,7 +101,25 @@ impl Found {
             // Where a robot is out of range, the next one takes its place.
             kept += usize::from(radius_m2 - distance_m2 >= 0.0);
         }
-        (&firsts[..kept], &distances_m2[..kept])
+        kept
+    }
+
+    /// Puts the first few that were kept in order: most of the candidates are gone by then.
+    fn sort(&mut self, kept: usize) {
+        let (firsts, distances_m2) = (&mut self.firsts[..kept], &mut self.distances_m2[..kept]);
+        for next in 1..kept {
+            let mut place = next;
+            while place > 0 && firsts[place - 1] > firsts[place] {
+                firsts.swap(place - 1, place);
+                distances_m2.swap(place - 1, place);
+                place -= 1;
+            }
+        }
+    }
+
+    /// The first so many.
+    fn first(&self, kept: usize) -> (&[u16], &[f64]) {
+        (&self.firsts[..kept], &self.distances_m2[..kept])
     }
 }
 
@@ -147,7 +176,7 @@ impl Grid {
         whole((along - self.low_m[d]) / self.side_m[d]).min(self.cells[d] - 1)
     }
 
-    /// Robots of lower numbers than `robot` in its cell and those beside it, in order.
+    /// Robots of lower numbers than `robot` in its cell and those beside it, in order of cells.
     fn around(&self, robot: usize, candidates: &mut Vec<u16>) {
         candidates.clear();
         let mut cell = self.cell_of[robot] as usize;
@@ -166,7 +195,6 @@ impl Grid {
                 candidates.extend(robots.filter(|other| usize::from(**other) < robot));
             }
         }
-        candidates.sort_unstable();
     }
 }
 

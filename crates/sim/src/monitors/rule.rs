@@ -1,6 +1,7 @@
 //! Who counts for whom, and how many of them each robot must keep: written down once more, so that monitors do not rest on what
 //! they watch.
 
+use closeranks_core::robot::neighbor::{Member, RobotId};
 use closeranks_core::settings::Team;
 use closeranks_core::settings::params::Params;
 
@@ -47,6 +48,12 @@ impl Rule {
     /// The rank of each robot, if there are ranks.
     pub(crate) fn ranks(&self) -> Option<&[u16]> {
         self.ranks.as_ref().map(|(ranks, _)| ranks.as_slice())
+    }
+
+    /// A robot as others know it: its number and its rank.
+    pub(crate) fn member(&self, robot: usize) -> Member {
+        let rank = self.ranks().map_or(0, |ranks| ranks[robot]);
+        Member { id: RobotId(u16::try_from(robot + 1).unwrap_or(u16::MAX)), rank }
     }
 
     /// True if robots count for each other among so many: all, or the core.

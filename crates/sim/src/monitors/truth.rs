@@ -3,10 +3,10 @@
 use closeranks_core::controller::budget::knowledge::Sighting;
 use closeranks_core::equations::link::{Link, LinkShape};
 use closeranks_core::num::{sqrt, subtract};
-use closeranks_core::robot::neighbor::RobotId;
 use closeranks_core::settings::params::Params;
 
 use crate::frame::Frame;
+use crate::geometry::around::Around;
 use crate::monitors::pairs::Pairs;
 use crate::monitors::rule::Rule;
 
@@ -38,6 +38,8 @@ pub(crate) struct Truth {
     pub(crate) is_local: bool,
     /// The greatest coordinate of any position or reference, m.
     pub(crate) span_m: f64,
+    /// Who is near whom, with free liars and weights.
+    around: Around,
     /// R², m².
     radius_m2: f64,
     /// Memory for the weights and the slopes of all pairs.
@@ -71,8 +73,10 @@ impl Truth {
         }
         self.h_own.clone_from(&self.h);
         if free && !lists {
+            self.around.look(&frame.positions_m, wide_m(params));
             for (robot, own) in self.h_own.iter_mut().enumerate() {
-                *own = trimmed(params, frame, robot) - f64::from(rule.required(robot));
+                let around = self.around.of(robot);
+                *own = trimmed(params, rule, frame, robot, around) - f64::from(rule.required(robot));
             }
         }
     }
@@ -191,13 +195,18 @@ fn weigh(
     });
 }
 
-/// The trimmed sum T_i of a robot that senses exactly.
-fn trimmed<const D: usize>(params: &Params<D>, frame: &Frame<D>, robot: usize) -> f64 {
+/// The trimmed sum T_i of a robot that senses exactly, from whom it has `around` it.
+fn trimmed<const D: usize>(
+    params: &Params<D>,
+    rule: &Rule,
+    frame: &Frame<D>,
+    robot: usize,
+    around: &[u16],
+) -> f64 {
     let own = frame.positions_m[robot];
-    let id = |index: usize| RobotId(u16::try_from(index + 1).unwrap_or(u16::MAX));
-    let others = frame.positions_m.iter().enumerate().filter(|(other, _)| *other != robot);
-    let sightings: Vec<Sighting<D>> =
-        others.map(|(other, x)| Sighting::new(id(other), subtract(&own, x))).collect();
+    let sighting =
+        |other: usize| Sighting::new(rule.member(other), subtract(&own, &frame.positions_m[other]));
+    let sightings: Vec<Sighting<D>> = around.iter().map(|other| sighting(usize::from(*other))).collect();
     let scratch = &mut vec![0.0; sightings.len()];
-    params.controller().certain_level(id(robot), &sightings, scratch).unwrap_or(0.0)
+    params.controller().certain_level(rule.member(robot), &sightings, scratch).unwrap_or(0.0)
 }

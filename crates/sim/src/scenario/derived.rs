@@ -1,7 +1,7 @@
 //! What follows from a scenario for robots and engines: ranks, the settings of a robot, and all their numbers.
 
 use closeranks_core::equations::composition::Composed;
-use closeranks_core::equations::link::LinkShape;
+use closeranks_core::equations::link::{Link, LinkShape};
 use closeranks_core::need::{Keep, Need, Ranks};
 use closeranks_core::num::sqrt;
 use closeranks_core::program::InputBox;
@@ -28,7 +28,12 @@ impl Scenario {
         let keep = |rank| usize::from(params.controller().keep(Member { id: RobotId(0), rank }));
         let (core, above) = (keep(0), keep(1));
         let Ok(positions_m) = self.positions::<D>() else { return Ok(None) };
-        ranking.choose(&positions_m, self.link.radius_m, Keeps { core, above }).map(Some)
+        ranking.choose(&positions_m, counted_within_m(&params), Keeps { core, above }).map(Some)
+    }
+
+    /// What each robot is told of ranks.
+    fn core_of_ranks(&self) -> Option<Ranks> {
+        self.ranking().map(|ranks| Ranks { core: ranks.core(), listen: ranks.listen })
     }
 
     /// The robot's own parameters; an error names the field.
@@ -43,7 +48,7 @@ impl Scenario {
             controller: self.controller.settings(&self.parameters()),
             clock: self.clock,
             errors: self.errors,
-            ranks: self.ranking().map(|ranks| Ranks { core: ranks.core(), listen: ranks.listen }),
+            ranks: self.core_of_ranks(),
             consensus: self.consensus.rule.of_robots().unwrap_or_default(),
         })
     }
@@ -63,9 +68,10 @@ impl Scenario {
 
     /// Every number of the settings, for the table of [`settings::field`], whatever the controller.
     pub(crate) fn parts(&mut self) -> Parts<'_> {
-        let move_max_m = self.move_max_m();
+        let (move_max_m, ranks) = (self.move_max_m(), self.core_of_ranks());
         Parts {
             team: &mut self.team,
+            ranks,
             link: &mut self.link,
             distance_min_m: &mut self.limits.distance_min_m,
             composed: Some(&mut self.composed),
@@ -99,3 +105,25 @@ impl Scenario {
         Composed { split: phi_split, w_r, w_c, alpha, robots, required, distance_min_m }
     }
 }
+
+/// Up to this distance, m, a neighbour counts in full: R, or where weights are added up, as far as they are at least 1.
+fn counted_within_m<const D: usize>(params: &Params<D>) -> f64 {
+    let shape = params.link();
+    if params.controller().tells_lists() {
+        return shape.radius_m;
+    }
+    let (mut within_m, mut beyond_m) = (0.0, shape.radius_m);
+    for _ in 0..HALVINGS {
+        let middle_m = 0.5 * (within_m + beyond_m);
+        let link: Option<Link<f64>> = shape.link_at(middle_m * middle_m);
+        if link.is_some_and(|link| link.weight >= 1.0) {
+            within_m = middle_m;
+        } else {
+            beyond_m = middle_m;
+        }
+    }
+    within_m
+}
+
+/// So often an interval of lengths is halved: after that it is as short as rounding.
+const HALVINGS: u32 = 50;

@@ -1,9 +1,12 @@
 //! A world of whichever dimension its scenario has: for bindings, and for whoever learns the dimension at run time.
 
+use std::sync::Arc;
+
 use closeranks_core::num::Vector;
 use closeranks_core::program::Outcome;
 use closeranks_core::robot::report::Mode;
 
+use crate::engine::workers::Workers;
 use crate::law::Verdicts;
 use crate::output::snapshot::Snapshot;
 use crate::scenario::Scenario;
@@ -48,6 +51,11 @@ impl AnyWorld {
             3 => Ok(Self::Space(World::new(scenario, options)?)),
             other => Err(RunError::Dimension(other)),
         }
+    }
+
+    /// As [`World::employ`].
+    pub fn employ(&mut self, workers: Arc<dyn Workers>) {
+        dispatch!(self, world => world.employ(workers));
     }
 
     /// D.

@@ -5,6 +5,8 @@ pub mod given;
 mod outcome;
 mod script;
 
+use std::sync::Arc;
+
 use closeranks_core::num::Vector;
 use closeranks_core::program::Outcome;
 use closeranks_core::settings::params::Params;
@@ -17,6 +19,7 @@ pub use crate::engine::Engine;
 use crate::engine::judge::Judge;
 use crate::engine::phi::PaperPhi;
 use crate::engine::robots::Robots;
+use crate::engine::workers::{Alone, Workers};
 use crate::frame::Frame;
 use crate::monitors::Monitors;
 use crate::monitors::robustness::{Round, Watcher};
@@ -62,6 +65,7 @@ pub struct World<const D: usize> {
     scenario: Scenario,
     params: Params<D>,
     robots: Box<dyn Robots<D>>,
+    workers: Arc<dyn Workers>,
     exchange: Option<Exchange>,
     global: Option<Global>,
     answers: Vec<Answer<D>>,
@@ -95,6 +99,7 @@ impl<const D: usize> World<D> {
         Ok(Self {
             params,
             robots: engine::robots(scenario, params, &frame, &values, options.engine)?,
+            workers: Arc::new(Alone),
             exchange: Exchange::new(scenario, &initial_numbers(scenario)?),
             global: scenario.controller.global(&scenario.parameters()),
             answers: Vec::new(),
@@ -112,6 +117,11 @@ impl<const D: usize> World<D> {
             done: 0,
             prepared: None,
         })
+    }
+
+    /// Lends whoever computes a large team from now on. No bit of the run depends on it.
+    pub fn employ(&mut self, workers: Arc<dyn Workers>) {
+        self.workers = workers;
     }
 
     /// How many ticks were computed.
@@ -202,7 +212,7 @@ impl<const D: usize> World<D> {
     fn end(&mut self) -> &Frame<D> {
         let tick = self.done;
         self.ask();
-        self.robots.step(&mut self.frame, &mut self.liars);
+        self.robots.step(&mut self.frame, &mut self.liars, self.workers.as_ref());
         if let Some(exchange) = &mut self.exchange {
             exchange.step(tick, &mut self.frame, self.robots.as_ref(), self.liars.given_values());
         }

@@ -16,7 +16,7 @@ const LINKS: &str = "core/src/controller/links/control.rs";
 const SHARED: &str = "core/src/controller/rows.rs";
 const INEQUALITY: &str = "core/src/controller/budget/inequality.rs";
 
-pub(crate) const MUTANTS: [Mutant; 41] = [
+pub(crate) const MUTANTS: [Mutant; 42] = [
     Mutant {
         name: "gradient with the wrong sign",
         law: "decay",
@@ -35,11 +35,7 @@ pub(crate) const MUTANTS: [Mutant; 41] = [
                 "self.loss_max(known.budget) / (known.degree_max + 1.0)",
                 "self.loss_max(known.budget) / 2.0",
             ),
-            (
-                INEQUALITY,
-                "self.loss_max(own.h.max(0.0)) / (own.degree + 1.0)",
-                "self.loss_max(own.h.max(0.0)) / 2.0",
-            ),
+            (INEQUALITY, "if self.need.is_ranked() { 3.0 } else { own.degree + 1.0 }", "2.0"),
         ],
     },
     Mutant {
@@ -360,6 +356,15 @@ pub(crate) const MUTANTS: [Mutant; 41] = [
             "core/src/need.rs",
             "in_core: among(core, faults, keep)",
             "in_core: among(core, faults, keep).saturating_sub(1)",
+        )],
+    },
+    Mutant {
+        name: "ranks: budget shared with no regard to who else takes",
+        law: "spare",
+        lines: &[(
+            "core/src/controller/budget/knowledge.rs",
+            "Form::Level => 3.0 / by_both - 1.0,",
+            "Form::Level => 0.0,",
         )],
     },
     Mutant {

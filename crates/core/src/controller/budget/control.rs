@@ -16,7 +16,7 @@ use crate::need::Need;
 use crate::num::{Vector, sqrt};
 use crate::program::InputBox;
 use crate::program::balls::reach::Reach;
-use crate::robot::neighbor::{RobotId, Slot};
+use crate::robot::neighbor::{Member, Slot};
 use crate::robot::report::{Mode, Reason};
 use crate::robot::scratch::{Needs, Scratch};
 use crate::settings::{BudgetSettings, Settings};
@@ -39,7 +39,7 @@ impl<const D: usize> BudgetController<D> {
         let link = LinkShape { radius_m, q1: 2.0 + weight.epsilon, q2: weight.q2 };
         let budget = Budget {
             curvature: Curvature::new(link),
-            need: parameters.need(settings.team.robots, settings.team.faults),
+            need: settings.need(parameters.assume.keep()),
             faults: settings.team.faults,
             distance_min_m: settings.limits.distance_min_m + 2.0 * errors.away_m,
             move_max_m: reach.longest_m(),
@@ -57,8 +57,8 @@ impl<const D: usize> BudgetController<D> {
     fn see(view: &View<'_, D>, sightings: &mut [Sighting<D>]) -> usize {
         let mut count = 0;
         for (sighting, slot) in sightings.iter_mut().zip(view.in_view()) {
-            let Slot { id, offset_m, position_m, unsensed_m, .. } = *slot;
-            *sighting = Sighting { id, offset_m, position_m, unsensed_m };
+            let Slot { id, rank, offset_m, position_m, unsensed_m, .. } = *slot;
+            *sighting = Sighting { id, rank, offset_m, position_m, unsensed_m };
             count += 1;
         }
         count
@@ -103,11 +103,17 @@ impl<const D: usize> Control<D> for BudgetController<D> {
         }
     }
 
+    /// Where malicious robots move as they like they may leave: as many more must be there.
+    fn keep(&self, own: Member) -> u16 {
+        let spare = if self.is_obeyed() { 0 } else { self.budget.faults };
+        self.budget.need.need(own).saturating_add(spare)
+    }
+
     fn remembers(&self) -> bool {
         false
     }
 
-    fn certain_level(&self, own: RobotId, sightings: &[Sighting<D>], scratch: &mut [f64]) -> Option<f64> {
+    fn certain_level(&self, own: Member, sightings: &[Sighting<D>], scratch: &mut [f64]) -> Option<f64> {
         Some(self.budget.level(own, sightings, scratch))
     }
 
@@ -131,18 +137,19 @@ impl<const D: usize> Control<D> for BudgetController<D> {
     /// The plain sum of weights, or with free liars the trimmed one, with stated errors the least that it can be.
     fn level(&self, view: &View<'_, D>, scratch: &mut Scratch<'_, D>) -> f64 {
         if self.budget.is_plain() && view.is_whole() {
-            let counted = view.linked().filter(|slot| self.budget.need.counts(view.id, slot.id));
+            let counted = view.linked().filter(|slot| self.budget.need.counts(view.member(), slot.member()));
             return counted.fold(0.0, |level, slot| level + slot.link.weight);
         }
         let count = Self::see(view, scratch.sightings);
-        self.budget.level(view.id, &scratch.sightings[..count], scratch.values)
+        self.budget.level(view.member(), &scratch.sightings[..count], scratch.values)
     }
 
     fn alone(&self, view: &View<'_, D>, desired: &Vector<D>, scratch: &mut Scratch<'_, D>) -> Decision<D> {
         let count = Self::see(view, scratch.sightings);
         let memory = Memory { rows: scratch.rows, weights: scratch.values };
         let desired_m = self.desired_m(desired);
-        let mut rows = self.budget.rows(view.id, &scratch.sightings[..count], &desired_m, self.reach, memory);
+        let mut rows =
+            self.budget.rows(view.member(), &scratch.sightings[..count], &desired_m, self.reach, memory);
         self.decision(&mut rows, &view.before_m_s)
     }
 
@@ -198,11 +205,11 @@ impl<const D: usize> AtOnce<D> for BudgetController<D> {
         scratch: &mut Scratch<'_, D>,
     ) -> Decision<D> {
         let neighbors = neighbors.filter_map(|neighbor| {
-            let Neighbor { id, offset_m, pair, known } = neighbor;
-            Some(inequality::Neighbor { id, offset_m, pair: pair?, known })
+            let Neighbor { member, offset_m, pair, known } = neighbor;
+            Some(inequality::Neighbor { member, offset_m, pair: pair?, known })
         });
         let desired_m = self.desired_m(&motion.desired_m_s);
-        let own = (own.id, own.level, own.degree);
+        let own = (own.member, own.level, own.degree);
         let mut rows = self.budget.rows_between(own, neighbors, &desired_m, self.reach, scratch.rows);
         self.decision(&mut rows, &motion.before_m_s)
     }

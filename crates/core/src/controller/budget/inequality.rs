@@ -6,10 +6,10 @@ use crate::controller::budget::Own;
 use crate::controller::budget::knowledge::KnownMargin;
 use crate::controller::budget::settings::{Budget, Form};
 use crate::controller::rows::give_m2;
+use crate::id::Member;
 use crate::num::{Vector, dot, length, sqrt};
 use crate::program::balls::reach::Reach;
 use crate::program::balls::row::Row;
-use crate::robot::neighbor::RobotId;
 
 /// What the rows of two robots for each other share: everything but the direction.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -34,7 +34,7 @@ pub struct Pair {
 #[derive(Clone, Copy, Debug)]
 pub struct Neighbor<'a, const D: usize> {
     /// Which robot it is.
-    pub id: RobotId,
+    pub member: Member,
     /// x_i − x_j, m.
     pub offset_m: Vector<D>,
     /// What both ends share, made with the reach that the rows are for.
@@ -120,10 +120,12 @@ impl Budget {
         self.loss_max(known.budget) / (known.degree_max + 1.0)
     }
 
-    /// What a robot may spend of its own h_i by moving: `s(h_i⁺)/(δ_i + 1)`.
+    /// What a robot may spend of its own h_i by moving: `s(h_i⁺)/(δ_i + 1)`, or under ranks a third.
     //= theory eq:far-prime
+    //= theory eq:known-ranked
     pub(super) fn spend_own<const D: usize>(&self, own: &Own<D>) -> f64 {
-        self.loss_max(own.h.max(0.0)) / (own.degree + 1.0)
+        let parts = if self.need.is_ranked() { 3.0 } else { own.degree + 1.0 };
+        self.loss_max(own.h.max(0.0)) / parts
     }
 
     /// True when (far′) holds wherever the robot can go, where its left-hand side is at most `lhs_max`. There is no quotient
@@ -150,12 +152,12 @@ impl Budget {
     /// β_ij for a neighbour, m². An end for which the other one does not count sets no bound.
     //= theory eq:far
     pub(super) fn beta_of<const D: usize>(&self, own: &Own<D>, neighbor: &Neighbor<'_, D>) -> f64 {
-        let Neighbor { id, pair, known, .. } = neighbor;
+        let Neighbor { member, pair, known, .. } = neighbor;
         let (mut own_fraction, mut known_fraction) = (f64::INFINITY, f64::INFINITY);
-        if self.need.counts(own.id, *id) {
+        if self.need.counts(own.member, *member) {
             own_fraction = self.loss_max(own.h.max(0.0)) / own.degree.max(1.0);
         }
-        if self.need.counts(*id, own.id) {
+        if self.need.counts(*member, own.member) {
             known_fraction = self.loss_max(known.budget) / known.degree_max;
         }
         self.beta_m2(pair.bend, own_fraction, known_fraction)

@@ -48,10 +48,10 @@ use crate::controller::budget::knowledge::{Sighting, count};
 use crate::controller::budget::settings::{Budget, Form};
 use crate::controller::budget::survey::Survey;
 use crate::controller::rows::{Rows, give_m2, may_bind};
+use crate::id::Member;
 use crate::num::{Vector, add_scaled};
 use crate::program::balls::reach::Reach;
 use crate::program::balls::row::Row;
-use crate::robot::neighbor::RobotId;
 
 /// Memory that the caller lends for one tick.
 #[derive(Debug)]
@@ -64,7 +64,7 @@ pub struct Memory<'memory, const D: usize> {
 
 /// What a robot adds up over its neighbours for its own rows.
 struct Own<const D: usize> {
-    id: RobotId,
+    member: Member,
     /// h_i.
     h: f64,
     /// δ_i: how many neighbours count for it.
@@ -89,13 +89,13 @@ impl Budget {
     #[must_use]
     pub fn rows<'memory, const D: usize>(
         &self,
-        own: RobotId,
+        own: impl Into<Member>,
         sightings: &[Sighting<D>],
         desired_m: &Vector<D>,
         reach: Reach<D>,
         memory: Memory<'memory, D>,
     ) -> Rows<'memory, D> {
-        let Memory { rows, weights } = memory;
+        let (own, Memory { rows, weights }) = (own.into(), memory);
         let mut rows = Rows::new(desired_m, reach, rows);
         let Some(mut survey) = self.survey(own, sightings, weights) else {
             rows.forbid_any_move();
@@ -127,7 +127,7 @@ impl Budget {
         own: &mut Own<D>,
         rows: &mut Rows<'_, D>,
     ) {
-        let Sighting { id, offset_m, .. } = sightings[index];
+        let (member, offset_m) = (sightings[index].member(), sightings[index].offset_m);
         if !self.in_range(&offset_m) {
             return;
         }
@@ -135,7 +135,7 @@ impl Budget {
         let pair = &self.pair(&offset_m, slope, &rows.program.reach);
         let Some(seen) = self.seen(index, sightings, survey) else { return };
         let known = self.known(&seen);
-        self.push_neighbor(own, &Neighbor { id, offset_m, pair, known }, rows);
+        self.push_neighbor(own, &Neighbor { member, offset_m, pair, known }, rows);
     }
 
     /// Makes the same rows for robot `own` with this `level` and `degree` and all its `neighbors` in order of their numbers.
@@ -144,7 +144,7 @@ impl Budget {
     #[must_use]
     pub fn rows_between<'memory, 'a, const D: usize>(
         &self,
-        (own, level, degree): (RobotId, f64, u16),
+        (own, level, degree): (Member, f64, u16),
         neighbors: impl Iterator<Item = Neighbor<'a, D>>,
         desired_m: &Vector<D>,
         reach: Reach<D>,
@@ -160,16 +160,16 @@ impl Budget {
         rows
     }
 
-    /// h_i and δ_i of robot `id`; the other sums begin at 0.
-    fn own<const D: usize>(&self, id: RobotId, level: f64, degree: f64) -> Own<D> {
-        let h = level - f64::from(self.need.need(id));
-        Own { id, h, degree, gradient: [0.0; D], bend: 0.0, gradient_error: 0.0, unsensed: 0.0 }
+    /// h_i and δ_i of robot `member`; the other sums begin at 0.
+    fn own<const D: usize>(&self, member: Member, level: f64, degree: f64) -> Own<D> {
+        let h = level - f64::from(self.need.need(member));
+        Own { member, h, degree, gradient: [0.0; D], bend: 0.0, gradient_error: 0.0, unsensed: 0.0 }
     }
 
     /// How many of `sightings` may be neighbours of robot `own` that count for it.
-    fn degree<const D: usize>(&self, own: RobotId, sightings: &[Sighting<D>]) -> f64 {
+    fn degree<const D: usize>(&self, own: Member, sightings: &[Sighting<D>]) -> f64 {
         let counts =
-            |sighting: &&Sighting<D>| self.is_in_range(sighting) && self.need.counts(own, sighting.id);
+            |sighting: &&Sighting<D>| self.is_in_range(sighting) && self.need.counts(own, sighting.member());
         count(sightings.iter().filter(counts).count())
     }
 
@@ -181,9 +181,9 @@ impl Budget {
         neighbor: &Neighbor<'_, D>,
         rows: &mut Rows<'_, D>,
     ) {
-        let Neighbor { id, offset_m, pair, known } = neighbor;
+        let Neighbor { member, offset_m, pair, known } = neighbor;
         let gradient = pair.gradient(offset_m);
-        if self.need.counts(own.id, *id) {
+        if self.need.counts(own.member, *member) {
             own.gradient = add_scaled(&own.gradient, 1.0, &gradient);
             own.bend += pair.bend;
             own.gradient_error += pair.gradient_error;
@@ -210,7 +210,7 @@ impl Budget {
         gradient: &Vector<D>,
         rows: &mut Rows<'_, D>,
     ) {
-        let Neighbor { id, offset_m, pair, known } = neighbor;
+        let Neighbor { member, offset_m, pair, known } = neighbor;
         match self.form() {
             Form::Link => {
                 let (beta_m2, error_m) = (self.beta_of(own, neighbor), self.errors.offset_m);
@@ -218,7 +218,7 @@ impl Budget {
                     rows.push(offset_m, error_m, |offset| Row::far(offset, beta_m2));
                 }
             }
-            Form::Level if !self.need.counts(*id, own.id) => {}
+            Form::Level if !self.need.counts(*member, own.member) => {}
             Form::Level => {
                 let spend = self.spend(known);
                 rows.push(gradient, pair.gradient_error, |gradient| {

@@ -1,13 +1,13 @@
 //! What a survey keeps of the links between sightings: sums of their weights, or the weights one by one.
 
 use crate::controller::assume::Assume;
-use crate::robot::neighbor::RobotId;
+use crate::id::Member;
 
 /// What the links of a robot's sightings come to.
 #[derive(Debug)]
 pub struct Survey<'memory> {
     /// The robot that has the sightings.
-    pub(super) own: RobotId,
+    pub(super) own: Member,
     /// Its own level, or its trimmed level under [`Assume::Free`].
     pub(super) level: f64,
     pub(super) links: Links<'memory>,

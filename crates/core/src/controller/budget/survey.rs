@@ -8,7 +8,7 @@ use crate::controller::budget::settings::Budget;
 use crate::controller::budget::sums::Links;
 pub use crate::controller::budget::sums::Survey;
 use crate::num::{is_finite, subtract};
-use crate::robot::neighbor::RobotId;
+use crate::robot::neighbor::Member;
 
 impl Budget {
     /// How many numbers a survey of `sightings` robots needs, so that each pair of them is computed only once.
@@ -27,10 +27,11 @@ impl Budget {
     #[must_use]
     pub fn survey<'memory, const D: usize>(
         &self,
-        own: RobotId,
+        own: impl Into<Member>,
         sightings: &[Sighting<D>],
         memory: &'memory mut [f64],
     ) -> Option<Survey<'memory>> {
+        let own = own.into();
         let whole = sightings.iter().all(|sighting| is_finite(&sighting.offset_m));
         if !whole {
             return None;
@@ -49,7 +50,7 @@ impl Budget {
     /// Adds all links in an order in which the sum of each robot is in order of numbers, the robot itself among the others.
     fn add_all<const D: usize>(&self, sightings: &[Sighting<D>], survey: &mut Survey<'_>) {
         let robots = sightings.len();
-        let lower = sightings.iter().take_while(|sighting| sighting.id < survey.own).count();
+        let lower = sightings.iter().take_while(|sighting| sighting.id < survey.own.id).count();
         for first in 0..lower {
             self.add_pairs(first, first + 1..lower, sightings, survey);
             self.add_own(first, &sightings[first], survey);
@@ -70,11 +71,11 @@ impl Budget {
             Some(link) if self.is_exact() && sighting.unsensed_m == 0.0 => link.weight,
             _ => self.weight_of(sighting),
         };
-        if self.assume == Assume::Obedient && self.need.counts(survey.own, sighting.id) {
+        if self.assume == Assume::Obedient && self.need.counts(survey.own, sighting.member()) {
             survey.level += weight.max(0.0);
         }
         let slope = link.map_or(0.0, |link| link.slope);
-        survey.add_own(index, self.counted(sighting.id, survey.own, weight), slope);
+        survey.add_own(index, self.counted(sighting.member(), survey.own, weight), slope);
     }
 
     /// Adds the links of one sighting to later ones.
@@ -93,11 +94,11 @@ impl Budget {
                 for (other, (other_low, other_degree)) in sightings[later].iter().zip(sums) {
                     let weight = self.weight_between(one, other);
                     if weight >= 0.0 {
-                        if self.need.counts(one.id, other.id) {
+                        if self.need.counts(one.member(), other.member()) {
                             low += weight;
                             degree += 1.0;
                         }
-                        if self.need.counts(other.id, one.id) {
+                        if self.need.counts(other.member(), one.member()) {
                             *other_low += weight;
                             *other_degree += 1.0;
                         }
@@ -109,8 +110,8 @@ impl Budget {
                 for index in later {
                     let other = &sightings[index];
                     let weight = self.weight_between(one, other);
-                    weights[first * robots + index] = self.counted(one.id, other.id, weight);
-                    weights[index * robots + first] = self.counted(other.id, one.id, weight);
+                    weights[first * robots + index] = self.counted(one.member(), other.member(), weight);
+                    weights[index * robots + first] = self.counted(other.member(), one.member(), weight);
                 }
             }
             Links::Line(_) => {}
@@ -125,13 +126,14 @@ impl Budget {
         sightings: &[Sighting<D>],
         survey: &mut Survey<'_>,
     ) -> Option<Seen> {
-        let robot = sightings.get(index)?.id;
+        let robot = sightings.get(index)?.member();
         let (own, robots) = (survey.own, sightings.len());
         let unseen = self.unseen(index, own, sightings);
+        let own_weight = self.own_weight(own, &sightings[index]);
         let weights = match &mut survey.links {
             Links::Sums { lows, degrees, .. } => {
                 let (low, degree) = (*lows.get(index)?, count(unseen) + *degrees.get(index)?);
-                return Some(Seen { robot, low, degree });
+                return Some(Seen { robot, own: own_weight, low, degree });
             }
             Links::Table { weights, .. } => weights.get_mut(index * robots..)?.get_mut(..robots)?,
             Links::Line(line) => {
@@ -141,7 +143,8 @@ impl Budget {
         };
         weights.sort_unstable_by(f64::total_cmp);
         let links = weights.iter().filter(|weight| **weight >= 0.0).count();
-        Some(Seen { robot, low: self.trimmed(weights), degree: count(unseen) + count(links) })
+        let low = self.trimmed(weights);
+        Some(Seen { robot, own: own_weight, low, degree: count(unseen) + count(links) })
     }
 
     /// The slope of the link of `sightings[index]` to the robot itself, 1/m²; 0 without a link.
@@ -161,16 +164,16 @@ impl Budget {
     fn fill_line<const D: usize>(
         &self,
         index: usize,
-        own: RobotId,
+        own: Member,
         sightings: &[Sighting<D>],
         line: &mut [f64],
     ) {
         let one = &sightings[index];
         for (place, (other, weight)) in sightings.iter().zip(line).enumerate() {
             *weight = if place == index {
-                self.counted(one.id, own, self.weight_of(one))
+                self.counted(one.member(), own, self.weight_of(one))
             } else {
-                self.counted(one.id, other.id, self.weight_between(one, other))
+                self.counted(one.member(), other.member(), self.weight_between(one, other))
             };
         }
     }
@@ -178,9 +181,15 @@ impl Budget {
     /// The level of robot `own`, or the trimmed one under [`Assume::Free`]. Only that needs `scratch`, of one number
     /// a sighting; with less the level is 0.
     #[must_use]
-    pub fn level<const D: usize>(&self, own: RobotId, sightings: &[Sighting<D>], scratch: &mut [f64]) -> f64 {
+    pub fn level<const D: usize>(
+        &self,
+        own: impl Into<Member>,
+        sightings: &[Sighting<D>],
+        scratch: &mut [f64],
+    ) -> f64 {
+        let own = own.into();
         let weights =
-            sightings.iter().map(|sighting| self.counted(own, sighting.id, self.weight_of(sighting)));
+            sightings.iter().map(|sighting| self.counted(own, sighting.member(), self.weight_of(sighting)));
         if self.assume == Assume::Obedient {
             return weights.fold(0.0, |sum, weight| sum + weight.max(0.0));
         }
@@ -208,15 +217,23 @@ impl Budget {
 
     /// The weight of a link as `robot` counts it: −1, as without a link, if `other` does not count for it.
     #[inline]
-    fn counted(&self, robot: RobotId, other: RobotId, weight: f64) -> f64 {
+    fn counted(&self, robot: Member, other: Member, weight: f64) -> f64 {
         if self.need.counts(robot, other) { weight } else { -1.0 }
     }
 
+    /// The least that the weight of robot `own` is among those that count for a sighting. Only ranks ask for it.
+    fn own_weight<const D: usize>(&self, own: Member, sighting: &Sighting<D>) -> f64 {
+        if !self.need.is_ranked() {
+            return 0.0;
+        }
+        self.counted(sighting.member(), own, self.weight_of(sighting)).max(0.0)
+    }
+
     /// How many robots that count for `sightings[index]` are not in sight of robot `own`.
-    fn unseen<const D: usize>(&self, index: usize, own: RobotId, sightings: &[Sighting<D>]) -> usize {
-        let robot = sightings[index].id;
+    fn unseen<const D: usize>(&self, index: usize, own: Member, sightings: &[Sighting<D>]) -> usize {
+        let robot = sightings[index].member();
         let others = sightings[..index].iter().chain(&sightings[index + 1..]);
-        let seen = self.need.counting_among(robot, others.map(|other| other.id).chain([own]));
+        let seen = self.need.counting_among(robot, others.map(Sighting::member).chain([own]));
         usize::from(self.need.counting(robot)).saturating_sub(seen)
     }
 }

@@ -17,6 +17,7 @@ use closeranks_core::settings::params::Params;
 
 use crate::attack::liars::Liars;
 use crate::engine::memory::Memory;
+use crate::engine::roster::Roster;
 use crate::faults::edges::Edges;
 use crate::faults::network::{FaultyNetwork, LATE_MAX};
 use crate::faults::sight::Sight;
@@ -87,7 +88,8 @@ impl<const D: usize, T: Transport> Fleet<D, T> {
     ) -> Result<Self, RobotError> {
         let others = values.len().saturating_sub(1);
         let slots = scenario.faults.sensing.dropouts.slots.map_or(others, usize::from);
-        let (members, edges) = (members::<D>(scenario), Edges::new(scenario, &params));
+        let (members, edges) =
+            (Roster::new(scenario, &params).members().to_vec(), Edges::new(scenario, &params));
         // Where it is known who is near, robots get slots when they need them.
         let first = if edges.sight.is_whole() { slots.min(SLOTS_FIRST) } else { slots };
         let robots = members
@@ -216,11 +218,4 @@ fn make_room<const D: usize>(robot: &mut Robot<D, Vec<Slot<D>>>, others: usize, 
             slots.resize(needed.next_multiple_of(SLOTS_FIRST).min(most), Slot::default());
         });
     }
-}
-
-/// The robots of `scenario` as the roster has them.
-fn members<const D: usize>(scenario: &Scenario) -> Vec<Member> {
-    let ranks = scenario.ranks::<D>().ok().flatten();
-    let rank = |index: usize| ranks.as_ref().map_or(0, |ranks| ranks[index]);
-    (0..usize::from(scenario.team.robots)).map(|index| Member { id: id(index), rank: rank(index) }).collect()
 }

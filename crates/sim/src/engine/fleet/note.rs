@@ -32,7 +32,8 @@ impl<const D: usize, T: Transport> Fleet<D, T> {
             frame.levels[index] = if self.lists {
                 output.report.level
             } else {
-                robot.neighbors().iter().fold(0.0, |level, slot| level + slot.link().weight)
+                let counted = robot.neighbors().iter().filter(|slot| robot.counts(slot));
+                counted.fold(0.0, |level, slot| level + slot.link().weight)
             };
             frame.h[index] = output.report.h;
             frame.told[index] = robot.told_level();

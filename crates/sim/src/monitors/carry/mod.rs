@@ -62,7 +62,7 @@ impl<const D: usize> Carry<D> {
             settle_ticks: if params.controller().remembers() { told_ticks } else { 0 },
             gamma: params.kept().gamma,
             mode: ModeWatch::new(scenario, params, rule, told_ticks),
-            rest: RestWatch::new(scenario, params),
+            rest: RestWatch::new(scenario, params, rule),
             distances: Distances::new(scenario, params),
             held: Held::new(scenario, params, rule),
             params,

@@ -1,5 +1,7 @@
 //! How far robots move, against how far they wish to: nobody is towed.
 
+use std::sync::Arc;
+
 use closeranks_core::controller::Kept;
 use closeranks_core::controller::errors::ErrorBounds;
 use closeranks_core::equations::link::Link;
@@ -8,6 +10,7 @@ use closeranks_core::settings::params::Params;
 
 use crate::frame::Frame;
 use crate::law::{Law, Verdicts, Violation};
+use crate::monitors::rule::Rule;
 use crate::monitors::truth::{ROUNDING, Truth};
 use crate::scenario::Scenario;
 
@@ -30,19 +33,21 @@ const MOVE_ROUNDING: f64 = 1e-6;
 pub(crate) struct RestWatch<const D: usize> {
     params: Params<D>,
     malicious: Vec<bool>,
+    rule: Arc<Rule>,
     /// How much less than it is h may seem to be, and how much smaller a distance, m; 0 where robots sense exactly.
     blur: f64,
     blur_m: f64,
 }
 
 impl<const D: usize> RestWatch<D> {
-    /// For the robots of `scenario`.
-    pub(crate) fn new(scenario: &Scenario, params: Params<D>) -> Self {
+    /// For the robots of `scenario`, who count for each other by `rule`.
+    pub(crate) fn new(scenario: &Scenario, params: Params<D>, rule: &Arc<Rule>) -> Self {
         let Kept { errors: ErrorBounds { offset_m, .. }, fall_max, .. } = *params.kept();
         Self {
             malicious: scenario.malicious_mask(),
             blur: 4.0 * offset_m * fall_max * f64::from(scenario.team.robots),
             blur_m: 2.0 * offset_m,
+            rule: Arc::clone(rule),
             params,
         }
     }
@@ -98,7 +103,11 @@ impl<const D: usize> RestWatch<D> {
     /// ∂h_i/∂x_i of the sum of all weights, 1/m, as robots have it.
     fn gradient(&self, robot: usize, frame: &Frame<D>) -> Vector<D> {
         let own = &frame.positions_m[robot];
-        let offsets = frame.positions_m.iter().enumerate().filter(|(other, _)| *other != robot);
+        let offsets = frame
+            .positions_m
+            .iter()
+            .enumerate()
+            .filter(|(other, _)| *other != robot && self.rule.counts(robot, *other));
         offsets.fold([0.0; D], |sum, (_, other)| {
             let offset_m = subtract(own, other);
             let link: Option<Link<f64>> = self.params.link().link(&offset_m);
@@ -112,7 +121,6 @@ mod tests {
     use closeranks_core::settings::Team;
 
     use super::*;
-    use crate::monitors::rule::Rule;
     use crate::scenario::Controller;
 
     /// Robots in a row, 0.5 m apart, of which the first moves with this speed although all wish to rest.
@@ -124,8 +132,9 @@ mod tests {
         let mut frame = Frame::new(places, vec![0.0; usize::from(team.robots)]);
         frame.velocities_m_s[0] = [speed_m_s, 0.0];
         let (mut truth, mut verdicts) = (Truth::default(), Verdicts::default());
-        truth.look(&params, &Rule::new(&scenario, &params), &scenario.malicious_mask(), &frame, false);
-        RestWatch::new(&scenario, params).watch(7, &frame, &truth, &mut verdicts);
+        let rule = Arc::new(Rule::new(&scenario, &params));
+        truth.look(&params, &rule, &scenario.malicious_mask(), &frame, false);
+        RestWatch::new(&scenario, params, &rule).watch(7, &frame, &truth, &mut verdicts);
         assert_eq!(verdicts.of(Law::Untowed).count, verdicts.of(Law::Untowed).covered);
         verdicts.of(Law::Untowed).count
     }
