@@ -185,7 +185,7 @@ mod tests {
             let cut: Vec<Point> = points.iter().map(|point| point.map(|x| x.clamp(-FAR, FAR))).collect();
             let slack = 1e-9 * scale(&cut);
             subsets(&cut, faults, &mut |rest| {
-                assert!(outside(rest, &safe) <= slack, "{points:?} {safe:?} {rest:?}")
+                assert!(outside(rest, &safe) <= slack, "{points:?} {safe:?} {rest:?}");
             });
         }
     }
