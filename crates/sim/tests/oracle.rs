@@ -69,10 +69,24 @@ fn without_tests(manifest: &str) -> String {
 
 fn copy_folder(from: &Path, to: &Path) {
     let Ok(entries) = fs::read_dir(from) else { return };
+    forget_missing(from, to);
     for entry in entries {
         let path = entry.unwrap().path();
         let target = to.join(path.file_name().unwrap());
         if path.is_dir() { copy_folder(&path, &target) } else { put(&target, &fs::read(&path).unwrap()) }
+    }
+}
+
+/// Removes from an older copy what is no longer there, or has become a folder or a file.
+fn forget_missing(from: &Path, to: &Path) {
+    let Ok(entries) = fs::read_dir(to) else { return };
+    for copied in entries.map(|entry| entry.unwrap().path()) {
+        let source = from.join(copied.file_name().unwrap());
+        match copied.is_dir() {
+            true if !source.is_dir() => fs::remove_dir_all(&copied).unwrap(),
+            false if !source.is_file() => fs::remove_file(&copied).unwrap(),
+            _ => {}
+        }
     }
 }
 
