@@ -34,8 +34,8 @@ const frames = (count) =>
       }),
     count,
   );
-const robots = await page.$$eval("#act-4 .hands button", (buttons) => buttons.length);
 await frames(WARM);
+const robots = await page.$$eval("#act-4 .hands button", (buttons) => buttons.length);
 const trace = join(await mkdtemp(join(tmpdir(), "closeranks-frames-")), "trace.json");
 await page.tracing.start({ path: trace, categories: ["toplevel", "devtools.timeline", "cc"] });
 const wall_ms = await frames(FRAMES);

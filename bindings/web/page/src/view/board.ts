@@ -7,7 +7,7 @@ import type { Said } from "./banner";
 import { Chart, type Drawn } from "./charts";
 import { h, say } from "./dom";
 import { Hands } from "./hands";
-import { draw, framed, type Frame, type Look } from "./picture";
+import { CROWD, drawLinks, drawRobots, framed, type Frame, type Look } from "./picture";
 
 export interface Setting<Seen extends Scene> {
   look: (moment: Moment) => Look;
@@ -27,6 +27,7 @@ const ALOUD_MS = 2500;
 export class Board<Seen extends Scene = Scene> {
   readonly element: HTMLElement;
   readonly controls = h("div", { class: "controls" });
+  private readonly under = h("canvas", { "aria-hidden": "true" });
   private readonly canvas = h("canvas", { "aria-hidden": "true" });
   private readonly hands: Hands;
   private readonly area: HTMLElement;
@@ -39,6 +40,8 @@ export class Board<Seen extends Scene = Scene> {
   private readonly time = h("input", { type: "range", min: 0, step: 1, "aria-label": "Time: scrub back" });
   private readonly clock = h("output", { class: "clock" });
   private frame: Frame | null = null;
+  /** Frames drawn. */
+  private count = 0;
   private slow = 0;
   /** Which of words and charts was renewed last. */
   private turn = 0;
@@ -66,7 +69,7 @@ export class Board<Seen extends Scene = Scene> {
       this.time,
       this.clock,
     );
-    this.area = h("div", { class: "area", role: "group", "aria-label": setting.label }, this.canvas, this.hands.element);
+    this.area = h("div", { class: "area", role: "group", "aria-label": setting.label }, this.under, this.canvas, this.hands.element);
     this.box.append(this.banner, this.why);
     const keys = h(
       "details",
@@ -96,15 +99,12 @@ export class Board<Seen extends Scene = Scene> {
     const before = still && !this.hands.isHeld ? null : this.frame;
     this.frame = framed(moment, look, width, height, before, this.hands.isHeld);
     this.moved = before !== null && !sameFrame(before, this.frame);
-    const scale = Math.min(devicePixelRatio, 2);
-    if (this.canvas.width !== Math.round(width * scale) || this.canvas.height !== Math.round(height * scale)) {
-      this.canvas.width = Math.round(width * scale);
-      this.canvas.height = Math.round(height * scale);
-    }
-    const context = this.canvas.getContext("2d");
-    if (!context) return;
-    context.setTransform(scale, 0, 0, scale, 0, 0);
-    draw(context, this.frame, moment, state, look);
+    this.count += 1;
+    const [under, context] = [sized(this.under, width, height), sized(this.canvas, width, height)];
+    if (!under || !context) return;
+    // While a crowd moves its links follow twenty times a second; their ends stay below the robots.
+    if (moment.robots <= CROWD || !state.playing || this.count % 3 === 0) drawLinks(under, this.frame, moment, state);
+    drawRobots(context, this.frame, moment, state, look);
     this.hands.place(this.frame, now_ms);
     say(this.play, state.playing ? "Pause" : "Play");
     this.renew(now_ms, state.playing);
@@ -153,6 +153,16 @@ export class Board<Seen extends Scene = Scene> {
     this.time.setAttribute("aria-valuetext", `${time} seconds`);
     say(this.clock, `${time} s`);
   }
+}
+
+/** The context of a canvas that fills so many pixels of the page. A canvas whose size changes is empty afterwards. */
+function sized(canvas: HTMLCanvasElement, width: number, height: number): CanvasRenderingContext2D | null {
+  const scale = Math.min(devicePixelRatio, 2);
+  const [wide, high] = [Math.round(width * scale), Math.round(height * scale)];
+  if (canvas.width !== wide || canvas.height !== high) [canvas.width, canvas.height] = [wide, high];
+  const context = canvas.getContext("2d");
+  context?.setTransform(scale, 0, 0, scale, 0, 0);
+  return context;
 }
 
 function sameFrame(one: Frame, other: Frame): boolean {

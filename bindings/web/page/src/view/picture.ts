@@ -62,11 +62,19 @@ export function toMetres(frame: Frame, x: number, y: number): [number, number] {
   return [frame.x_m + (x - width / 2) / pixels_per_m, frame.y_m - (y - height / 2) / pixels_per_m];
 }
 
-/** Draws a moment. */
-export function draw(context: CanvasRenderingContext2D, frame: Frame, moment: Moment, state: State, look: Look): void {
+/** Teams of more robots have more links than a processor draws sixty times a second. */
+export const CROWD = 20;
+
+/** Draws what lies under the robots of a moment: who is linked, and how far the chosen one reaches. */
+export function drawLinks(context: CanvasRenderingContext2D, frame: Frame, moment: Moment, state: State): void {
   context.clearRect(0, 0, frame.width, frame.height);
   range(context, frame, moment, state.chosen);
   links(context, frame, moment, state.chosen);
+}
+
+/** Draws the robots of a moment. */
+export function drawRobots(context: CanvasRenderingContext2D, frame: Frame, moment: Moment, state: State, look: Look): void {
+  context.clearRect(0, 0, frame.width, frame.height);
   if (state.hand) thread(context, frame, moment, state.hand);
   const sets = look.marksSets && state.network?.robust === false ? state.network.sets : null;
   const size = robotSize(frame, moment);
@@ -95,7 +103,7 @@ function range(context: CanvasRenderingContext2D, frame: Frame, moment: Moment, 
 function links(context: CanvasRenderingContext2D, frame: Frame, moment: Moment, chosen: number): void {
   const points = moment.all().map((robot) => toPixels(frame, moment.x(robot), moment.y(robot)));
   const reach = moment.facts.radius_m;
-  const crowded = moment.robots > 20;
+  const crowded = moment.robots > CROWD;
   for (const mine of [false, true]) {
     context.strokeStyle = mine ? INK : LINK;
     context.globalAlpha = mine ? 0.55 : crowded ? 0.25 : 0.6;
