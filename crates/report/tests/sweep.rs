@@ -3,6 +3,7 @@
 
 use bytes::Bytes;
 use closeranks_report::png::png;
+use closeranks_report::sweep::entry;
 use closeranks_report::sweep::figure::{gyrations, shares};
 use closeranks_report::sweep::file::{Writer, read};
 use closeranks_report::sweep::rows::{Cell, Head, Kind, Rows};
@@ -10,7 +11,20 @@ use closeranks_report::sweep::spread::Spread;
 use closeranks_report::sweep::tables::{controllers, percent, values};
 use closeranks_report::sweep::tally::Tally;
 use closeranks_report::table::text;
-use closeranks_sim::sweep::Field;
+use closeranks_sim::sweep::{Field, Plan};
+
+/// Polars and others refuse a file with two columns of one name: a table `controller` that is chosen had the name of the controller's.
+#[test]
+fn no_two_columns_of_a_sweep_have_the_same_name() {
+    for file in ["campaign.toml", "campaign-ranks.toml", "campaign-bodies.toml"] {
+        let path = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../../scenarios").join(file);
+        let plan = Plan::read(&std::fs::read_to_string(path).unwrap()).unwrap();
+        let mut names: Vec<String> = entry::heads(plan.fields()).into_iter().map(|head| head.name).collect();
+        assert!(names.len() > 60);
+        names.sort();
+        assert!(names.windows(2).all(|pair| pair[0] != pair[1]), "{file}: {names:?}");
+    }
+}
 
 fn heads() -> Vec<Head> {
     let named = Tally::COLUMNS.map(|name| match name {

@@ -6,10 +6,11 @@ use std::io::{BufWriter, Write as _};
 use std::path::Path;
 
 use anyhow::{Context, Result, bail};
+use closeranks_report::sweep::entry::{broken as column_of_broken, column};
 use closeranks_report::sweep::file::read;
 use closeranks_report::sweep::rows::Rows;
 use closeranks_report::sweep::spread::Spread;
-use closeranks_report::sweep::tally::{Tally, broken as column_of_broken};
+use closeranks_report::sweep::tally::Tally;
 use closeranks_sim::law::Law;
 use rayon::prelude::*;
 
@@ -84,7 +85,8 @@ pub fn count(job: &Job, store: &Store) -> Result<(Tally, Spread)> {
     if !job.is_of(open()?).with_context(broken)? {
         bail!("`{}` is of another sweep; remove it and repeat the command", path.display());
     }
-    let few = job.plan.fields().iter().filter(|field| field.few).map(|field| field.path.as_str());
+    let fields: Vec<String> = job.plan.fields().iter().filter(|field| field.few).map(column).collect();
+    let few = fields.iter().map(String::as_str);
     let columns = Law::ALL.map(column_of_broken);
     let laws = columns.iter().map(String::as_str);
     let names: Vec<&str> = Tally::COLUMNS.into_iter().chain(few).chain(laws).collect();

@@ -6,7 +6,6 @@ use closeranks_sim::scenario::Scenario;
 use closeranks_sim::sweep::{Drawn, Field};
 
 use super::rows::{Cell, Head, Kind};
-use super::tally::broken;
 
 /// A column with a number of a run: its name, with the unit, and where it comes from.
 pub type Metric = (&'static str, fn(&Summary) -> Option<f64>);
@@ -40,6 +39,15 @@ pub const METRICS: &[Metric] = &[
     ("ticks", |run| Some(f64::from(run.ticks))),
 ];
 
+/// How the names of columns begin that count how often a law was broken.
+pub(crate) const BROKEN: &str = "broken_";
+
+/// Name of the column that counts how often `law` was broken.
+#[must_use]
+pub fn broken(law: Law) -> String {
+    format!("{BROKEN}{}", law.name())
+}
+
 /// Columns before the drawn fields.
 const NAMES: [(&str, Kind); 4] =
     [("run", Kind::Whole), ("controller", Kind::Text), ("seed", Kind::Whole), ("redraws", Kind::Whole)];
@@ -71,6 +79,16 @@ pub struct Entry<'a> {
     pub summary: &'a Summary,
 }
 
+/// The name of the column of a drawn field: its own, with `.choose` after it where another column has that name. So is a
+/// whole table `controller` that is chosen, because readers of Parquet refuse two columns of one name.
+#[must_use]
+pub fn column(field: &Field) -> String {
+    let mut taken =
+        NAMES.iter().chain(&OUTCOME).map(|(name, _)| *name).chain(METRICS.iter().map(|(name, _)| *name));
+    let is_taken = taken.any(|name| name == field.path);
+    if is_taken { format!("{}.choose", field.path) } else { field.path.clone() }
+}
+
 /// All columns of a sweep with these drawn fields: `run`, `controller`, `seed`, `redraws`; the fields by their names; every
 /// metric; `broken_<law>`, how often each law was broken, whether or not what it rests on held; `violations`, how often those that count
 /// were broken although it held; `violated`, these
@@ -84,7 +102,7 @@ pub fn heads(fields: &[Field]) -> Vec<Head> {
     heads.extend(
         fields
             .iter()
-            .map(|field| Head::new(field.path.clone(), if field.number { Kind::Number } else { Kind::Text })),
+            .map(|field| Head::new(column(field), if field.number { Kind::Number } else { Kind::Text })),
     );
     heads.extend(METRICS.iter().map(|(name, _)| Head::new(*name, Kind::Number)));
     heads.extend(Law::ALL.iter().map(|law| Head::new(broken(*law), Kind::Whole)));

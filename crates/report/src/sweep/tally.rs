@@ -2,23 +2,14 @@
 
 use std::collections::BTreeMap;
 
-use closeranks_sim::law::Law;
 use closeranks_sim::scenario::Controller;
 use closeranks_sim::sweep::Field;
 
+use super::entry::{BROKEN, column};
 use super::rows::{Rows, Values};
 
 /// Violating runs of each controller that are shown.
 const SHOWN: usize = 3;
-
-/// How the names of columns begin that count how often a law was broken.
-const BROKEN: &str = "broken_";
-
-/// Name of the column that counts how often `law` was broken.
-#[must_use]
-pub fn broken(law: Law) -> String {
-    format!("{BROKEN}{}", law.name())
-}
 
 /// Columns with the robots of a violation.
 const ROBOTS: [&str; 2] = ["first_robot", "first_other_robot"];
@@ -127,7 +118,7 @@ impl Tally {
     #[must_use]
     pub fn new(fields: &[Field]) -> Self {
         let few = fields.iter().filter(|field| field.few);
-        let fields = few.map(|field| (field.path.clone(), Some(ByValue::new())));
+        let fields = few.map(|field| (column(field), Some(ByValue::new())));
         Self { fields: fields.collect(), ..Self::default() }
     }
 
