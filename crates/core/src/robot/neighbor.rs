@@ -39,7 +39,7 @@ pub struct Slot<const D: usize> {
     pub(crate) position_m: Vector<D>,
     pub(crate) sensed_at: Instant,
     pub(crate) gone_m: f64,
-    /// The same if it is missing, else 0.
+    /// How far it can have gone if it is missing, m. For all others it is 0.
     pub(crate) unsensed_m: f64,
     pub(crate) link: Link<f64>,
     /// True if it is within R as sensed. It is false for a robot that only the margin of `budget` brings into view.

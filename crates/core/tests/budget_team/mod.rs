@@ -74,7 +74,7 @@ impl<const D: usize> Team<D> {
         Self::of((seed, random), need, faults, assume, form)
     }
 
-    /// The same with ranks ([`member`]), in a team of 6 to 14 robots whose core is as small as it may be, or somewhat larger.
+    /// Draws a team of 6 to 14 robots with ranks ([`member`]), whose core is as small as it may be, or somewhat larger.
     pub(crate) fn ranked(seed: u64, assume: Assume, form: Form) -> Option<Self> {
         let mut random = Seeded(seed);
         let count = 6 + random.below(9);

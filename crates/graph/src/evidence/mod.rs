@@ -71,7 +71,7 @@ pub enum Refused {
     Zero,
     /// A node hears too few others.
     Degree {
-        /// Which.
+        /// The node that hears too few.
         node: usize,
         /// How many it hears.
         heard: usize,

@@ -210,7 +210,7 @@ impl Builder {
         self.in_order(&order, line)
     }
 
-    /// The same under the labels of the nodes, if every node has one of its own.
+    /// Gives the graph under the labels of its nodes, if every node has one of its own.
     pub(super) fn finish_labelled(mut self, line: usize) -> Result<Draft, FormatError> {
         let different: BTreeSet<&String> = self.labels.iter().collect();
         let fit = |label: &String| !label.is_empty() && label.len() <= NAME_LIMIT;

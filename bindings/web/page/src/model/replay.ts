@@ -2,9 +2,9 @@
 // It is looked at and not touched.
 
 import { Moment } from "./moment";
-import type { Scene } from "./scene";
+import type { Scene, State } from "./scene";
 import type { Facts, Simulator } from "./simulator";
-import { MOMENTS_MAX, resting, type State } from "./stage";
+import { MOMENTS_MAX, resting } from "./stage";
 import { Store } from "./store";
 import type { Table } from "./toml";
 

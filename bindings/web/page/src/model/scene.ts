@@ -1,8 +1,30 @@
 // What a board shows: moments to go through. A stage computes them, a replay is told them.
 
 import type { Moment } from "./moment";
-import type { State } from "./stage";
+import type { Network, Report } from "./simulator";
 import type { Store } from "./store";
+
+export interface State {
+  /** Everything that was seen, oldest first. */
+  moments: Moment[];
+  /** Which of them is shown. */
+  cursor: number;
+  playing: boolean;
+  /** Simulated seconds in a second. */
+  speed: number;
+  /** The robot that is chosen, from 1. */
+  chosen: number;
+  /** The robot that is held, and where to. */
+  hand: { robot: number; x_m: number; y_m: number } | null;
+  /** True from when a hand held a moving robot until the next touch: no scenario has this run. */
+  inHand: boolean;
+  report: Report | null;
+  network: Network | null;
+  /** Why the last change was refused. */
+  refused: string;
+  /** How often the reader changed something. */
+  touches: number;
+}
 
 export interface Scene {
   readonly store: Store<State>;

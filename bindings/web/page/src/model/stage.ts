@@ -4,9 +4,9 @@
 // scenario, run for so many ticks, and its digest is that of the command line. Only while a hand holds a moving robot is it not.
 
 import { Moment } from "./moment";
-import type { Scene } from "./scene";
+import type { Scene, State } from "./scene";
 import { placed, present, sentTo } from "./scenario";
-import { Refused, type Network, type Report, type Simulator, type World } from "./simulator";
+import { Refused, type Simulator, type World } from "./simulator";
 import { write, type Table } from "./toml";
 import { Store } from "./store";
 
@@ -18,28 +18,6 @@ const BETWEEN_S = 0.02;
 const RUN_MOMENTS = 500;
 /** Nodes that the search for robustness may visit at a time. */
 const NODES = 3000;
-
-export interface State {
-  /** Everything that was seen, oldest first. */
-  moments: Moment[];
-  /** Which of them is shown. */
-  cursor: number;
-  playing: boolean;
-  /** Simulated seconds in a second. */
-  speed: number;
-  /** The robot that is chosen, from 1. */
-  chosen: number;
-  /** The robot that is held, and where to. */
-  hand: { robot: number; x_m: number; y_m: number } | null;
-  /** True from when a hand held a moving robot until the next touch: no scenario has this run. */
-  inHand: boolean;
-  report: Report | null;
-  network: Network | null;
-  /** Why the last change was refused. */
-  refused: string;
-  /** How often the reader changed something. */
-  touches: number;
-}
 
 /** The state before there is anything to see. */
 export function resting(speed: number): State {

@@ -1,7 +1,7 @@
 // The team, drawn on a canvas: links below, robots above. Robots are buttons too (hands.ts); here is only what is seen.
 
 import type { Moment } from "../model/moment";
-import type { State } from "../model/stage";
+import type { State } from "../model/scene";
 import { INK, LIAR, LINE, LINK, SHORT, SOFT, valueColour } from "./colours";
 
 export const RADIUS_PX = 15;
