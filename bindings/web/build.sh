@@ -39,8 +39,8 @@ command -v npm > /dev/null || missing "npm"
 version=$("$RUSTC" --version)
 echo "$version"
 # `-Z build-std` is not stable, hence RUSTC_BOOTSTRAP. Without its default features std prints no backtraces, which a page cannot show.
-(cd wasm && RUSTC_BOOTSTRAP=1 "$CARGO" build --release --locked --target "$target" \
-  -Z build-std=std,panic_abort -Z build-std-features=)
+RUSTC_BOOTSTRAP=1 "$CARGO" build --profile web --locked -p closeranks-web --target "$target" \
+  -Z build-std=std,panic_abort -Z build-std-features=
 
 cd page
 # A browser of npm's is never downloaded: tests take the one that is there.
@@ -59,7 +59,7 @@ if [ "${1:-}" = "--check" ]; then
 else
   echo "$version" > ../compiler.txt
 fi
-node build.mjs "$CARGO_TARGET_DIR/$target/release/closeranks_web.wasm" "$site"
+node build.mjs "$CARGO_TARGET_DIR/$target/web/closeranks_web.wasm" "$site"
 ls -l "$site"
 if [ "${1:-}" = "--check" ] && ! "${same[@]}" "$site" ../site; then
   echo "build.sh: bindings/web/site is not what its sources give; bindings/web/build.sh builds it" >&2

@@ -9,7 +9,7 @@ use serde_json::{Value, json};
 const WHOLE_MAX: i64 = 9_007_199_254_740_991;
 
 /// Version, controllers, rules of consensus and laws.
-pub fn about() -> Value {
+pub(crate) fn about() -> Value {
     json!({
         "version": env!("CARGO_PKG_VERSION"),
         "controllers": Controller::ALL.iter().map(|one| controller(*one)).collect::<Value>(),
@@ -19,7 +19,7 @@ pub fn about() -> Value {
 }
 
 /// One row of the table of controllers.
-pub fn controller(controller: Controller) -> Value {
+pub(crate) fn controller(controller: Controller) -> Value {
     let row = controller.row();
     json!({
         "name": row.name,
@@ -33,12 +33,12 @@ pub fn controller(controller: Controller) -> Value {
 }
 
 /// A rule of consensus, and the graphs on which it agrees.
-pub fn rule(rule: Rule) -> Value {
+pub(crate) fn rule(rule: Rule) -> Value {
     json!({ "name": rule.name(), "condition": rule.condition(), "proved": rule == Rule::default() })
 }
 
 /// A TOML text as a value, or what is wrong with it.
-pub fn table(text: &str) -> Result<Value, Value> {
+pub(crate) fn table(text: &str) -> Result<Value, Value> {
     let problem = |line: usize, message: &str| json!([{ "line": line, "message": message }]);
     let table: toml::Table = toml::from_str(text).map_err(|error| {
         let before = error.span().and_then(|span| text.get(..span.start)).unwrap_or_default();

@@ -11,7 +11,7 @@ use serde_json::{Value, json};
 
 /// Largest F for which the network is (F+1, F+1)-robust, and whether it is for the F of the team; if not, two sets of robots that
 /// would never agree. Null for teams that the search does not take.
-pub fn network(positions_m: &[[f64; 2]], radius_m: f64, faults: u16, nodes: u64) -> Value {
+pub(crate) fn network(positions_m: &[[f64; 2]], radius_m: f64, faults: u16, nodes: u64) -> Value {
     let Ok(graph) = geometric(positions_m, radius_m) else { return Value::Null };
     let mut go_on = |_: &_| ControlFlow::Continue(());
     let mut meter = Meter::new(nodes, &mut go_on);

@@ -21,13 +21,13 @@ const PULL_M_S: f64 = 1.0;
 const ARRIVAL_M: f64 = 0.1;
 
 /// Numbers before those of robots: ticks computed, number of links.
-pub const HEAD: usize = 2;
+pub(crate) const HEAD: usize = 2;
 /// Numbers a robot: x, y, m; u_x, u_y, m/s; degree (neighbours that count for it), level, told level, h, value, outcome (0 free, 1 active, 2 infeasible,
 /// 3 recovering), values used in the last round, and those of normal robots among them.
-pub const FIELDS: usize = 12;
+pub(crate) const FIELDS: usize = 12;
 
 /// A world and its last tick as numbers.
-pub struct Session {
+pub(crate) struct Session {
     world: World<2>,
     frame: Vec<f64>,
     /// Who counts for whom, where the scenario has ranks.
@@ -64,7 +64,7 @@ impl Ranked {
 
 impl Session {
     /// Reads a scenario and computes its first tick.
-    pub fn open(text: &str) -> Result<Self, Value> {
+    pub(crate) fn open(text: &str) -> Result<Self, Value> {
         let problem = |line: usize, message: String| json!({ "line": line, "message": message });
         let scenario = parse::scenario(text).map_err(|problems| {
             problems.iter().map(|found| problem(found.line(text), found.to_string())).collect::<Value>()
@@ -85,7 +85,7 @@ impl Session {
     }
 
     /// Computes up to so many ticks, not beyond the last.
-    pub fn step(&mut self, ticks: u32) -> u32 {
+    pub(crate) fn step(&mut self, ticks: u32) -> u32 {
         for _ in 0..ticks {
             if self.world.is_over() {
                 break;
@@ -96,7 +96,7 @@ impl Session {
     }
 
     /// Computes so many ticks while one robot is drawn towards a point.
-    pub fn pull(&mut self, ticks: u32, robot: u32, to_m: [f64; 2]) -> u32 {
+    pub(crate) fn pull(&mut self, ticks: u32, robot: u32, to_m: [f64; 2]) -> u32 {
         let index = (robot as usize).wrapping_sub(1);
         for _ in 0..ticks {
             if self.world.is_over() {
@@ -116,7 +116,7 @@ impl Session {
     }
 
     /// The last tick, [`HEAD`] numbers and then [`FIELDS`] for each robot.
-    pub fn frame(&mut self) -> &[f64] {
+    pub(crate) fn frame(&mut self) -> &[f64] {
         let (frame, radius_m) = (self.world.frame(), self.world.scenario().link.radius_m);
         self.frame.clear();
         self.frame.extend([f64::from(self.world.ticks_done()), f64::from(frame.links)]);
@@ -133,7 +133,7 @@ impl Session {
     }
 
     /// What does not change while the world goes on.
-    pub fn facts(&self) -> Value {
+    pub(crate) fn facts(&self) -> Value {
         let scenario = self.world.scenario();
         json!({
             "name": scenario.name,
@@ -158,7 +158,7 @@ impl Session {
     }
 
     /// Least and greatest so far, and what became of each law that the controller is held to or that was broken.
-    pub fn report(&self) -> Value {
+    pub(crate) fn report(&self) -> Value {
         let (scenario, monitors) = (self.world.scenario(), self.world.monitors());
         let extremes = monitors.extremes();
         let laws = monitors.verdicts().iter().filter(|verdict| scenario.controller.watches(verdict.law));
@@ -172,14 +172,14 @@ impl Session {
     }
 
     /// The robustness of the network as it is now.
-    pub fn network(&self, nodes: u32) -> Value {
+    pub(crate) fn network(&self, nodes: u32) -> Value {
         let scenario = self.world.scenario();
         let positions = &self.world.frame().positions_m;
         network::network(positions, scenario.link.radius_m, scenario.team.faults, u64::from(nodes))
     }
 
     /// The digest of all ticks so far.
-    pub fn digest(&self) -> u64 {
+    pub(crate) fn digest(&self) -> u64 {
         self.world.digest().unwrap_or_default()
     }
 }
