@@ -31,6 +31,13 @@ impl<const D: usize> Memory<D> {
         }
     }
 
+    /// Grows for a robot that has so many slots.
+    pub fn fit(&mut self, slots: usize) {
+        if slots > self.robots {
+            *self = Self::new(&self.params, slots);
+        }
+    }
+
     /// The scratch to hand to a call.
     ///
     /// # Panics

@@ -112,7 +112,10 @@ impl<const D: usize, C: AtOnce<D> + Copy> Team<D, C> {
         if round {
             match &robots.sees {
                 Some(sees) => self.consensus.hold(frame, liars, |robot, other| sees.linked(robot, other)),
-                None => self.consensus.hold_around(frame, liars, &robots.around, &robots.roster),
+                None => {
+                    let around = |robot| robots.around.of(robot).iter().map(|half| usize::from(half.other));
+                    self.consensus.hold_around(frame, liars, around, &robots.roster);
+                }
             }
         }
         robots.add(frame);
