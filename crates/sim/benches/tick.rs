@@ -106,6 +106,7 @@ fn tick_of_a_swarm_of_budget(bencher: Bencher<'_, '_>, robots: u16) {
 fn swarm(controller: &str, robots: u16) -> Scenario {
     let text = include_str!("../../../scenarios/swarm.toml");
     let text = text.replace("robots = 10000", &format!("robots = {robots}"));
+    let text = text.replace("local = 400", &format!("local = {}", robots / 25));
     parse::scenario(&text.replace("\"links\"", &format!("\"{controller}\""))).expect("a valid scenario")
 }
 

@@ -367,17 +367,18 @@ impl Workers for Backwards {
 /// Who computes a large team, and in how many pieces, changes no bit.
 #[test]
 fn any_number_of_workers_gives_the_same_bits() {
-    let scenario = Scenario {
-        malicious: vec![7, 301],
-        ..ranked(Controller::Budget, (700, 1), 1.2, How::Own { core: 5 })
-    };
-    let digest = |workers: usize| {
-        let mut world = World::<2>::new(&scenario, Options { digest: true, ..Options::default() }).unwrap();
-        world.employ(Arc::new(Backwards(workers)));
-        for _ in 0..4 {
-            world.step();
-        }
-        world.digest()
-    };
-    assert!([2, 3, 8].iter().all(|workers| digest(*workers) == digest(1)));
+    for controller in [Controller::Budget, Controller::Links] {
+        let scenario =
+            Scenario { malicious: vec![7, 301], ..ranked(controller, (700, 1), 1.2, How::Own { core: 5 }) };
+        let digest = |workers: usize| {
+            let options = Options { digest: true, ..Options::default() };
+            let mut world = World::<2>::new(&scenario, options).unwrap();
+            world.employ(Arc::new(Backwards(workers)));
+            for _ in 0..4 {
+                world.step();
+            }
+            world.digest()
+        };
+        assert!([2, 3, 8].iter().all(|workers| digest(*workers) == digest(1)));
+    }
 }

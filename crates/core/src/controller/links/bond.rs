@@ -12,9 +12,9 @@
 
 use crate::controller::links::control::LinksController;
 use crate::controller::links::deal::Deal;
-use crate::controller::links::peer::{Ledger, Peer, Told};
+use crate::controller::links::peer::{Ledger, Told};
 use crate::controller::links::protocol::{Entry, Hold, Number, Word};
-use crate::controller::links::rows::Tie;
+use crate::controller::links::rows::Beside;
 use crate::controller::links::wire::Head;
 use crate::id::Member;
 use crate::num::{Vector, subtract};
@@ -151,50 +151,39 @@ impl Bond {
         self.hold(moment, moment.tick.saturating_add(1)).is_active()
     }
 
-    /// The neighbour `who`, sensed at `offset_m` (m), before the messages of this tick; `told` is what it said to all in the tick before.
-    #[must_use]
-    pub fn slot<const D: usize>(
+    /// Makes `slot` that of the neighbour `who`, sensed at `offset_m` (m), before the messages of this tick; `told` is what it said to all in
+    /// the tick before. The slot may have been that of another one: whatever [`LinksController::agree_at_once`] looks at is written.
+    pub fn fill<const D: usize>(
         &self,
+        slot: &mut Slot<D>,
         terms: &Terms,
         moment: &Moment,
         who: Member,
         offset_m: Vector<D>,
         told: &Voice<D>,
-    ) -> Slot<D> {
-        let (hold, now) = (self.hold(moment, moment.tick), moment.now());
-        let head = |at: Moment| Told {
-            head: Head {
-                number: moment.last(moment.tick),
-                value: None,
-                price_m: told.price_m,
-                wish_m_s: told.wish_m_s,
-            },
-            promised: self.their.promised,
-            at: at.now(),
-        };
-        let told = moment.before().filter(|_| self.born < moment.tick).map(head);
-        let deal = Deal {
+    ) {
+        (slot.id, slot.rank, slot.sensed, slot.linked) = (who.id, who.rank, true, true);
+        (slot.offset_m, slot.sensed_at, slot.gone_m) = (offset_m, moment.now(), 0.0);
+        let peer = &mut slot.peer;
+        (peer.hold, peer.held) = (self.hold(moment, moment.tick), self.held);
+        (peer.unseen_ticks, peer.vanished, peer.inside) = (0, false, false);
+        let (number, promised) = (moment.last(moment.tick), self.their.promised);
+        let head = Head { number, value: None, price_m: told.price_m, wish_m_s: told.wish_m_s };
+        let then = moment.before().filter(|_| self.born < moment.tick);
+        peer.told = then.map(|then| Told { head, promised, at: then.now() });
+        peer.deal = Deal {
+            gain_m: 0.0,
             promised: self.promised,
             engaged: terms.engaged,
+            eligible: false,
+            stretched: false,
             released: terms.released,
             unused_s: terms.unused_s,
             lapsed_s: terms.lapsed_s,
             barred_s: terms.barred_s,
             bar_s: terms.bar_s,
             waiting_ticks: terms.waiting_ticks,
-            ..Deal::default()
         };
-        let peer = Peer { hold, held: self.held, told, deal, ..Peer::new(Number::NONE) };
-        Slot {
-            id: who.id,
-            rank: who.rank,
-            sensed: true,
-            linked: true,
-            offset_m,
-            sensed_at: now,
-            peer,
-            ..Slot::default()
-        }
     }
 
     /// Takes over what became of the slot before the messages of this tick.
@@ -237,13 +226,12 @@ impl<const D: usize> Unseen<D> {
         }
     }
 
-    /// The slot of a neighbour that is sensed no more.
-    #[must_use]
-    pub fn slot(&self, own_m: &Vector<D>, slot: Slot<D>) -> Slot<D> {
-        let Self { position_m, sensed_at, gone_m, ticks, vanished, inside } = *self;
-        let peer = Peer { unseen_ticks: ticks, vanished, inside, ..slot.peer };
-        let offset_m = subtract(own_m, &position_m);
-        Slot { sensed: false, linked: false, offset_m, position_m, sensed_at, gone_m, peer, ..slot }
+    /// Makes a slot that [`Bond::fill`] has filled that of a neighbour that is sensed no more.
+    pub fn fill(&self, slot: &mut Slot<D>, own_m: &Vector<D>) {
+        (slot.sensed, slot.linked, slot.gone_m) = (false, false, self.gone_m);
+        (slot.offset_m, slot.sensed_at) = (subtract(own_m, &self.position_m), self.sensed_at);
+        let peer = &mut slot.peer;
+        (peer.unseen_ticks, peer.vanished, peer.inside) = (self.ticks, self.vanished, self.inside);
     }
 
     /// True if the robot reckons with it although it must have been sensed.
@@ -254,8 +242,8 @@ impl<const D: usize> Unseen<D> {
 
     /// What bounds the move of a robot at `own_m` (m) next to it, of whose bond only whether it is `active` matters.
     #[must_use]
-    pub fn tie(&self, own_m: &Vector<D>, active: bool) -> Tie<D> {
-        Tie { offset_m: subtract(own_m, &self.position_m), gone_m: self.gone_m, sensed: false, active }
+    pub fn beside(&self, own_m: &Vector<D>, active: bool) -> Beside<D> {
+        Beside { offset_m: subtract(own_m, &self.position_m), gone_m: self.gone_m, sensed: false, active }
     }
 }
 

@@ -3,7 +3,7 @@
 use crate::controller::assume::Assume;
 use crate::controller::links::Links;
 use crate::controller::links::peer::{Ledger, Peer};
-use crate::controller::links::rows::Tie;
+use crate::controller::links::rows::Beside;
 use crate::controller::{Control, Decision, Kept, Motion, Standing, View};
 use crate::equations::link::LinkShape;
 use crate::id::Member;
@@ -73,24 +73,24 @@ impl<const D: usize> LinksController<D> {
     }
 
     fn decision(&self, view: &View<'_, D>, desired: &Vector<D>, scratch: &mut Scratch<'_, D>) -> Decision<D> {
-        let ties = view.slots.iter().map(|slot| Tie::of(slot, view.ledger.obliged));
+        let others = view.slots.iter().map(|slot| Beside::of(slot, view.ledger.obliged));
         let counted = view.slots.iter().filter(|slot| slot.peer.is_counted()).count();
         let motion = Motion { desired_m_s: self.wish(view, desired), before_m_s: view.before_m_s };
-        self.decide(view.member(), counted, ties, &motion, scratch)
+        self.decide(view.member(), counted, others, &motion, scratch)
     }
 
-    /// The decision of robot `own`, which counts on so many neighbours and has these `ties`. Its desired velocity is
+    /// The decision of robot `own`, which counts on so many neighbours and has these `others`. Its desired velocity is
     /// [`turned`](Links::turned) already.
     pub fn decide(
         &self,
         own: Member,
         counted: usize,
-        ties: impl Iterator<Item = Tie<D>>,
+        others: impl Iterator<Item = Beside<D>>,
         motion: &Motion<D>,
         scratch: &mut Scratch<'_, D>,
     ) -> Decision<D> {
         let desired_m = motion.desired_m_s.map(|component| component * self.hold_s);
-        let mut rows = self.links.rows(ties, &desired_m, self.reach, scratch.rows);
+        let mut rows = self.links.rows(others, &desired_m, self.reach, scratch.rows);
         let moved = rows.decide(&motion.before_m_s.map(|component| component * self.hold_s));
         let velocity = moved.displacement_m.map(|component| component / self.hold_s);
         let uncounted = (counted < usize::from(self.links.keep(own))).then_some(Reason::Uncounted);

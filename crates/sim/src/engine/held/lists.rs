@@ -282,8 +282,10 @@ impl<const D: usize> Rule<'_, D> {
     ) -> bool {
         let silent = Voice { price_m: 0.0, wish_m_s: [0.0; D] };
         let member = self.roster.member(usize::from(other));
-        let slot: Slot<D> = bond.slot(terms, &self.moment, member, [0.0; D], &silent);
-        self.controller.keeps_unseen(&unseen.slot(own_m, slot))
+        let mut slot = Slot::default();
+        bond.fill(&mut slot, terms, &self.moment, member, [0.0; D], &silent);
+        unseen.fill(&mut slot, own_m);
+        self.controller.keeps_unseen(&slot)
     }
 }
 

@@ -1,7 +1,7 @@
 //! A piece of the team: what its robots decide on, first whom they list, then where they go.
 
 use closeranks_core::controller::links::bond::{Bond, Terms};
-use closeranks_core::controller::links::rows::Tie;
+use closeranks_core::controller::links::rows::Beside;
 use closeranks_core::controller::{Control, Decision, Motion, Standing};
 use closeranks_core::num::{Vector, subtract};
 use closeranks_core::robot::neighbor::Slot;
@@ -28,6 +28,14 @@ impl<const D: usize> Desk<D> {
     pub(super) fn new(params: &Params<D>, robots: usize) -> Self {
         let memory = Memory::new(params, robots);
         Self { memory, slots: Vec::new(), lines: Vec::new(), values: Vec::new() }
+    }
+
+    /// The slot for the next line.
+    fn slot(&mut self) -> &mut Slot<D> {
+        if self.slots.len() == self.lines.len() {
+            self.slots.push(Slot::default());
+        }
+        &mut self.slots[self.lines.len()]
     }
 }
 
@@ -63,7 +71,6 @@ impl<const D: usize> Robots<D> {
         positions_m: &[Vector<D>],
     ) -> f64 {
         let (own_m, others) = (&positions_m[robot], self.lists.of(robot));
-        desk.slots.clear();
         desk.lines.clear();
         for (line, other) in others.numbers.iter().enumerate() {
             let index = usize::from(*other);
@@ -71,15 +78,19 @@ impl<const D: usize> Robots<D> {
                 continue;
             }
             let (member, offset_m) = (self.roster.member(index), subtract(own_m, &positions_m[index]));
-            let slot = bonds[line].slot(&terms[line], &self.moment, member, offset_m, &self.voices[index]);
-            desk.slots.push(others.unseen(*other).map_or(slot, |unseen| unseen.slot(own_m, slot)));
+            let slot = desk.slot();
+            bonds[line].fill(slot, &terms[line], &self.moment, member, offset_m, &self.voices[index]);
+            if let Some(unseen) = others.unseen(*other) {
+                unseen.fill(slot, own_m);
+            }
             desk.lines.push(line);
         }
-        desk.values.resize(desk.slots.len(), 0.0);
+        let Desk { slots, lines, values, .. } = desk;
+        let slots = &mut slots[..lines.len()];
+        values.resize(lines.len(), 0.0);
         let (own, wish_m_s) = (self.roster.member(robot), &self.wishes_m_s[robot]);
-        let price_m =
-            self.controller.agree_at_once(own, &self.moment, wish_m_s, &mut desk.slots, &mut desk.values);
-        for (slot, line) in desk.slots.iter().zip(&desk.lines) {
+        let price_m = self.controller.agree_at_once(own, &self.moment, wish_m_s, slots, values);
+        for (slot, line) in slots.iter().zip(lines) {
             bonds[*line].keep(&mut terms[*line], &self.moment, slot);
         }
         price_m
@@ -104,18 +115,18 @@ impl<const D: usize> Robots<D> {
         let (own_m, others) = (&frame.positions_m[robot], self.lists.of(robot));
         let bonds = self.lists.bonds(robot);
         let offset_m = |other: usize| subtract(own_m, &frame.positions_m[other]);
-        let ties = others.numbers.iter().zip(bonds).map(|(other, bond)| {
+        let beside = others.numbers.iter().zip(bonds).map(|(other, bond)| {
             let active = bond.is_active(&self.moment);
             match others.unseen(*other) {
-                Some(unseen) => unseen.tie(own_m, active),
-                None => Tie { offset_m: offset_m(usize::from(*other)), gone_m: 0.0, sensed: true, active },
+                Some(unseen) => unseen.beside(own_m, active),
+                None => Beside { offset_m: offset_m(usize::from(*other)), gone_m: 0.0, sensed: true, active },
             }
         });
         let counted = bonds.iter().filter(|bond| bond.is_counted(&self.moment)).count();
         let heard = others.sensed().map(|other| (offset_m(other), self.voices[other].wish_m_s));
         let desired_m_s = self.controller.links.turned(&frame.asked_m_s[robot], heard);
         let motion = Motion { desired_m_s, before_m_s: frame.velocities_m_s[robot] };
-        self.controller.decide(self.roster.member(robot), counted, ties, &motion, scratch)
+        self.controller.decide(self.roster.member(robot), counted, beside, &motion, scratch)
     }
 
     /// A decision with what it is worth.
