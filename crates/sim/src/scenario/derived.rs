@@ -40,7 +40,7 @@ impl Scenario {
     pub fn params<const D: usize>(&self) -> Result<Params<D>, ParamsError> {
         let corner = |numbers: &[f64]| core::array::from_fn(|d| numbers.get(d).copied().unwrap_or(f64::NAN));
         let Limits { distance_min_m, input_min_m_s, input_max_m_s } = &self.limits;
-        let input = InputBox { min_m_s: corner(input_min_m_s), max_m_s: corner(input_max_m_s) };
+        let input = InputBox::of(corner(input_min_m_s), corner(input_max_m_s));
         Params::new(Settings {
             team: self.team,
             link: self.link,
