@@ -119,7 +119,7 @@ fn settings(controller: Controller, hold_max: Duration) -> Settings<2> {
     Settings {
         team: Team { robots: 4, faults: 1 },
         link: LinkSettings { radius_m: RADIUS_M, ..LinkSettings::default() },
-        limits: Limits { distance_min_m: 0.3, input },
+        limits: Limits { distance_min_m: 0.3, input, ..Limits::default() },
         controller,
         clock: Clock {
             level_period: PERIOD,

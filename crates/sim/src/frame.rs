@@ -82,6 +82,9 @@ pub struct Assumptions {
     pub unsensed: Vec<bool>,
     /// True if some reference is not the last one plus its move: what held before says nothing about it.
     pub renewed: bool,
+    /// True if some robot may not be where it counts itself within what is stated: it sensed wrong, is away from its reference, began
+    /// anew, or goes on without having looked. What others do makes no difference.
+    pub misplaced: bool,
     /// True if some normal robot did not run, or began anew. Rounds of consensus rest on it, safety does not.
     pub unsteady: bool,
 }
@@ -91,7 +94,14 @@ impl Assumptions {
     #[must_use]
     pub fn all_hold(robots: usize) -> Self {
         let none = vec![false; robots];
-        Self { broken: false, sensed_wrong: none.clone(), unsensed: none, renewed: false, unsteady: false }
+        Self {
+            broken: false,
+            sensed_wrong: none.clone(),
+            unsensed: none,
+            renewed: false,
+            misplaced: false,
+            unsteady: false,
+        }
     }
 }
 

@@ -28,6 +28,9 @@ pub(crate) fn closest_beyond<const D: usize>(
         return program.closest(desired_m);
     }
     let far_m = FAR * program.reach.longest_m() / length(&row.normal);
+    if !far_m.is_finite() {
+        return Closest { outcome: Outcome::Infeasible, ..program.closest(desired_m) };
+    }
     let farthest = program.closest(&row.normal.map(|component| component * far_m));
     let above = dot(&row.normal, &farthest.displacement_m) - row.bound;
     if above.is_nan() || above < 0.0 || program.is_full() {

@@ -71,6 +71,9 @@ pub fn numbers(scenario: &Scenario, run: &Run, program: Program<'_>) -> Map<Stri
     });
     let mut numbers = if let Value::Object(numbers) = numbers { numbers } else { Map::new() };
     numbers.extend(conduct(&summary.conduct));
+    if !scenario.obstacles.list.is_empty() {
+        numbers.insert("clear_min_m".to_owned(), json!(extremes.clear_min_m));
+    }
     if let Some(ranks) = ranks(scenario) {
         let first = summary.void.first.map(|(tick, robot, liars)| {
             json!({ "time_s": f64::from(tick) * scenario.tick_s(), "robot": robot, "listened_to": liars })

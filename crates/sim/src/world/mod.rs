@@ -91,6 +91,9 @@ impl<const D: usize> World<D> {
         if scenario.dimension != D {
             return Err(RunError::Dimension(scenario.dimension));
         }
+        if let Some(why) = scenario.refuses_obstacles() {
+            return Err(RunError::Obstacles(why));
+        }
         let params = scenario.params::<D>()?;
         scenario.ranks::<D>()?;
         let values = initial_values(scenario)?;
