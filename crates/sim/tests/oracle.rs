@@ -27,9 +27,10 @@ const SEED: &str = "7";
 /// So many programs are built at a time, as most of a build of one changed line waits for one thread. At least two: the
 /// controller as it is has a campaign in each.
 const LANES: usize = 2;
-/// Where mutants are hunted; those of ranks in teams that have ranks.
+/// Where mutants are hunted; those of ranks in teams that have ranks, those of obstacles among obstacles.
 const CAMPAIGN: &str = "campaign.toml";
 const RANKED: &str = "campaign-ranks.toml";
+const OBSTACLES: &str = "campaign-obstacles.toml";
 
 fn root() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../..")
@@ -129,7 +130,11 @@ fn caught(workspace: &Path, mutant: &Mutant) -> bool {
         assert_eq!(text.matches(line).count(), 1, "{name}: `{line}` in {file}");
         put(&path, text.replace(line, broken).as_bytes());
     }
-    let campaign = if name.starts_with("ranks:") { RANKED } else { CAMPAIGN };
+    let campaign = match name.split_once(": ") {
+        Some(("ranks", _)) => RANKED,
+        Some(("obstacles", _)) => OBSTACLES,
+        _ => CAMPAIGN,
+    };
     let found = hunt(workspace, campaign, law);
     eprintln!("{name}: {found}");
     copy(workspace);

@@ -69,7 +69,8 @@ mod tests {
 
     fn moved(clearance: Clearance, at: [f64; 2], map: &[Obstacle<2>], wish_m: [f64; 2]) -> [f64; 2] {
         let mut memory = [Row::default(); 40];
-        let mut program = Program::new(&mut memory, Reach::new(&InputBox::of([-REACH_M; 2], [REACH_M; 2]), 1.0));
+        let mut program =
+            Program::new(&mut memory, Reach::new(&InputBox::of([-REACH_M; 2], [REACH_M; 2]), 1.0));
         clearance.push(&at, map, &mut program);
         program.closest(&wish_m).displacement_m
     }
@@ -99,7 +100,10 @@ mod tests {
                 stopped += u32::from(length(&subtract(&v, &wish)) > 0.8);
                 for part in [0.25, 0.5, 1.0] {
                     let end = add_scaled(&at, part, &v);
-                    assert!(map.iter().all(|obstacle| gap_m(obstacle, &end) >= 0.15 - 1e-12), "{k} {error_m}");
+                    assert!(
+                        map.iter().all(|obstacle| gap_m(obstacle, &end) >= 0.15 - 1e-12),
+                        "{k} {error_m}"
+                    );
                 }
             }
         }

@@ -124,7 +124,10 @@ mod tests {
             let least_m_s = length(&subtract(&u, &point));
             for (x, y) in (0..=60).flat_map(|x| (0..=60).map(move |y| (f64::from(x), f64::from(y)))) {
                 let other = [-1.0 + x / 30.0, -1.0 + y / 30.0];
-                assert!(!input.contains(&other) || length(&subtract(&u, &other)) >= least_m_s - 1e-12, "{u:?}");
+                assert!(
+                    !input.contains(&other) || length(&subtract(&u, &other)) >= least_m_s - 1e-12,
+                    "{u:?}"
+                );
             }
         }
     }

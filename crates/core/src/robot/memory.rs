@@ -27,7 +27,11 @@ impl<'memory, const D: usize> Scratch<'memory, D> {
         let given = Needs { values: values.len(), sightings: sightings.len(), rows: rows.len() };
         let enough =
             given.values >= needs.values && given.sightings >= needs.sightings && given.rows >= needs.rows;
-        if enough { Ok(Self { neighbors, values, sightings, rows, map: &[] }) } else { Err(RobotError::Scratch(needs)) }
+        if enough {
+            Ok(Self { neighbors, values, sightings, rows, map: &[] })
+        } else {
+            Err(RobotError::Scratch(needs))
+        }
     }
 }
 

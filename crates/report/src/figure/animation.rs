@@ -108,7 +108,13 @@ impl<'a> Film<'a> {
     fn draw_obstacles(&self, svg: &mut Svg) {
         let [width, height] = [WIDTH - 2.0 * MARGIN, HEIGHT - ABOVE - BELOW];
         let place = Place { left: MARGIN, top: ABOVE, width, height };
-        obstacles::draw(svg, place, self.scale, |x| self.at([x[0], x[1]]), &self.case.scenario.obstacles.list);
+        obstacles::draw(
+            svg,
+            place,
+            self.scale,
+            |x| self.at([x[0], x[1]]),
+            &self.case.scenario.obstacles.list,
+        );
     }
 
     fn draw_title(&self, svg: &mut Svg) {

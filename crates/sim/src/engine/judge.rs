@@ -65,9 +65,8 @@ impl Judge {
             *unsensed = edges.is_some_and(|edges| edges.sight.misses(index));
         }
         frame.assumptions.misplaced = misplaced || frame.assumptions.renewed;
-        frame.assumptions.broken = self.disobeyed
-            || frame.assumptions.misplaced
-            || frame.assumptions.sensed_wrong.contains(&true);
+        frame.assumptions.broken =
+            self.disobeyed || frame.assumptions.misplaced || frame.assumptions.sensed_wrong.contains(&true);
     }
 
     /// Takes over where robots count themselves. A robot that is down stays where its velocities have taken it.

@@ -109,7 +109,9 @@ fn obstacles<const D: usize>(reader: &mut Reader, scenario: &Scenario) {
         let names: Vec<_> = with.iter().map(|of| of.name()).collect();
         return reader.refuse("obstacles", error, format!("only under {}", names.join(", ")));
     }
-    let (Ok(positions), keep_m) = (scenario.positions::<D>(), scenario.start_clearance_m::<D>()) else { return };
+    let (Ok(positions), keep_m) = (scenario.positions::<D>(), scenario.start_clearance_m::<D>()) else {
+        return;
+    };
     let Some((robot, index, gap_m)) = scenario.obstacles.too_near(&positions, keep_m) else { return };
     let field = match scenario.start {
         Start::Listed(_) => format!("start.positions_m[{robot}]"),
@@ -117,7 +119,11 @@ fn obstacles<const D: usize>(reader: &mut Reader, scenario: &Scenario) {
     };
     let (robot, place) = (robot + 1, scenario.obstacles.field(index));
     let found = format!("{gap_m:.4} m between the start of robot {robot} and {place}");
-    reader.refuse(&field, found, format!("at least {keep_m} m: obstacles.clearance_m and what stated errors cost"));
+    reader.refuse(
+        &field,
+        found,
+        format!("at least {keep_m} m: obstacles.clearance_m and what stated errors cost"),
+    );
 }
 
 fn boxes(reader: &mut Reader, scenario: &Scenario) {
@@ -181,8 +187,13 @@ fn is_too_fast(reader: &mut Reader, scenario: &Scenario) -> bool {
     if 2.0 * speed * hold_s < radius_m {
         return false;
     }
-    let fields =
-        ["controller.speed_max_m_s", "controller.input_max_m_s", "controller.input_min_m_s", "clock.hold_max_s", "clock.tau_1_s"];
+    let fields = [
+        "controller.speed_max_m_s",
+        "controller.input_max_m_s",
+        "controller.input_min_m_s",
+        "clock.hold_max_s",
+        "clock.tau_1_s",
+    ];
     let field = fields.into_iter().find(|field| reader.was_given(field)).unwrap_or("link.radius_m");
     let found =
         format!("too much: at up to {speed:.4} m/s a robot moves {:.4} m in {hold_s} s", speed * hold_s);

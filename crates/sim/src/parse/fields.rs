@@ -215,10 +215,15 @@ fn draw_obstacles(reader: &Reader, drawn: &Drawn, scenario: &mut Scenario) {
         return;
     }
     let found = match scenario.dimension {
-        3 => scenario.positions::<3>().map(|x| drawn.draw(&x, scenario.start_clearance_m::<3>(), scenario.seed)),
-        _ => scenario.positions::<2>().map(|x| drawn.draw(&x, scenario.start_clearance_m::<2>(), scenario.seed)),
+        3 => scenario
+            .positions::<3>()
+            .map(|x| drawn.draw(&x, scenario.start_clearance_m::<3>(), scenario.seed)),
+        _ => scenario
+            .positions::<2>()
+            .map(|x| drawn.draw(&x, scenario.start_clearance_m::<2>(), scenario.seed)),
     };
-    set(&mut scenario.obstacles, found.ok());
+    let turn = scenario.obstacles.turn;
+    set(&mut scenario.obstacles, found.ok().map(|found| Obstacles { turn, ..found }));
 }
 
 /// How values are updated.

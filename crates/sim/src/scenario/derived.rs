@@ -39,7 +39,8 @@ impl Scenario {
     /// The robot's own parameters; an error names the field.
     pub fn params<const D: usize>(&self) -> Result<Params<D>, ParamsError> {
         let corner = |numbers: &[f64]| core::array::from_fn(|d| numbers.get(d).copied().unwrap_or(f64::NAN));
-        let Limits { distance_min_m, input_min_m_s, input_max_m_s, speed_max_m_s, clearance_m } = &self.limits;
+        let Limits { distance_min_m, input_min_m_s, input_max_m_s, speed_max_m_s, clearance_m } =
+            &self.limits;
         let input = InputBox::of(corner(input_min_m_s), corner(input_max_m_s)).within(*speed_max_m_s);
         Params::new(Settings {
             team: self.team,

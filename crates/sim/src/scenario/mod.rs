@@ -9,6 +9,7 @@ pub mod route;
 mod scatter;
 
 pub mod start;
+pub(crate) mod turn;
 
 use closeranks_core::num::Vector;
 use closeranks_core::settings::{
@@ -208,7 +209,8 @@ impl Scenario {
     #[must_use]
     pub fn refuses_obstacles(&self) -> Option<String> {
         let refuses = self.controller.row().amid == Amid::Refuses && !self.obstacles.list.is_empty();
-        refuses.then(|| format!("under controller \"{}\", which does not know of any", self.controller.name()))
+        refuses
+            .then(|| format!("under controller \"{}\", which does not know of any", self.controller.name()))
     }
 
     /// τ₁ in seconds.

@@ -1,13 +1,15 @@
 //! What stands in the way: discs and walls, listed or drawn, and what robots make of them.
 
-use closeranks_core::num::{Vector, length};
+use closeranks_core::num::{Vector, add_scaled};
 use closeranks_core::obstacle::Obstacle;
 use closeranks_core::settings::range::{Allowed, MAGNITUDE_MAX};
 
+use crate::geometry::squared_distance;
 use crate::parse::column::Column;
 use crate::parse::common::{NOT_NEGATIVE, POSITION, POSITIVE, set, small};
 use crate::parse::reader::{Reader, Section};
 use crate::random::{Random, Stream};
+use crate::scenario::turn::{gap_m, turned};
 
 /// Greatest number of obstacles: every robot looks at all of them in every tick.
 pub const OBSTACLES_MAX: usize = 1_000;
@@ -22,6 +24,8 @@ pub struct Obstacles {
     pub list: Vec<Obstacle<3>>,
     /// How many of them are discs.
     pub discs: usize,
+    /// True if wishes are turned along obstacles, to the side on which the middle of those in sight lies.
+    pub turn: bool,
 }
 
 impl Obstacles {
@@ -58,6 +62,22 @@ impl Obstacles {
         pairs.into_iter().find(|(_, _, gap_m)| *gap_m < keep_m)
     }
 
+    /// Turns the wishes of robots at `positions_m` that see each other within `sight_m`, if wishes are turned.
+    pub(crate) fn turn<const D: usize>(
+        &self,
+        positions_m: &[Vector<D>],
+        [sight_m, keep_m]: [f64; 2],
+        wishes_m_s: &mut [Vector<D>],
+    ) {
+        if !self.turn {
+            return;
+        }
+        let obstacles = self.in_dimension::<D>();
+        for (wish, x) in wishes_m_s.iter_mut().zip(positions_m) {
+            *wish = turned(wish, x, &middle(x, positions_m, sight_m), &obstacles, keep_m);
+        }
+    }
+
     /// Reads the lists of the table; obstacles that are drawn come later.
     pub(crate) fn read(reader: &mut Reader, section: &mut Section<'_>, dimension: usize) -> Self {
         let (place, radius) = (&POSITION[..dimension], Column::new("radius_m", POSITIVE));
@@ -70,6 +90,7 @@ impl Obstacles {
             reader.refuse("obstacles", found, format!("at most {OBSTACLES_MAX} together"));
         }
         let mut read = Self::default();
+        set(&mut read.turn, reader.word(section, "turn", &[("none", false), ("middle", true)]));
         discs.iter().for_each(|row| read.list.push(Obstacle::disc(point(&row[..dimension]), row[dimension])));
         read.discs = read.list.len();
         let wall = |row: &Vec<f64>| Obstacle::wall(point(&row[..dimension]), point(&row[dimension..]));
@@ -78,15 +99,20 @@ impl Obstacles {
     }
 }
 
+/// The middle of those within `sight_m` of `x`, itself among them.
+fn middle<const D: usize>(x: &Vector<D>, positions_m: &[Vector<D>], sight_m: f64) -> Vector<D> {
+    let near = positions_m.iter().filter(|other| squared_distance(x, other) <= sight_m * sight_m);
+    let (mut sum, mut count) = ([0.0; D], 0.0);
+    for other in near {
+        sum = add_scaled(&sum, 1.0, other);
+        count += 1.0;
+    }
+    sum.map(|part| part / count)
+}
+
 /// A point of the plane or of space, m.
 fn point(x: &[f64]) -> Vector<3> {
     core::array::from_fn(|d| x.get(d).copied().unwrap_or(0.0))
-}
-
-/// How far `x` is from an obstacle, m; negative inside.
-#[must_use]
-pub fn gap_m<const D: usize>(obstacle: &Obstacle<D>, x: &Vector<D>) -> f64 {
-    length(&obstacle.offset_m(x)) - obstacle.radius_m
 }
 
 /// Obstacles that are drawn around a start.
@@ -117,7 +143,12 @@ impl Drawn {
     }
 
     /// Discs and walls, none nearer than `keep_m` to any of `positions_m`. One that finds no place is left out.
-    pub(crate) fn draw<const D: usize>(&self, positions_m: &[Vector<D>], keep_m: f64, seed: u64) -> Obstacles {
+    pub(crate) fn draw<const D: usize>(
+        &self,
+        positions_m: &[Vector<D>],
+        keep_m: f64,
+        seed: u64,
+    ) -> Obstacles {
         let mut random = Random::new(seed, Stream::Obstacles);
         let mut drawn = Obstacles::default();
         for index in 0..self.discs + self.walls {

@@ -133,7 +133,11 @@ impl<const D: usize> Control<D> for BudgetController<D> {
 
     fn needs(&self, neighbors: usize) -> Needs {
         let values = Budget::survey_len(self.budget.assume, neighbors);
-        Needs { values, sightings: neighbors, rows: rows(D, !self.budget.is_exact(), neighbors) + self.reach.rows() - 2 * D }
+        Needs {
+            values,
+            sightings: neighbors,
+            rows: rows(D, !self.budget.is_exact(), neighbors) + self.reach.rows() - 2 * D,
+        }
     }
 
     fn reckons(&self) -> bool {

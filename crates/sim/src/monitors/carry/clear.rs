@@ -82,7 +82,11 @@ impl<const D: usize> Clear<D> {
         let step_m = length(&subtract(end, start));
         let least_m = |obstacle: &Obstacle<D>| {
             let end_m = gap_m(obstacle, end);
-            if end_m > self.clear_m + step_m || step_m == 0.0 { end_m } else { nearest_m(obstacle, start, end) }
+            if end_m > self.clear_m + step_m || step_m == 0.0 {
+                end_m
+            } else {
+                nearest_m(obstacle, start, end)
+            }
         };
         self.obstacles.iter().map(least_m).fold(f64::INFINITY, f64::min)
     }
