@@ -71,6 +71,7 @@ pub struct Frame<const D: usize> {
 /// What held in a tick of the assumptions under which `budget` promises anything, as only the world can know. The world fills
 /// it after the robots ticked; monitors hold a robot to its promises only where they hold.
 #[derive(Clone, Debug, PartialEq, Eq)]
+#[expect(clippy::struct_excessive_bools, reason = "each is broken by itself")]
 pub struct Assumptions {
     /// True if some assumption does not hold, whether or not a robot can know: liars disobey, a robot goes on without having
     /// looked, a robot is farther from its reference than is stated, or one of the two

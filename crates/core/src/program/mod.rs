@@ -52,7 +52,7 @@ impl<const D: usize> InputBox<D> {
     #[must_use]
     pub fn clip(&self, u: &Vector<D>) -> Vector<D> {
         let boxed = self.clip_to_box(u);
-        if length(&boxed) <= self.speed_max_m_s { boxed } else { self.shortened(u) }
+        if self.is_in_ball(&boxed) { boxed } else { self.shortened(u) }
     }
 
     fn clip_to_box(&self, u: &Vector<D>) -> Vector<D> {
@@ -86,17 +86,21 @@ impl<const D: usize> InputBox<D> {
     /// Takes off what rounding has put beyond the ball.
     fn pulled_in(&self, mut point: Vector<D>) -> Vector<D> {
         let mut step = f64::EPSILON;
-        while step < 1.0 && !(length(&point) <= self.speed_max_m_s) {
+        while step < 1.0 && !self.is_in_ball(&point) {
             point = point.map(|component| component - step * component);
             step *= 2.0;
         }
-        if length(&point) <= self.speed_max_m_s { point } else { [0.0; D] }
+        if self.is_in_ball(&point) { point } else { [0.0; D] }
+    }
+
+    fn is_in_ball(&self, u: &Vector<D>) -> bool {
+        length(u) <= self.speed_max_m_s
     }
 
     /// True when `u` is inside, borders included.
     #[must_use]
     pub fn contains(&self, u: &Vector<D>) -> bool {
-        (0..D).all(|d| self.min_m_s[d] <= u[d] && u[d] <= self.max_m_s[d]) && length(u) <= self.speed_max_m_s
+        (0..D).all(|d| self.min_m_s[d] <= u[d] && u[d] <= self.max_m_s[d]) && self.is_in_ball(u)
     }
 
     /// True if the ball cuts something off the box.

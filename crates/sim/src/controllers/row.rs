@@ -126,6 +126,14 @@ pub struct Row {
     pub make: Make,
 }
 
+impl Row {
+    /// True if it can be run where there are obstacles.
+    #[must_use]
+    pub fn runs_among_obstacles(&self) -> bool {
+        self.amid != Amid::Refuses
+    }
+}
+
 /// The row of a controller of others that looks at the whole team. It is held to what holds whatever the velocities are: what
 /// its source claims of links and distances holds in continuous time, and is measured, not promised.
 pub(crate) const fn of_others(

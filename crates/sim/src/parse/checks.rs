@@ -7,7 +7,6 @@ use closeranks_core::settings::range::Allowed;
 use super::reader::Reader;
 use crate::attack::ListsAttack;
 use crate::consensus::Consensus;
-use crate::controllers::Amid;
 use crate::geometry::squared_distance;
 use crate::plant::Plant;
 use crate::scenario::ranks::RanksError;
@@ -105,7 +104,7 @@ fn one_by_one<const D: usize>(reader: &mut Reader, scenario: &Scenario, params: 
 /// Obstacles are refused under a controller that takes no notice of them, and so are robots that start in their way.
 fn obstacles<const D: usize>(reader: &mut Reader, scenario: &Scenario) {
     if let Some(error) = scenario.refuses_obstacles() {
-        let with: Vec<_> = Controller::ALL.iter().filter(|of| of.row().amid != Amid::Refuses).collect();
+        let with: Vec<_> = Controller::ALL.iter().filter(|of| of.row().runs_among_obstacles()).collect();
         let names: Vec<_> = with.iter().map(|of| of.name()).collect();
         return reader.refuse("obstacles", error, format!("only under {}", names.join(", ")));
     }

@@ -66,11 +66,9 @@ pub(super) fn read(reader: &mut Reader, table: &DeTable<'_>) -> Scenario {
     if let (false, Some(error_m)) = (stated, scenario.plant.tracking_error_m()) {
         scenario.errors.tracking_m = error_m;
     }
-    if let Some(mut section) = root.table("obstacles") {
-        if section.knows_table("drawn") {
-            let drawn = reader.table(&mut section, "drawn", Drawn::read);
-            draw_obstacles(reader, &drawn, &mut scenario);
-        }
+    if let Some(mut section) = root.table("obstacles").filter(|section| section.has_table("drawn")) {
+        let drawn = reader.table(&mut section, "drawn", Drawn::read);
+        draw_obstacles(reader, &drawn, &mut scenario);
     }
     // What happens to the processes of a fleet; `closeranks-node` reads it.
     let _ = root.has("fleet");

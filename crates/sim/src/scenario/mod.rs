@@ -208,7 +208,7 @@ impl Scenario {
     /// Why the controller is not run among the obstacles of the scenario, if it is not.
     #[must_use]
     pub fn refuses_obstacles(&self) -> Option<String> {
-        let refuses = self.controller.row().amid == Amid::Refuses && !self.obstacles.list.is_empty();
+        let refuses = !self.controller.row().runs_among_obstacles() && !self.obstacles.list.is_empty();
         refuses
             .then(|| format!("under controller \"{}\", which does not know of any", self.controller.name()))
     }

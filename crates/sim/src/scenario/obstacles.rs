@@ -91,7 +91,8 @@ impl Obstacles {
         }
         let mut read = Self::default();
         set(&mut read.turn, reader.word(section, "turn", &[("none", false), ("middle", true)]));
-        discs.iter().for_each(|row| read.list.push(Obstacle::disc(point(&row[..dimension]), row[dimension])));
+        let disc = |row: &Vec<f64>| Obstacle::disc(point(&row[..dimension]), row[dimension]);
+        read.list.extend(discs.iter().map(disc));
         read.discs = read.list.len();
         let wall = |row: &Vec<f64>| Obstacle::wall(point(&row[..dimension]), point(&row[dimension..]));
         read.list.extend(walls.iter().map(wall));

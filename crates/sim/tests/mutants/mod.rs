@@ -1,5 +1,7 @@
 //! Broken programs that the campaign must catch, each by the law that is there for it.
 
+pub(crate) mod obstacles;
+
 /// A broken program: what is wrong, the law that must notice, and the lines that are other than they should be.
 pub(crate) struct Mutant {
     pub(crate) name: &'static str,
@@ -13,11 +15,10 @@ const PROTOCOL: &str = "core/src/controller/links/protocol.rs";
 const POLICY: &str = "core/src/controller/links/policy.rs";
 const ROWS: &str = "core/src/controller/links/rows.rs";
 const LINKS: &str = "core/src/controller/links/control.rs";
-const CLEARANCE: &str = "core/src/controller/clearance.rs";
 const SHARED: &str = "core/src/controller/rows.rs";
 const INEQUALITY: &str = "core/src/controller/budget/inequality.rs";
 
-pub(crate) const MUTANTS: [Mutant; 47] = [
+pub(crate) const MUTANTS: [Mutant; 42] = [
     Mutant {
         name: "gradient with the wrong sign",
         law: "decay",
@@ -372,45 +373,5 @@ pub(crate) const MUTANTS: [Mutant; 47] = [
         name: "ranks: robots of equal rank count for each other",
         law: "degree",
         lines: &[("core/src/need.rs", "other.rank < robot.rank", "other.rank <= robot.rank")],
-    },
-    Mutant {
-        name: "obstacles: no rows",
-        law: "clear",
-        lines: &[(
-            CLEARANCE,
-            "if may_bind(program.reach.lhs_max(&toward_m, self.error_m, 0.0), bound_m2) {",
-            "if false {",
-        )],
-    },
-    Mutant {
-        name: "obstacles: radii forgotten",
-        law: "clear",
-        lines: &[(CLEARANCE, "least_m - obstacle.radius_m - self.keep_m", "least_m - self.keep_m")],
-    },
-    Mutant {
-        name: "obstacles: errors of the own place forgotten",
-        law: "clear",
-        lines: &[(CLEARANCE, "{ 0.0 } else { settings.errors.position_m };", "{ 0.0 } else { 0.0 };")],
-    },
-    Mutant {
-        name: "obstacles: twice of what is left",
-        law: "clear",
-        lines: &[(CLEARANCE, "let bound_m2 = least_m *", "let bound_m2 = 2.0 * least_m *")],
-    },
-    Mutant {
-        name: "obstacles: the disc of velocities forgotten",
-        law: "input",
-        lines: &[
-            (
-                "core/src/program/balls/mod.rs",
-                "if let Some(ball_m) = reach.ball_m() {",
-                "if let Some(ball_m) = None::<f64> {",
-            ),
-            (
-                "core/src/program/mod.rs",
-                "if length(&boxed) <= self.speed_max_m_s { boxed }",
-                "if length(&boxed) <= f64::INFINITY { boxed }",
-            ),
-        ],
     },
 ];

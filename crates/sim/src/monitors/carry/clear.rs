@@ -21,7 +21,7 @@ pub(crate) struct Clear<const D: usize> {
     obstacles: Vec<Obstacle<D>>,
     malicious: Vec<bool>,
     /// What is demanded of robots, and of references, m.
-    clear_m: f64,
+    demanded_m: f64,
     reference_m: f64,
     /// Robots that were clear once and must have been ever since: no assumption was broken.
     kept: Vec<bool>,
@@ -31,12 +31,12 @@ pub(crate) struct Clear<const D: usize> {
 impl<const D: usize> Clear<D> {
     /// For the robots of `scenario`.
     pub(crate) fn new(scenario: &Scenario, params: Params<D>) -> Self {
-        let clear_m = params.settings().limits.clearance_m;
+        let demanded_m = params.settings().limits.clearance_m;
         Self {
             obstacles: scenario.obstacles.in_dimension(),
             malicious: scenario.malicious_mask(),
-            clear_m,
-            reference_m: clear_m + params.kept().errors.away_m,
+            demanded_m,
+            reference_m: demanded_m + params.kept().errors.away_m,
             kept: vec![false; usize::from(scenario.team.robots)],
             least_m: f64::INFINITY,
         }
@@ -66,8 +66,8 @@ impl<const D: usize> Clear<D> {
             let least_m = self.way_m(start, x);
             self.least_m = self.least_m.min(least_m);
             let kept = self.kept[index] && moved;
-            if least_m < self.clear_m - ROUNDING_M {
-                let at = Violation { tick, robots: [robot, 0], seen: least_m, demanded: self.clear_m };
+            if least_m < self.demanded_m - ROUNDING_M {
+                let at = Violation { tick, robots: [robot, 0], seen: least_m, demanded: self.demanded_m };
                 verdicts.broke(Law::Clear, at, kept);
             }
             let reference = &frame.references_m[index];
@@ -82,7 +82,7 @@ impl<const D: usize> Clear<D> {
         let step_m = length(&subtract(end, start));
         let least_m = |obstacle: &Obstacle<D>| {
             let end_m = gap_m(obstacle, end);
-            if end_m > self.clear_m + step_m || step_m == 0.0 {
+            if end_m > self.demanded_m + step_m || step_m == 0.0 {
                 end_m
             } else {
                 nearest_m(obstacle, start, end)
@@ -133,7 +133,7 @@ mod tests {
         let wall = Obstacle::wall([0.0, 0.0], [1.0, 0.0]);
         assert!((nearest_m(&wall, &[-1.0, 0.3], &[2.0, 0.3]) - 0.3).abs() < 1e-12);
         assert!((nearest_m(&wall, &[1.0, 0.5], &[1.5, 0.0]) - 0.5 * 0.5_f64.sqrt()).abs() < 1e-12);
-        assert_eq!(nearest_m(&wall, &[0.5, -1.0], &[0.5, 1.0]).abs() < 1e-12, true);
+        assert!(nearest_m(&wall, &[0.5, -1.0], &[0.5, 1.0]).abs() < 1e-12);
         let disc = Obstacle::disc([0.0, 0.0], 0.5);
         assert!((nearest_m(&disc, &[-1.0, 0.7], &[1.0, 0.7]) - 0.2).abs() < 1e-12);
         for (k, obstacle) in [wall, disc].iter().cycle().enumerate().take(400) {
