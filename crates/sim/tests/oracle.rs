@@ -24,6 +24,8 @@ use mutants::{MUTANTS, Mutant};
 
 /// Runs that a mutant may survive.
 const RUNS: &str = "2000";
+/// Runs of the controller as it is, in which there must be nothing; `ci.sh` makes many more. Mutants are found sooner, as a rule.
+const INTACT: &str = "500";
 const SEED: &str = "7";
 /// So many programs are built at a time, as most of a build of one changed line waits for one thread. At least two: the
 /// controller as it is has a campaign in each.
@@ -106,12 +108,12 @@ fn put(path: &Path, bytes: &[u8]) {
 }
 
 /// Builds the program that stands in `workspace` and hunts for violations of `law`.
-fn hunt(workspace: &Path, campaign: &str, law: &str) -> String {
+fn hunt(workspace: &Path, campaign: &str, runs: &str, law: &str) -> String {
     let cargo = std::env::var("CARGO").unwrap_or_else(|_| "cargo".to_owned());
     let out = Command::new(cargo)
         .args(["run", "--release", "--quiet", "--offline", "-p", "closeranks-sim", "--example", "hunt", "--"])
         .arg(root().join("scenarios").join(campaign).canonicalize().unwrap())
-        .args([RUNS, SEED])
+        .args([runs, SEED])
         .args((!law.is_empty()).then_some(law))
         .env("CARGO_TARGET_DIR", workspace.join("target"))
         .env("CARGO_INCREMENTAL", "1")
@@ -136,7 +138,7 @@ fn caught(workspace: &Path, mutant: &Mutant) -> bool {
         Some(("obstacles", _)) => OBSTACLES,
         _ => CAMPAIGN,
     };
-    let found = hunt(workspace, campaign, law);
+    let found = hunt(workspace, campaign, RUNS, law);
     eprintln!("{name}: {found}");
     copy(workspace);
     found.starts_with("found")
@@ -147,7 +149,11 @@ fn lane(lane: usize, mutants: &[&Mutant]) -> Vec<String> {
     let workspace = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join(format!("oracle-{lane}"));
     copy(&workspace);
     let campaign = [CAMPAIGN, RANKED][lane % 2];
-    assert_eq!(hunt(&workspace, campaign, ""), format!("nothing {RUNS}"), "the controller as it is");
+    assert_eq!(
+        hunt(&workspace, campaign, INTACT, ""),
+        format!("nothing {INTACT}"),
+        "the controller as it is"
+    );
     let mine = mutants.iter().skip(lane).step_by(LANES);
     let missed = mine.filter(|mutant| !caught(&workspace, mutant));
     missed.map(|mutant| format!("{} ({})", mutant.name, mutant.law)).collect()
