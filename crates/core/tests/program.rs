@@ -103,7 +103,7 @@ fn check_optimality<const D: usize>(case: &Case<D>, seen: &mut [u64; 3]) {
 
 /// Each component allows an interval of λ; all of them and `λ ≥ 0` must meet.
 fn check_multiplier<const D: usize>(case: &Case<D>, u: &Vector<D>) {
-    let InputBox::of(min, max) = case.input;
+    let InputBox { min_m_s: min, max_m_s: max, .. } = case.input;
     let largest = case.row.normal.iter().fold(0.0, |most: f64, component| most.max(component.abs()));
     let normal = case.row.normal.map(|component| component / largest);
     let inside = |d: usize| min[d] < u[d] && u[d] < max[d];

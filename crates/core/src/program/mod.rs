@@ -94,7 +94,7 @@ impl<const D: usize> InputBox<D> {
     }
 
     fn is_in_ball(&self, u: &Vector<D>) -> bool {
-        length(u) <= self.speed_max_m_s
+        self.speed_max_m_s.is_infinite() || length(u) <= self.speed_max_m_s
     }
 
     /// True when `u` is inside, borders included.

@@ -56,7 +56,9 @@ mod tests {
     fn beyond(desired: &[f64; 2], row: &Row<2>, more: &[Ball<2>]) -> Closest<2> {
         let mut memory = [Ball::default(); 12];
         let mut program = Program::new(&mut memory, Reach::new(&SQUARE, 1.0));
-        more.iter().for_each(|row| program.push(*row));
+        for row in more {
+            program.push(*row);
+        }
         closest_beyond(&mut program, desired, row)
     }
 
