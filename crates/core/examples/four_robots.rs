@@ -69,7 +69,7 @@ pub(crate) struct Line {
 #[expect(clippy::print_stdout, reason = "a report")]
 pub(crate) fn main() -> Result<(), Box<dyn Error>> {
     println!("Four robots want to drive apart, to the left, to the right, up and down, at {SPEED_M_S} m/s.");
-    println!("Robot 4 lies about its level and its value. A link reaches {RADIUS_M} m. With n = 4 and F = 1");
+    println!("Robot 4 tells each robot another value. A link reaches {RADIUS_M} m. With n = 4 and F = 1");
     println!("every robot must keep F' = 3 neighbours: all the others. Values meet every two seconds.");
     let budget = Controller::Budget(BudgetSettings::default());
     for (what, controller, hold_max) in [
@@ -113,13 +113,13 @@ pub(crate) fn run(controller: Controller, hold_max: Duration) -> Result<Vec<Line
 
 /// The settings of the team: every robot has the same, as it must be.
 fn settings(controller: Controller, hold_max: Duration) -> Settings<2> {
-    let input = InputBox { min_m_s: [-SPEED_M_S; 2], max_m_s: [SPEED_M_S; 2] };
+    let input = InputBox::of([-SPEED_M_S; 2], [SPEED_M_S; 2]);
     // Robots tick at different moments of a period. Another one is where it was at its own tick, or one longest move away.
     let longest_m = 2.0_f64.sqrt() * SPEED_M_S * hold_max.as_secs_f64();
     Settings {
         team: Team { robots: 4, faults: 1 },
         link: LinkSettings { radius_m: RADIUS_M, ..LinkSettings::default() },
-        limits: Limits { distance_min_m: 0.3, input },
+        limits: Limits { distance_min_m: 0.3, input, ..Limits::default() },
         controller,
         clock: Clock {
             level_period: PERIOD,

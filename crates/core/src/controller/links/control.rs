@@ -1,6 +1,7 @@
 //! The controller `links` as a robot runs it: its lists, its rows, the closest velocity, and its worth.
 
 use crate::controller::assume::Assume;
+use crate::controller::clearance::Clearance;
 use crate::controller::links::Links;
 use crate::controller::links::peer::{Ledger, Peer};
 use crate::controller::links::rows::Beside;
@@ -24,6 +25,7 @@ pub struct LinksController<const D: usize> {
     pub links: Links,
     reach: Reach<D>,
     input: InputBox<D>,
+    clearance: Clearance,
     hold_s: f64,
     /// A neighbour that is not sensed for more ticks than this is given up.
     unseen_max: u32,
@@ -57,10 +59,10 @@ impl<const D: usize> LinksController<D> {
             pass_right: parameters.pass_right,
             told_max: settings.clock.told_max,
         };
-        let input = settings.limits.input;
+        let (input, clearance) = (settings.limits.input, Clearance::new(settings));
         let ticks = settings.clock.told_max.as_nanos() / period.as_nanos().max(1);
         let unseen_max = u32::try_from(ticks).unwrap_or(u32::MAX);
-        Self { links, reach, input, hold_s, unseen_max, shape }
+        Self { links, reach, input, clearance, hold_s, unseen_max, shape }
     }
 
     /// The desired velocity as the robot tells and follows it.
@@ -75,7 +77,8 @@ impl<const D: usize> LinksController<D> {
     fn decision(&self, view: &View<'_, D>, desired: &Vector<D>, scratch: &mut Scratch<'_, D>) -> Decision<D> {
         let others = view.slots.iter().map(|slot| Beside::of(slot, view.ledger.obliged));
         let counted = view.slots.iter().filter(|slot| slot.peer.is_counted()).count();
-        let motion = Motion { desired_m_s: self.wish(view, desired), before_m_s: view.before_m_s };
+        let (position_m, before_m_s) = (view.position_m, view.before_m_s);
+        let motion = Motion { position_m, desired_m_s: self.wish(view, desired), before_m_s };
         self.decide(view.member(), counted, others, &motion, scratch)
     }
 
@@ -91,6 +94,7 @@ impl<const D: usize> LinksController<D> {
     ) -> Decision<D> {
         let desired_m = motion.desired_m_s.map(|component| component * self.hold_s);
         let mut rows = self.links.rows(others, &desired_m, self.reach, scratch.rows);
+        self.clearance.push(&motion.position_m, scratch.map, &mut rows.program);
         let moved = rows.decide(&motion.before_m_s.map(|component| component * self.hold_s));
         let velocity = moved.displacement_m.map(|component| component / self.hold_s);
         let uncounted = (counted < usize::from(self.links.keep(own))).then_some(Reason::Uncounted);
@@ -132,7 +136,7 @@ impl<const D: usize> Control<D> for LinksController<D> {
     /// Two rows a neighbour and two for each axis. Whoever is not sensed for a while has an error, and so all corners of a cube.
     fn needs(&self, neighbors: usize) -> Needs {
         let corners = 1_usize << D.min(8);
-        let rows = neighbors.saturating_mul(2).saturating_mul(corners).saturating_add(2 * D);
+        let rows = neighbors.saturating_mul(2).saturating_mul(corners).saturating_add(self.reach.rows());
         Needs { values: neighbors, sightings: 0, rows }
     }
 

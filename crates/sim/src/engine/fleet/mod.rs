@@ -101,7 +101,7 @@ impl<const D: usize, T: Transport> Fleet<D, T> {
         Ok(Self {
             robots: robots.collect::<Result<_, _>>()?,
             members,
-            memory: Memory::new(&params, first),
+            memory: Memory::new(&params, first).among(&scenario.obstacles.in_dimension()),
             composed: scenario.composition(),
             params,
             values: values.to_vec(),

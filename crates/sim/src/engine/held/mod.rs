@@ -10,6 +10,7 @@ use closeranks_core::controller::links::bond::{Moment, Voice};
 use closeranks_core::controller::links::control::LinksController;
 use closeranks_core::equations::barrier::degree_barrier;
 use closeranks_core::num::Vector;
+use closeranks_core::obstacle::Obstacle;
 use closeranks_core::robot::missing::Horizon;
 use closeranks_core::settings::params::Params;
 
@@ -29,6 +30,7 @@ use crate::scenario::Scenario;
 pub struct Held<const D: usize> {
     params: Params<D>,
     team: Robots<D>,
+    map: Vec<Obstacle<D>>,
     horizon: Horizon,
     consensus: Consensus,
     malicious: Vec<u16>,
@@ -83,6 +85,7 @@ impl<const D: usize> Held<D> {
         };
         let lies = scenario.malicious_mask();
         Self {
+            map: scenario.obstacles.in_dimension(),
             horizon: Horizon::new(&params),
             params,
             team,
@@ -128,9 +131,9 @@ impl<const D: usize> Held<D> {
 
     /// Every robot decides whom it lists.
     fn agree(&mut self, frame: &mut Frame<D>, workers: &dyn Workers) {
-        let Self { params, team, desks, prices_m, .. } = self;
+        let Self { params, map, team, desks, prices_m, .. } = self;
         let each = share(prices_m.len(), workers);
-        desks.resize_with(prices_m.len().div_ceil(each), || Desk::new(params, prices_m.len()));
+        desks.resize_with(prices_m.len().div_ceil(each), || Desk::new(params, prices_m.len(), map));
         let (mut bonds, mut terms) = team.lists.take();
         let mut rest = (&mut bonds[..], &mut terms[..]);
         let mut pieces: Vec<Piece<'_>> = Vec::new();

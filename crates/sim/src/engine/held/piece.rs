@@ -4,6 +4,7 @@ use closeranks_core::controller::links::bond::{Bond, Terms};
 use closeranks_core::controller::links::rows::Beside;
 use closeranks_core::controller::{Control, Decision, Motion, Standing};
 use closeranks_core::num::{Vector, subtract};
+use closeranks_core::obstacle::Obstacle;
 use closeranks_core::robot::neighbor::Slot;
 use closeranks_core::robot::scratch::Scratch;
 use closeranks_core::settings::params::Params;
@@ -24,9 +25,9 @@ pub(super) struct Desk<const D: usize> {
 }
 
 impl<const D: usize> Desk<D> {
-    /// For a team of so many robots.
-    pub(super) fn new(params: &Params<D>, robots: usize) -> Self {
-        let memory = Memory::new(params, robots);
+    /// For a team of so many robots among obstacles.
+    pub(super) fn new(params: &Params<D>, robots: usize, map: &[Obstacle<D>]) -> Self {
+        let memory = Memory::new(params, robots).among(map);
         Self { memory, slots: Vec::new(), lines: Vec::new(), values: Vec::new() }
     }
 
@@ -125,7 +126,7 @@ impl<const D: usize> Robots<D> {
         let counted = bonds.iter().filter(|bond| bond.is_counted(&self.moment)).count();
         let heard = others.sensed().map(|other| (offset_m(other), self.voices[other].wish_m_s));
         let desired_m_s = self.controller.links.turned(&frame.asked_m_s[robot], heard);
-        let motion = Motion { desired_m_s, before_m_s: frame.velocities_m_s[robot] };
+        let motion = Motion { position_m: *own_m, desired_m_s, before_m_s: frame.velocities_m_s[robot] };
         self.controller.decide(self.roster.member(robot), counted, beside, &motion, scratch)
     }
 
