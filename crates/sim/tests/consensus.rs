@@ -233,6 +233,37 @@ fn every_rule_meets_the_worst_values() {
     }
 }
 
+/// Where a theorem says how fast values come closer, each number of them does, against every lie; else nothing is promised.
+//= theory sec:other-rules type=test
+#[test]
+fn every_number_comes_closer_where_a_theorem_says_so() {
+    let promised = |consensus: &Consensus| team(consensus.clone()).expect.contains(&Law::Agreement);
+    for rule in [Rule::WMsr, Rule::TrimmedMean] {
+        for dimension in [1, 2, 3] {
+            let consensus = Consensus { dimension, ..rule.into() };
+            assert!(consensus.contracts());
+            for value in [ValueAttack::Extreme, ValueAttack::Sway, ValueAttack::Random { min: -500.0, max: 500.0 }] {
+                let scenario = Scenario { attack: value.into(), ..team(consensus.clone()) };
+                let summary = recorded(&scenario, Engine::Team).summary;
+                assert_eq!(summary.broken(Law::Agreement), 0, "{consensus:?} {value:?}");
+                assert!(summary.extremes.spread < 10.0, "{consensus:?} {value:?}");
+            }
+        }
+    }
+    let safe = Consensus { dimension: 2, combine: Combine::SafePoint, ..Consensus::default() };
+    assert!(![safe, Rule::Median.into(), Rule::SwMsr.into()].iter().any(promised));
+}
+
+/// With n = 2F + 1 a trimmed mean discards everything, and the law says nothing of it.
+#[test]
+fn a_trimmed_mean_of_nothing_promises_nothing() {
+    let mut scenario = team(Rule::TrimmedMean.into());
+    scenario.team.faults = 5;
+    let summary = recorded(&scenario, Engine::Team).summary;
+    assert!(summary.extremes.spread > 1.0, "nobody moves");
+    assert_eq!(summary.broken(Law::Agreement), 0);
+}
+
 /// Half of all messages lost and the rest late: everybody who has a message has all that it says. Who trims on both sides keeps little then
 /// and is slow, but nobody is led away.
 #[test]
