@@ -242,7 +242,9 @@ fn every_number_comes_closer_where_a_theorem_says_so() {
         for dimension in [1, 2, 3] {
             let consensus = Consensus { dimension, ..rule.into() };
             assert!(consensus.contracts());
-            for value in [ValueAttack::Extreme, ValueAttack::Sway, ValueAttack::Random { min: -500.0, max: 500.0 }] {
+            for value in
+                [ValueAttack::Extreme, ValueAttack::Sway, ValueAttack::Random { min: -500.0, max: 500.0 }]
+            {
                 let scenario = Scenario { attack: value.into(), ..team(consensus.clone()) };
                 let summary = recorded(&scenario, Engine::Team).summary;
                 assert_eq!(summary.broken(Law::Agreement), 0, "{consensus:?} {value:?}");
