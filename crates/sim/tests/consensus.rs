@@ -237,7 +237,7 @@ fn every_rule_meets_the_worst_values() {
 //= theory sec:other-rules type=test
 #[test]
 fn every_number_comes_closer_where_a_theorem_says_so() {
-    let promised = |consensus: &Consensus| team(consensus.clone()).expect.contains(&Law::Agreement);
+    let promised = |consensus: &Consensus| Law::Agreement.is_kept_by(consensus);
     for rule in [Rule::WMsr, Rule::TrimmedMean] {
         for dimension in [1, 2, 3] {
             let consensus = Consensus { dimension, ..rule.into() };
