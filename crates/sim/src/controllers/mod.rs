@@ -20,7 +20,7 @@ mod shared;
 use closeranks_core::settings;
 
 use row::of_others;
-pub use row::{Answer, Counted, Inside, Knows, Make, Parameters, Row, TeamView, Tuning, Velocities};
+pub use row::{Amid, Answer, Counted, Inside, Knows, Make, Parameters, Row, TeamView, Tuning, Velocities};
 
 use crate::law::Law;
 
@@ -77,6 +77,7 @@ controllers! {
             guarantees: true,
             ranks: true,
             uses_phi: false,
+            amid: Amid::Avoids,
             promises: &Law::PROMISED,
             counted: Counted::Covered,
             expects: &Law::PROMISED,
@@ -101,6 +102,7 @@ controllers! {
             guarantees: false,
             ranks: false,
             uses_phi: true,
+            amid: Amid::Avoids,
             promises: &Law::COMPOSED,
             counted: Counted::Covered,
             expects: &Law::EXPECTED,
@@ -129,6 +131,7 @@ controllers! {
             guarantees: true,
             ranks: true,
             uses_phi: false,
+            amid: Amid::Avoids,
             promises: &Law::LINKS,
             counted: Counted::Covered,
             expects: &Law::LINKS,
@@ -149,6 +152,7 @@ controllers! {
             guarantees: false,
             ranks: false,
             uses_phi: false,
+            amid: Amid::Ignores,
             promises: &Law::EXPECTED,
             counted: Counted::All,
             expects: &Law::EXPECTED,
