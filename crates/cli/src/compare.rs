@@ -182,8 +182,11 @@ fn say(arguments: &crate::Compare, runs: &[Done]) {
 }
 
 /// What the heads of the table do not say.
-const NOTE: &str = "\ndegree, h, progress, off wish (deviation from the desired velocity), blocked and jerk are of normal robots; robot-step is the
-time of a simulated tick over its robots, measured here and now: compare it within this table alone\n";
+const NOTE: &str = "
+degree, h, progress, off wish (deviation from the desired velocity), blocked and
+jerk are of normal robots; robot-step is the time of a simulated tick over its
+robots, measured here and now: compare it within this table alone
+";
 
 /// The numbers of a controller.
 fn object(done: &Done) -> Value {

@@ -72,7 +72,7 @@ controllers! {
             name: "budget",
             about: "ours, from what is sensed alone: a guarantee in discrete time that no message can touch",
             knows: Knows::Local,
-            needs: "what it senses",
+            needs: "senses",
             tuning: Tuning::USUAL,
             guarantees: true,
             ranks: true,
@@ -97,7 +97,7 @@ controllers! {
             name: "composed",
             about: "the paper's, as printed",
             knows: Knows::Local,
-            needs: "what it senses and is told",
+            needs: "senses and messages",
             tuning: Tuning::USUAL,
             guarantees: false,
             ranks: false,
@@ -111,7 +111,7 @@ controllers! {
         },
         /// The links of the start ([`fixed_topology`]).
         FixedTopology: of_others("fixed-topology", "the links of the start are kept",
-            "positions at the other ends", Tuning::rate(5.0),
+            "positions at far ends", Tuning::rate(5.0),
             |_| Global::FixedTopology(fixed_topology::FixedTopology::default())),
         /// Node connectivity ([`k_connectivity`]).
         KConnectivity: of_others("k-connectivity", "a sparse subgraph is kept that 2F robots cannot cut",
@@ -126,7 +126,7 @@ controllers! {
             name: "links",
             about: "ours, without weights: robots agree on the links that they keep",
             knows: Knows::Local,
-            needs: "what it senses and is told",
+            needs: "senses and messages",
             tuning: Tuning::USUAL,
             guarantees: true,
             ranks: true,
@@ -161,7 +161,7 @@ controllers! {
         },
         /// Collision avoidance alone ([`orca`]).
         Orca: of_others("orca", "collision avoidance alone, by reciprocal half-planes",
-            "positions and velocities in range", Tuning::horizon(2.0),
+            "positions, velocities", Tuning::horizon(2.0),
             |_| Global::Orca(orca::Orca::default())),
         /// The F′ nearest links of each robot ([`p_choose_r`]).
         PChooseR: of_others("p-choose-r", "each robot keeps its F' shortest links, whichever these are",
