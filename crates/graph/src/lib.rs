@@ -22,7 +22,7 @@
 //! | the table of all subsets (algorithm A) | [`table`] |
 //! | which nodes look alike | [`search::symmetry`] |
 //! | leaders, and adversaries few in every neighbourhood | [`leaders`], [`local`] |
-//! | what two hops survive | [`hops`] |
+//! | what several hops survive | [`hops`] |
 //! | which edges to add | [`additions`] |
 //! | a claim with what proves it, for others to check | [`evidence`] |
 //! | networks of any size; a proof by ranks in linear time | [`network`], [`ranks`] |
