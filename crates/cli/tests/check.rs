@@ -78,6 +78,11 @@ fn json_has_the_golden_numbers() {
         let mut found: Value = serde_json::from_str(&told).unwrap();
         let witness = found.as_object_mut().unwrap().remove("witness").unwrap();
         let read = found.as_object_mut().unwrap().remove("read").unwrap();
+        let agreement = found.as_object_mut().unwrap().remove("agreement").unwrap();
+        let robots = |set: &Value| set.as_array().unwrap().len();
+        let groups =
+            [&agreement["groups"][0], &agreement["groups"][1], &agreement["between"], &agreement["liars"]];
+        assert_eq!(json!(groups.map(robots).iter().sum::<usize>()), entry["n"], "{}", entry["name"]);
         let links = entry["edges"].as_array().unwrap().len();
         let as_told = json!({
             "format": "edges", "told_by": "content", "robots": entry["n"], "links": links,
@@ -188,6 +193,49 @@ fn what_is_not_settled_in_time_is_said_to_be_open() {
     assert!(found["r_max"][0].as_i64().unwrap() < found["r_max"][1].as_i64().unwrap(), "{told}");
 }
 
+/// The count ends a search at one place, whatever the number of threads; a clock is not asked.
+#[test]
+fn a_count_of_sets_ends_a_search_at_the_same_place() {
+    let graph = make(&["erdos-renyi", "40", "0.7", "--seed", "2"]);
+    let told = |threads: &str| check(&graph, &["--json", "--effort", "9000", "--threads", threads]);
+    let alone = told("1");
+    assert_eq!(alone.1, Some(1));
+    assert_eq!(told("3"), alone);
+    let (said, code) = check(&graph, &["--F", "9", "--effort", "3000"]);
+    assert!(said.starts_with("Undecided within 3000 sets: whether it is (10,10)-robust"), "{said}");
+    assert_eq!(code, Some(1));
+}
+
+#[test]
+fn several_hops_are_asked_for_by_number() {
+    let (ring, grid) = (make(&["ring", "5"]), make(&["grid", "8", "8"]));
+    let cases: [(&[u8], &[&str], &str, i32); 6] = [
+        (&ring, &["--hops", "1", "--F", "1"], "No: not (2,2)-robust with 1 hop for any liar on the way", 1),
+        (&ring, &["--hops", "2", "--F", "1"], "Yes: (2,2)-robust with 2 hops for any liar on the way", 0),
+        (&ring, &["--hops", "2", "--r", "1", "--s", "2"], "Yes: (1,2)-robust with 2 hops", 0),
+        (&ring, &["--hops", "2"], "Survives any single liar over 2 hops; not any 2 liars.", 0),
+        (&grid, &["--hops", "5", "--F", "2"], "No: not (3,3)-robust with 5 hops", 1),
+        (&grid, &["--hops", "2", "--F", "0"], "Yes: (1,1)-robust with 2 hops", 0),
+    ];
+    for (graph, arguments, begins, code) in cases {
+        let (told, found) = check(graph, arguments);
+        assert!(told.starts_with(begins), "{arguments:?}: {told}");
+        assert_eq!(found, Some(code), "{arguments:?}: {told}");
+    }
+    let (told, _) = check(&ring, &["--hops", "1", "--F", "1", "--json"]);
+    let found: Value = serde_json::from_str(&told).unwrap();
+    assert_eq!(found["question"], json!({ "hops": 1, "r": 2, "s": 2, "liars": 1 }));
+    assert!(found["witness"]["S1"].is_array() && found["witness"]["reached"].is_array(), "{told}");
+}
+
+/// F liars in all are few in every neighbourhood, so that far more than twelve robots are answered where they are too many.
+#[test]
+fn local_liars_are_answered_for_large_graphs_too() {
+    let (told, code) = check(&make(&["ring", "40"]), &["--local"]);
+    assert!(told.starts_with("Agrees if nobody lies; not if robots hear a single liar each."), "{told}");
+    assert_eq!(code, Some(0));
+}
+
 #[test]
 fn bad_arguments_are_refused() {
     let long = " ".repeat(5 << 20);
@@ -237,10 +285,10 @@ fn bad_arguments_are_refused() {
 fn rules_of_consensus_are_asked_about_by_name() {
     let (ring, complete) = (make(&["ring", "5"]), make(&["complete", "7"]));
     for (graph, arguments, begins, code) in [
-        (&ring, &["--rule", "two-hop", "--F", "1"][..], "Yes: (2,2)-robust with two hops", 0),
+        (&ring, &["--rule", "two-hop", "--F", "1"][..], "Yes: (2,2)-robust with 2 hops", 0),
         (&ring, &["--rule", "w-msr", "--F", "1"], "No: does not survive", 1),
-        (&make(&["ring", "8"]), &["--rule", "two-hop", "--F", "1"], "No: not (2,2)-robust with two hops", 1),
-        (&make(&["complete", "15"]), &["--rule", "two-hop", "--F", "1"], "Not known: all sets", 1),
+        (&make(&["ring", "8"]), &["--rule", "two-hop", "--F", "1"], "No: not (2,2)-robust with 2 hops", 1),
+        (&make(&["complete", "15"]), &["--rule", "two-hop", "--F", "1"], "Yes: (2,2)-robust with 2 hops", 0),
         (&complete, &["--rule", "sw-msr", "--F", "1"], "Yes: (3,1)-robust", 0),
         (
             &complete,
@@ -266,6 +314,8 @@ fn rules_of_consensus_are_asked_about_by_name() {
         assert_eq!(exit, Some(code), "{arguments:?}: {told}");
         assert!(told.contains("needs"), "{told}");
     }
+    let (told, _) = check(&complete, &["--rule", "sw-msr", "--F", "2"]);
+    assert!(told.contains("sufficient") && told.contains("discards 2"), "{told}");
     let refused = closeranks(Path::new("."), &["check", "-", "--rule", "w-msr"], &ring);
     assert_eq!(refused.status.code(), Some(2));
     assert!(text(&refused.stderr).contains("--F"), "{}", text(&refused.stderr));
@@ -319,7 +369,11 @@ fn a_recorded_run_has_its_robustness_over_time() {
     assert_eq!(check(&["--r", "2"]).status.code(), Some(2));
     let windows = check(&["--rule", "sw-msr", "--window", "3", "--F", "2"]);
     assert!(text(&windows.stdout).contains("jointly 5-robust in"), "{}", text(&windows.stdout));
+    let alone = check(&["--window", "3", "--F", "2"]);
+    assert_eq!(text(&alone.stdout), text(&windows.stdout), "--window alone means sw-msr");
+    assert!(text(&alone.stdout).contains("says nothing of W-MSR"), "{}", text(&alone.stdout));
     assert_eq!(check(&["--rule", "two-hop"]).status.code(), Some(2));
+    assert_eq!(check(&["--hops", "2"]).status.code(), Some(2));
     let whole = fs::read(folder.path().join("run/run.parquet")).unwrap();
     for length in (4..whole.len()).step_by(whole.len() / 7) {
         let output = closeranks(folder.path(), &["check", "-"], &whole[..length]);
@@ -337,7 +391,7 @@ fn every_example_of_the_help_makes_a_graph() {
         assert!(!make(&arguments.collect::<Vec<&str>>()).is_empty(), "{example}");
         count += 1;
     }
-    assert_eq!(count, 19, "{help}");
+    assert_eq!(count, 23, "{help}");
 }
 
 /// What a certificate says is what was answered, and the program that wrote it is not needed to check it.

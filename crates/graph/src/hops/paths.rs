@@ -42,8 +42,7 @@ impl Paths<'_> {
         let honest = set.difference(self.liars);
         let mut between = honest.difference(heard);
         between.remove(node);
-        let left =
-            Left { ends: heard.intersection(honest), between, sources: outside.difference(heard) };
+        let left = Left { ends: heard.intersection(honest), between, sources: outside.difference(heard) };
         match wanted.checked_sub(direct) {
             None | Some(0) => Ok(true),
             Some(_) if self.hops < 2 => Ok(false),

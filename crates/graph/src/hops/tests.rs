@@ -80,7 +80,9 @@ fn graphs_of(nodes: usize) -> impl Iterator<Item = Graph> {
 #[test]
 fn every_graph_of_four_nodes_by_the_definition() {
     for graph in graphs_of(4) {
-        for (hops, r, s, liars) in [(1, 1, 1, 1), (2, 1, 2, 1), (2, 2, 1, 1), (2, 2, 2, 1), (3, 2, 2, 1), (3, 2, 3, 2)] {
+        for (hops, r, s, liars) in
+            [(1, 1, 1, 1), (2, 1, 2, 1), (2, 2, 1, 1), (2, 2, 2, 1), (3, 2, 2, 1), (3, 2, 3, 2)]
+        {
             let question = HopQuestion { hops, r, s, liars };
             let found = with_meter(|meter| decide(&graph, question, meter)).unwrap();
             let holds = matches!(found, HopVerdict::Robust | HopVerdict::RobustWithOneHop);
