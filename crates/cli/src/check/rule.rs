@@ -15,7 +15,7 @@ use closeranks_sim::consensus::{Needs, Rule};
 use serde_json::{Value, json};
 
 use super::answer::{Answer, numbers};
-use super::{question, words};
+use super::question;
 use crate::progress::Watch;
 
 /// Reads the name of a rule.
