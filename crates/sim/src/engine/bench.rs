@@ -38,6 +38,7 @@ impl<const D: usize> Decided<D> {
         Self { velocity_m_s: [0.0; D], outcome: Outcome::Free, mode: Mode::Stopped, phi: None };
 
     /// Writes it where it belongs.
+    #[inline]
     pub(crate) fn write(&self, robot: usize, frame: &mut Frame<D>) {
         frame.velocities_m_s[robot] = self.velocity_m_s;
         (frame.outcomes[robot], frame.modes[robot]) = (self.outcome, self.mode);

@@ -133,6 +133,8 @@ impl<const D: usize, C: AtOnce<D> + Copy> Team<D, C> {
         if let Some(dense) = &mut dense {
             dense.fill(robots.links.pairs(), robots.links.pair_weights());
             robots.control_in_tables(dense, frame, &mut benches[0].memory.lend(), decided);
+        } else if each >= count {
+            robots.control_from(0, decided, &mut benches[0], frame);
         } else {
             let (robots, frame) = (&*robots, &*frame);
             let pieces = decided.chunks_mut(each).zip(&mut *benches).enumerate();

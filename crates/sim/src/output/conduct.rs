@@ -51,21 +51,28 @@ impl Watch {
         malicious: &[bool],
     ) {
         let (mut wishing, mut blocked) = (0, 0);
-        let normal = |robot: &usize| !malicious[*robot] && !frame.down[*robot];
-        for robot in (0..malicious.len()).filter(normal) {
-            let wish = cut(scenario, &frame.desired_m_s[robot]);
-            let (velocity, speed) = (&frame.velocities_m_s[robot], length(&wish));
+        let limits_m_s = limits_m_s(scenario);
+        let [one, two] = self.before.each_ref().map(|before| before.as_chunks::<D>().0);
+        let (velocities_m_s, wishes_m_s) = (&frame.velocities_m_s[..], &frame.desired_m_s[..]);
+        let robots = velocities_m_s.iter().zip(wishes_m_s).zip(malicious.iter().zip(&frame.down)).enumerate();
+        for (robot, ((velocity, desired), (malicious, down))) in robots {
+            if *malicious || *down {
+                continue;
+            }
+            let wish = cut(&limits_m_s, desired);
+            let (speed2, along) = (dot(&wish, &wish), dot(velocity, &wish));
             self.robot_ticks += 1;
-            self.deviation += length(&subtract(velocity, &wish));
-            if speed > 0.0 {
-                self.progress += dot(velocity, &wish) / speed;
+            if *velocity != wish {
+                self.deviation += length(&subtract(velocity, &wish));
             }
-            if speed >= WISH_MIN_M_S {
+            if speed2 > 0.0 {
+                self.progress += along / sqrt(speed2);
+            }
+            if speed2 >= WISH_MIN_M_S * WISH_MIN_M_S {
                 wishing += 1;
-                blocked += u32::from(dot(velocity, &wish) < BLOCKED_SHARE * speed * speed);
+                blocked += u32::from(along < BLOCKED_SHARE * speed2);
             }
-            let [one, two] = self.before.each_ref().map(|before| before.get(robot * D..(robot + 1) * D));
-            if let (Some(one), Some(two)) = (one, two) {
+            if let (Some(one), Some(two)) = (one.get(robot), two.get(robot)) {
                 let second: Vector<D> = core::array::from_fn(|d| velocity[d] - 2.0 * one[d] + two[d]);
                 self.jerk2 += dot(&second, &second);
                 self.jerk_ticks += 1;
@@ -93,10 +100,14 @@ impl Watch {
     }
 }
 
-fn cut<const D: usize>(scenario: &Scenario, desired: &Vector<D>) -> Vector<D> {
-    let bound = |bounds: &[f64], d: usize| bounds.get(d).copied().unwrap_or(0.0);
-    let (low, high) = (&scenario.limits.input_min_m_s, &scenario.limits.input_max_m_s);
-    core::array::from_fn(|d| desired[d].max(bound(low, d)).min(bound(high, d)))
+/// The corners of the box, m/s; 0 where the scenario says nothing.
+fn limits_m_s<const D: usize>(scenario: &Scenario) -> [Vector<D>; 2] {
+    let corner = |bounds: &[f64]| core::array::from_fn(|d| bounds.get(d).copied().unwrap_or(0.0));
+    [corner(&scenario.limits.input_min_m_s), corner(&scenario.limits.input_max_m_s)]
+}
+
+fn cut<const D: usize>([low, high]: &[Vector<D>; 2], desired: &Vector<D>) -> Vector<D> {
+    core::array::from_fn(|d| desired[d].max(low[d]).min(high[d]))
 }
 
 #[cfg(test)]
