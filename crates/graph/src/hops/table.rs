@@ -82,8 +82,8 @@ fn sides(
     };
     let Some(side) = (0..least.len()).find(fits) else { return Ok(None) };
     let within = |side: usize| {
-        let subsets = (1..=side).filter(|set| set & !side == 0);
-        subsets.into_iter().find(|set| reached[*set] == least[side]).unwrap_or(0)
+        let mut subsets = (1..=side).filter(|set| set & !side == 0);
+        subsets.find(|set| reached[*set] == least[side]).unwrap_or(0)
     };
     let set = |bits: usize| NodeSet::from_bits(bits as u128);
     Ok(Some((set(within(side)), set(within(all ^ side)))))

@@ -126,6 +126,7 @@ mod tests {
         }
     }
 
+    //= theory sec:symmetry type=test
     #[test]
     fn symmetry_hides_no_witness() {
         for code in 0..1_u32 << 10 {

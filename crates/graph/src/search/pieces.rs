@@ -132,6 +132,9 @@ fn at_once<W: Word + Send + Sync>(
             shared.stop.store(true, Relaxed);
         }
     });
+    if shared.stop.load(Relaxed) {
+        return Err(Stopped);
+    }
     let mut outcomes: Vec<Outcome<W>> = outcomes.into_iter().flatten().collect();
     outcomes.sort_unstable_by_key(|outcome| outcome.place);
     conclude(outcomes, parts.len(), meter)
