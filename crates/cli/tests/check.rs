@@ -148,6 +148,7 @@ r  largest s  proved by
 The degree condition (every honest robot hears F + floor(n/2) = F + 2 or more) promises nothing here.
 Robot tom hears 1 robot outside {tom}, and robots ann and eve hear at most 1 robot outside {ann, eve}. A robot
 that discards the highest and the lowest value keeps none of these, so the two sides never agree.
+Who would still agree: robots tom and bob agree on one value, robots ann and eve agree on another.
 "
     );
 }

@@ -76,7 +76,7 @@ mod tests {
 
     #[test]
     fn known_splits() {
-        let of = |graph: &Graph, f| Split::of(graph, &counterexample(graph, f + 1, f + 1).unwrap());
+        let of = |graph: &Graph, f: usize| Split::of(graph, &counterexample(graph, f + 1, f + 1).unwrap());
         let halves = of(&tight(10, 2).unwrap(), 2);
         assert_eq!((halves.first.len(), halves.second.len(), halves.between.len()), (5, 5, 0));
         // A star falls apart into its ends if its hub lies; two of them are the groups, and nobody else is told anything.

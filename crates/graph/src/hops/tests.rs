@@ -1,3 +1,5 @@
+//! Robustness over several hops against its definition, word for word, and on graphs that are known.
+
 extern crate std;
 
 use alloc::vec;
