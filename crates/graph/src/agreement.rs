@@ -42,10 +42,14 @@ impl Split {
 
 #[cfg(test)]
 mod tests {
+    use core::ops::ControlFlow;
+
     use super::*;
     use crate::definition::{counterexample, exempt};
+    use crate::effort::Meter;
     use crate::makers::fixed::{star, tight};
     use crate::makers::random::erdos_renyi;
+    use crate::search;
 
     /// The groups are disjoint, hold the honest members of the witness, and with the liars of their side hear too little from outside.
     #[test]
@@ -55,7 +59,10 @@ mod tests {
             let chance = 0.2 + 0.003 * f64::from(u32::try_from(seed).unwrap());
             let graph = erdos_renyi(7, chance, seed % 3 == 0, seed).unwrap();
             for f in 0..3 {
-                let Some(witness) = counterexample(&graph, f + 1, f + 1) else { continue };
+                let mut go_on = |_: &_| ControlFlow::Continue(());
+                // The search stops at the smallest first set that it comes to.
+                let found = search::witness(&graph, f + 1, f + 1, &mut Meter::new(u64::MAX, &mut go_on));
+                let Some(witness) = found.unwrap() else { continue };
                 let split = Split::of(&graph, &witness);
                 let sides = [(split.first, witness.first), (split.second, witness.second)];
                 for (group, side) in sides {

@@ -22,9 +22,9 @@ impl Workers for Threads {
 
     fn run(&self, pieces: Vec<Piece<'_>>, look: &mut dyn FnMut()) {
         thread::scope(|scope| {
-            pieces.into_iter().for_each(|piece| {
+            for piece in pieces {
                 scope.spawn(piece);
-            });
+            }
             look();
         });
     }
