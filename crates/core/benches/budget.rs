@@ -27,7 +27,7 @@ fn main() {
 const PERIODS_S: [f64; 2] = [0.005, 0.05];
 
 fn scene<const D: usize>(period_s: f64, assume: Assume, form: Form) -> (Budget, Reach<D>, [Sighting<D>; 10]) {
-    let reach = Reach::new(&InputBox { min_m_s: [-1.5; D], max_m_s: [1.5; D] }, period_s);
+    let reach = Reach::new(&InputBox::of([-1.5; D], [1.5; D]), period_s);
     let budget = Budget {
         curvature: Curvature::new(LinkShape { radius_m: 3.0, q1: 2.099, q2: 0.3 }),
         need: Need::new(11, 2, assume.keep()),

@@ -25,7 +25,7 @@ fn main() {
     divan::main();
 }
 
-const BOX: InputBox<2> = InputBox { min_m_s: [-1.5; 2], max_m_s: [1.5; 2] };
+const BOX: InputBox<2> = InputBox::of([-1.5; 2], [1.5; 2]);
 
 #[divan::bench]
 fn program_free(bencher: Bencher<'_, '_>) {

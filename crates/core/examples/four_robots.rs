@@ -113,13 +113,13 @@ pub(crate) fn run(controller: Controller, hold_max: Duration) -> Result<Vec<Line
 
 /// The settings of the team: every robot has the same, as it must be.
 fn settings(controller: Controller, hold_max: Duration) -> Settings<2> {
-    let input = InputBox { min_m_s: [-SPEED_M_S; 2], max_m_s: [SPEED_M_S; 2] };
+    let input = InputBox::of([-SPEED_M_S; 2], [SPEED_M_S; 2]);
     // Robots tick at different moments of a period. Another one is where it was at its own tick, or one longest move away.
     let longest_m = 2.0_f64.sqrt() * SPEED_M_S * hold_max.as_secs_f64();
     Settings {
         team: Team { robots: 4, faults: 1 },
         link: LinkSettings { radius_m: RADIUS_M, ..LinkSettings::default() },
-        limits: Limits { distance_min_m: 0.3, input },
+        limits: Limits { distance_min_m: 0.3, input, ..Limits::default() },
         controller,
         clock: Clock {
             level_period: PERIOD,

@@ -32,8 +32,8 @@ fn settings() -> Settings<2> {
 }
 
 /// A robot with three others around it, all of them standing still unless moved.
-fn with_robot<R>(settings: Settings<2>, play: impl FnOnce(&mut TestRobot) -> R) -> R {
-    let params = Params::new(settings).expect("settings in range");
+fn with_robot<R>(settings: &Settings<2>, play: impl FnOnce(&mut TestRobot) -> R) -> R {
+    let params = Params::new(*settings).expect("settings in range");
     play(&mut TestRobot::new(params, RobotId(1), 1.0).expect("memory"))
 }
 
@@ -55,7 +55,7 @@ fn still(robot: &mut TestRobot, ms: u64) -> Mode {
 
 #[test]
 fn a_missed_tick_is_said_for_a_while() {
-    with_robot(settings(), |robot| {
+    with_robot(&settings(), |robot| {
         assert_eq!([still(robot, 0), still(robot, 5)], [GUARANTEED; 2]);
         for ms in [20, 25, 30, 35, 40] {
             assert_eq!(still(robot, ms), Mode::Degraded(Reason::Late), "at {ms} ms");
@@ -64,24 +64,24 @@ fn a_missed_tick_is_said_for_a_while() {
     });
     let clock = Clock { hold_max: Some(Duration::from_millis(15)), ..settings().clock };
     let patient = Settings { clock, ..settings() };
-    with_robot(patient, |robot| assert_eq!([still(robot, 0), still(robot, 15)], [GUARANTEED; 2]));
+    with_robot(&patient, |robot| assert_eq!([still(robot, 0), still(robot, 15)], [GUARANTEED; 2]));
 }
 
 #[test]
 fn a_robot_that_is_not_where_it_should_be_says_so() {
     let moved = Mode::Degraded(Reason::Moved);
-    with_robot(settings(), |robot| {
+    with_robot(&settings(), |robot| {
         still(robot, 0);
         assert_eq!(tick(robot, 5, [0.001, 0.0], OTHERS[0]), moved);
         assert!(robot.began_anew());
     });
-    with_robot(settings(), |robot| {
+    with_robot(&settings(), |robot| {
         still(robot, 0);
         assert_eq!(tick(robot, 5, [0.0; 2], [1.02, 0.0]), GUARANTEED, "two longest moves are 2.1 cm");
         assert_eq!(tick(robot, 10, [0.0; 2], [1.05, 0.0]), moved);
     });
     let blurred = Settings { errors: Errors { position_m: 0.01, tracking_m: 0.0 }, ..settings() };
-    with_robot(blurred, |robot| {
+    with_robot(&blurred, |robot| {
         still(robot, 0);
         assert_eq!(tick(robot, 5, [0.019, 0.0], OTHERS[0]), GUARANTEED);
         assert_eq!(tick(robot, 10, [-0.019, 0.0], OTHERS[0]), moved);
@@ -91,7 +91,7 @@ fn a_robot_that_is_not_where_it_should_be_says_so() {
 #[test]
 fn with_a_tracking_error_a_robot_counts_itself_where_its_moves_took_it() {
     let lagging = Settings { errors: Errors { position_m: 0.0, tracking_m: 0.05 }, ..settings() };
-    with_robot(lagging, |robot| {
+    with_robot(&lagging, |robot| {
         still(robot, 0);
         assert_eq!(tick(robot, 5, [0.04, 0.0], OTHERS[0]), GUARANTEED);
         assert_eq!(robot.reference(), Some([0.0; 2]), "it did not tell itself to move");
@@ -105,10 +105,10 @@ fn with_a_tracking_error_a_robot_counts_itself_where_its_moves_took_it() {
 fn what_may_be_broken_is_uncertain_unless_it_was_certain_before() {
     let blurred = Settings { errors: Errors { position_m: 0.01, tracking_m: 0.0 }, ..settings() };
     let near = [0.31, 0.0];
-    with_robot(blurred, |robot| {
+    with_robot(&blurred, |robot| {
         assert_eq!(tick(robot, 0, [0.0; 2], near), Mode::Degraded(Reason::Uncertain));
     });
-    with_robot(blurred, |robot| {
+    with_robot(&blurred, |robot| {
         assert_eq!(tick(robot, 0, [0.0; 2], [0.33, 0.0]), GUARANTEED);
         assert_eq!(tick(robot, 5, [0.0; 2], near), GUARANTEED);
         assert_eq!(tick(robot, 10, [0.0; 2], [0.27, 0.0]), Mode::Degraded(Reason::OutsideSafeSet));
@@ -118,7 +118,7 @@ fn what_may_be_broken_is_uncertain_unless_it_was_certain_before() {
 #[test]
 fn messages_are_in_the_order_of_their_stamps_and_a_restarted_robot_begins_again() {
     let message = |sequence, ms, level| Message::new(sequence, at(ms), Some(level), None).expect("finite");
-    with_robot(settings(), |robot| {
+    with_robot(&settings(), |robot| {
         still(robot, 10);
         assert_eq!(robot.receive(RobotId(2), &message(7, 5, 3.0)), Ok(()));
         assert_eq!(robot.receive(RobotId(2), &message(8, 4, 3.0)), Err(ReceiveError::Stale));
@@ -134,7 +134,7 @@ fn messages_are_in_the_order_of_their_stamps_and_a_restarted_robot_begins_again(
 #[test]
 fn a_value_counts_in_the_round_in_which_it_was_told() {
     let value = |sequence, ms, value| Message::new(sequence, at(ms), Some(3.0), Some(value)).expect("finite");
-    with_robot(settings(), |robot| {
+    with_robot(&settings(), |robot| {
         still(robot, 0);
         still(robot, 5);
         robot.receive(RobotId(2), &value(1, 0, 5.0)).expect("news");

@@ -22,7 +22,7 @@ mod seeded;
 
 fn settings<const D: usize>(random: &mut Seeded, form: Form) -> (Budget, Reach<D>) {
     let period_s = [0.005, 0.005, 0.05, 0.2][random.below(4)];
-    let reach = Reach::new(&InputBox { min_m_s: [-1.5; D], max_m_s: [1.5; D] }, period_s);
+    let reach = Reach::new(&InputBox::of([-1.5; D], [1.5; D]), period_s);
     let errors = [ErrorBounds::NONE, ErrorBounds::NONE, ErrorBounds::NONE, ErrorBounds::new(0.01, 0.02)]
         [random.below(4)];
     let radius_m = [0.8, 3.0, 3.0, 30.0][random.below(4)];

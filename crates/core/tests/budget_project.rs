@@ -121,7 +121,7 @@ fn check_guesses<const D: usize>(case: &Case<D>, seed: u64, allowed: f64) -> u64
 #[test]
 fn a_circle_that_meets_the_rest_in_two_arcs() {
     // a lens of two discs, cut by a wall whose two ends are both vertices
-    let input = InputBox { min_m_s: [-5.0; 2], max_m_s: [5.0; 2] };
+    let input = InputBox::of([-5.0; 2], [5.0; 2]);
     let rows = vec![
         Row::new([2.0, 0.0], 1.0, 3.0),  // centre (−1, 0), radius 2
         Row::new([-2.0, 0.0], 1.0, 3.0), // centre (1, 0), radius 2
@@ -137,7 +137,7 @@ fn a_circle_that_meets_the_rest_in_two_arcs() {
 
 #[test]
 fn sets_that_are_a_point_or_a_line() {
-    let input = InputBox { min_m_s: [-1.0; 2], max_m_s: [1.0; 2] };
+    let input = InputBox::of([-1.0; 2], [1.0; 2]);
     let tangent = vec![Row::new([1.0, 2.0], 1.0, 0.0), Row::new([-1.0, -2.0], 3.0, 0.0)];
     let point = Case { desired: [0.4, 0.3], rows: tangent, input };
     // 0 up to the margin of `Row::holds`
@@ -148,7 +148,7 @@ fn sets_that_are_a_point_or_a_line() {
     let v = line.solve().displacement_m;
     assert!(length(&subtract(&v, &[0.45, -0.15])) < 1e-15, "{v:?} slides along the line");
 
-    let nowhere = Case { input: InputBox { min_m_s: [0.0; 2], max_m_s: [0.0; 2] }, ..line };
+    let nowhere = Case { input: InputBox::of([0.0; 2], [0.0; 2]), ..line };
     assert_eq!(nowhere.solve().displacement_m, [0.0, 0.0]);
 }
 
@@ -158,7 +158,7 @@ fn any_floats_give_an_admissible_answer() {
     for seed in 0..CASES {
         let mut random = Seeded(seed);
         let mut number = || odd.get(random.below(14)).copied().unwrap_or(random.between(-2.0, 2.0));
-        let input = InputBox { min_m_s: [number(), number()], max_m_s: [number(), number()] };
+        let input = InputBox::of([number(), number()], [number(), number()]);
         let reach = Reach::new(&input, number().abs());
         let mut memory = [Row::default(); 12];
         let mut program = Program::new(&mut memory, reach);
@@ -172,7 +172,7 @@ fn any_floats_give_an_admissible_answer() {
 
 #[test]
 fn too_little_memory_allows_no_move() {
-    let reach = Reach::new(&InputBox { min_m_s: [-1.0; 2], max_m_s: [1.0; 2] }, 1.0);
+    let reach = Reach::new(&InputBox::of([-1.0; 2], [1.0; 2]), 1.0);
     let mut memory = [Row::default(); 5];
     let mut program = Program::new(&mut memory, reach);
     program.push(Row::new([1.0, 0.0], 1.0, 9.0));

@@ -33,7 +33,7 @@ const PUBLISHED: [Vector<2>; 11] = [
 ];
 
 fn budget(form: Form) -> (Budget, Reach<2>) {
-    let reach = Reach::new(&InputBox { min_m_s: [-1.5; 2], max_m_s: [1.5; 2] }, 0.005);
+    let reach = Reach::new(&InputBox::of([-1.5; 2], [1.5; 2]), 0.005);
     let budget = Budget {
         curvature: Curvature::new(LinkShape { radius_m: 3.0, q1: 2.099, q2: 0.3 }),
         need: Need::new(11, 2, Keep::Neighbors),
@@ -153,7 +153,7 @@ fn any_floats_give_an_admissible_move() {
         let (mut budget, mut reach) = budget([Form::Link, Form::Level][usize::from(number() > 0.0)]);
         if number() > 1.0 {
             budget = Budget { gamma: number(), gamma_c: number(), move_max_m: number(), ..budget };
-            reach = Reach::new(&InputBox { min_m_s: [number(); 2], max_m_s: [number(); 2] }, number());
+            reach = Reach::new(&InputBox::of([number(); 2], [number(); 2]), number());
         }
         let memory = Memory { rows: &mut [Row::default(); 21], weights: &mut [0.0; 64] };
         let mut rows = budget.rows(id(8), &sightings, &[number(), number()], reach, memory);

@@ -103,7 +103,7 @@ fn check_optimality<const D: usize>(case: &Case<D>, seen: &mut [u64; 3]) {
 
 /// Each component allows an interval of λ; all of them and `λ ≥ 0` must meet.
 fn check_multiplier<const D: usize>(case: &Case<D>, u: &Vector<D>) {
-    let InputBox { min_m_s: min, max_m_s: max } = case.input;
+    let InputBox { min_m_s: min, max_m_s: max, .. } = case.input;
     let largest = case.row.normal.iter().fold(0.0, |most: f64, component| most.max(component.abs()));
     let normal = case.row.normal.map(|component| component / largest);
     let inside = |d: usize| min[d] < u[d] && u[d] < max[d];
@@ -163,10 +163,7 @@ impl<const D: usize> Case<D> {
     fn random(seed: u64, far: f64) -> Self {
         let mut random = Seeded(seed.wrapping_mul(0x0123_4567_89ab_cdef));
         let mut edge = |sign: f64| if random.below(6) == 0 { 0.0 } else { sign * random.between(0.1, 2.0) };
-        let input = InputBox {
-            min_m_s: core::array::from_fn(|_| edge(-1.0)),
-            max_m_s: core::array::from_fn(|_| edge(1.0)),
-        };
+        let input = InputBox::of(core::array::from_fn(|_| edge(-1.0)), core::array::from_fn(|_| edge(1.0)));
         let size = [1.0, 1.0, 1e150, 1e-280, 1e-300][random.below(5)];
         let normal = core::array::from_fn(|_| {
             // no component is subnormal: those have fewer digits than the tolerances allow for

@@ -78,7 +78,7 @@ fn check_calls<const D: usize>(calls: &[Call<D>]) {
     let largest = MAGNITUDE_MAX;
     let weights =
         ComposedSettings { w_r: largest, w_c: largest, alpha: largest, ..ComposedSettings::default() };
-    let input = InputBox { min_m_s: [-MAGNITUDE_MAX; D], max_m_s: [0.0; D] };
+    let input = InputBox::of([-MAGNITUDE_MAX; D], [0.0; D]);
     let extreme = Settings {
         link: LinkSettings { radius_m: MAGNITUDE_MAX, ..LinkSettings::default() },
         limits: Limits { input, ..Limits::default() },

@@ -112,6 +112,10 @@ pub fn read(text: &str, path: &Path) -> Result<FleetScenario, ScenarioError> {
             format!("{found}; allowed are w-msr, trimmed-mean, median and linear in one dimension"),
         ));
     }
+    if !scenario.obstacles.list.is_empty() {
+        let found = "`obstacles` are known to the simulator alone: robots as processes have no map yet";
+        return Err(wrong(1, format!("{found}; allowed is a scenario without any")));
+    }
     table.fleet.check(&scenario).map_err(|problem| wrong(1, problem))?;
     let file = FleetScenario { scenario, text: text.to_owned(), fleet: table.fleet };
     for liar in &file.fleet.liar {

@@ -71,6 +71,7 @@ pub struct Frame<const D: usize> {
 /// What held in a tick of the assumptions under which `budget` promises anything, as only the world can know. The world fills
 /// it after the robots ticked; monitors hold a robot to its promises only where they hold.
 #[derive(Clone, Debug, PartialEq, Eq)]
+#[expect(clippy::struct_excessive_bools, reason = "each is broken by itself")]
 pub struct Assumptions {
     /// True if some assumption does not hold, whether or not a robot can know: liars disobey, a robot goes on without having
     /// looked, a robot is farther from its reference than is stated, or one of the two
@@ -82,6 +83,9 @@ pub struct Assumptions {
     pub unsensed: Vec<bool>,
     /// True if some reference is not the last one plus its move: what held before says nothing about it.
     pub renewed: bool,
+    /// True if some robot may not be where it counts itself within what is stated: it sensed wrong, is away from its reference, began
+    /// anew, or goes on without having looked. What others do makes no difference.
+    pub misplaced: bool,
     /// True if some normal robot did not run, or began anew. Rounds of consensus rest on it, safety does not.
     pub unsteady: bool,
 }
@@ -91,7 +95,14 @@ impl Assumptions {
     #[must_use]
     pub fn all_hold(robots: usize) -> Self {
         let none = vec![false; robots];
-        Self { broken: false, sensed_wrong: none.clone(), unsensed: none, renewed: false, unsteady: false }
+        Self {
+            broken: false,
+            sensed_wrong: none.clone(),
+            unsensed: none,
+            renewed: false,
+            misplaced: false,
+            unsteady: false,
+        }
     }
 }
 

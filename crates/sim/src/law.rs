@@ -32,6 +32,8 @@ pub enum Law {
     /// `links`: no link that a normal robot counts on is longer than R (thm:held), and who is counted on keeps its row
     /// (lem:counted).
     Held,
+    /// No normal robot is nearer to an obstacle than allowed, between ticks too (thm:clear).
+    Clear,
     /// The global composition φ of the true levels is not negative (eq:composition).
     Composition,
     /// No φ_i is negative (eq:phi_i). Not a theorem: docs/theory, sec:phi.
@@ -76,21 +78,30 @@ impl Law {
         Self::Mode,
         Self::Untowed,
         Self::Held,
+        Self::Clear,
         Self::Composition,
         Self::Shares,
         Self::Feasible,
     ];
 
     /// How many laws there are.
-    pub const COUNT: usize = 14;
+    pub const COUNT: usize = 15;
 
     /// What thm:cbf-qp and thm:rs_robust promise for `composed` from a start in their safe set. That programs have solutions
     /// (c) is counted apart: docs/theory, sec:phi.
-    pub const COMPOSED: [Self; 7] =
-        [Self::Degree, Self::Distance, Self::Interval, Self::Agreement, Self::Input, Self::Spare, Self::Path];
+    pub const COMPOSED: [Self; 8] = [
+        Self::Degree,
+        Self::Distance,
+        Self::Interval,
+        Self::Agreement,
+        Self::Input,
+        Self::Spare,
+        Self::Path,
+        Self::Clear,
+    ];
 
     /// What `budget` promises where its assumptions hold.
-    pub const PROMISED: [Self; 11] = [
+    pub const PROMISED: [Self; 12] = [
         Self::Degree,
         Self::Distance,
         Self::Interval,
@@ -101,11 +112,12 @@ impl Law {
         Self::Decay,
         Self::Mode,
         Self::Untowed,
+        Self::Clear,
         Self::Feasible,
     ];
 
     /// What `links` promises where its assumptions hold.
-    pub const LINKS: [Self; 11] = [
+    pub const LINKS: [Self; 12] = [
         Self::Degree,
         Self::Distance,
         Self::Interval,
@@ -116,6 +128,7 @@ impl Law {
         Self::Mode,
         Self::Untowed,
         Self::Held,
+        Self::Clear,
         Self::Feasible,
     ];
 
@@ -138,6 +151,7 @@ impl Law {
             Self::Mode => "mode",
             Self::Untowed => "untowed",
             Self::Held => "held",
+            Self::Clear => "clear",
             Self::Composition => "composition",
             Self::Shares => "shares",
             Self::Feasible => "feasible",
@@ -159,6 +173,7 @@ impl Law {
             Self::Mode => "guaranteed is said where it is true, and only there",
             Self::Untowed => "a robot moves no more than it wishes and its own needs demand",
             Self::Held => "a link that is counted on has rows and is no longer than radius_m",
+            Self::Clear => "distance of a normal robot to an obstacle >= clearance_m",
             Self::Composition => "global phi >= 0",
             Self::Shares => "phi_i >= 0",
             Self::Feasible => "the program of a robot has a solution",

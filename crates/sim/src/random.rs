@@ -32,6 +32,8 @@ pub enum Stream {
     Dropouts = 12,
     /// Who lies.
     Liars = 13,
+    /// Where obstacles stand.
+    Obstacles = 14,
 }
 
 /// A generator for one purpose.

@@ -19,11 +19,15 @@ fn default_of(row: &Row) -> f64 {
         mut errors,
         ..
     } = Scenario::default();
+    // There is no limit by default; the comment shows this one.
+    limits.speed_max_m_s = 1.5;
     let parts = Parts {
         team: &mut team,
         ranks: None,
         link: &mut link,
         distance_min_m: &mut limits.distance_min_m,
+        clearance_m: &mut limits.clearance_m,
+        speed_max_m_s: &mut limits.speed_max_m_s,
         composed: Some(&mut composed),
         budget: Some(&mut budget),
         links: Some(&mut links),

@@ -55,6 +55,7 @@ fn extreme(seed: u64) -> Scenario {
             distance_min_m: radius_m * sized(&[1e-9, 0.1, 0.999]),
             input_min_m_s: vec![-sized(huge), -sized(&[0.0, 1.0, 1e6])],
             input_max_m_s: vec![sized(&[0.0, 1.0, 1e6]), sized(huge)],
+            ..Limits::default()
         },
         clock: Clock {
             level_period: Duration::from_millis(5),

@@ -182,6 +182,7 @@ fn laws_see_in_large_and_in_tiny_worlds() {
             distance_min_m: 0.3 * scale,
             input_min_m_s: vec![-1.5 * scale; 2],
             input_max_m_s: vec![1.5 * scale; 2],
+            ..Limits::default()
         };
         let scaled = |controller| Scenario {
             controller,

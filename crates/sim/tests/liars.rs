@@ -104,7 +104,7 @@ fn liars_fall_silent_or_send_garbage() {
 
 #[test]
 fn the_disobedient_flee_or_wander_as_fast_as_they_can() {
-    let input = InputBox { min_m_s: [-1.5; 2], max_m_s: [1.5; 2] };
+    let input = InputBox::of([-1.5; 2], [1.5; 2]);
     let positions = [[1.0, 0.0], [0.0, 0.0], [0.0, 0.1]];
     let velocity = |motion: MotionAttack| {
         let mut liars = Liars::new(&Scenario { attack: motion.into(), ..Scenario::default() });

@@ -19,6 +19,7 @@ use std::path::{Path, PathBuf};
 use std::process::Command;
 use std::thread;
 
+use mutants::obstacles::OBSTACLES as AMONG_OBSTACLES;
 use mutants::{MUTANTS, Mutant};
 
 /// Runs that a mutant may survive.
@@ -29,9 +30,10 @@ const SEED: &str = "7";
 /// So many programs are built at a time, as most of a build of one changed line waits for one thread. At least two: the
 /// controller as it is has a campaign in each.
 const LANES: usize = 2;
-/// Where mutants are hunted; those of ranks in teams that have ranks.
+/// Where mutants are hunted; those of ranks in teams that have ranks, those of obstacles among obstacles.
 const CAMPAIGN: &str = "campaign.toml";
 const RANKED: &str = "campaign-ranks.toml";
+const OBSTACLES: &str = "campaign-obstacles.toml";
 
 fn root() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../..")
@@ -131,7 +133,11 @@ fn caught(workspace: &Path, mutant: &Mutant) -> bool {
         assert_eq!(text.matches(line).count(), 1, "{name}: `{line}` in {file}");
         put(&path, text.replace(line, broken).as_bytes());
     }
-    let campaign = if name.starts_with("ranks:") { RANKED } else { CAMPAIGN };
+    let campaign = match name.split_once(": ") {
+        Some(("ranks", _)) => RANKED,
+        Some(("obstacles", _)) => OBSTACLES,
+        _ => CAMPAIGN,
+    };
     let found = hunt(workspace, campaign, RUNS, law);
     eprintln!("{name}: {found}");
     copy(workspace);
@@ -156,7 +162,8 @@ fn lane(lane: usize, mutants: &[&Mutant]) -> Vec<String> {
 #[test]
 fn every_broken_controller_is_caught_by_its_law() {
     let only = std::env::var("MUTANT").unwrap_or_default();
-    let chosen: Vec<&Mutant> = MUTANTS.iter().filter(|mutant| mutant.name.contains(&only)).collect();
+    let chosen: Vec<&Mutant> =
+        MUTANTS.iter().chain(&AMONG_OBSTACLES).filter(|mutant| mutant.name.contains(&only)).collect();
     assert!(!chosen.is_empty(), "no mutant's name contains MUTANT={only}");
     let missed: Vec<String> = thread::scope(|scope| {
         let lanes: Vec<_> = (0..LANES)

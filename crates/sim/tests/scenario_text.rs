@@ -39,7 +39,7 @@ fn unknown_fields_and_tables_are_refused_with_what_is_known() {
     refused(
         "sed = 4",
         "sed",
-        "`sed` is not a field here, allowed is `name`, `duration_s`, `seed`, `dimension`, `expect`, `team`, `link`, `controller`, `links`, `clock`, `start`, `consensus`, `values`, `motion`, `attack`, `network`, `clocks`, `sensing`, `plant`, `fleet`",
+        "`sed` is not a field here, allowed is `name`, `duration_s`, `seed`, `dimension`, `expect`, `team`, `link`, `controller`, `links`, `clock`, `start`, `obstacles`, `consensus`, `values`, `motion`, `attack`, `network`, `clocks`, `sensing`, `plant`, `fleet`",
     );
     refused(
         "[link]\nradius = 3",
@@ -76,7 +76,7 @@ fn wrong_types_are_refused_with_the_type_that_is_allowed() {
     refused(
         "expect = [\"degrees\"]",
         "\"degrees\"",
-        "`expect[0]` is \"degrees\", allowed is `degree`, `distance`, `interval`, `agreement`, `input`, `spare`, `path`, `decay`, `mode`, `untowed`, `held`, `composition`, `shares`, `feasible`",
+        "`expect[0]` is \"degrees\", allowed is `degree`, `distance`, `interval`, `agreement`, `input`, `spare`, `path`, `decay`, `mode`, `untowed`, `held`, `clear`, `composition`, `shares`, `feasible`",
     );
 }
 

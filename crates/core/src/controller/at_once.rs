@@ -82,9 +82,11 @@ pub struct Glimpse {
     pub low: f64,
 }
 
-/// Where a robot wants to go, and where it went before.
+/// Where a robot is, where it wants to go, and where it went before.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Motion<const D: usize> {
+    /// x_i, m.
+    pub position_m: Vector<D>,
     /// u_{i,des}, m/s.
     pub desired_m_s: Vector<D>,
     /// u_i of the tick before, m/s.

@@ -3,17 +3,21 @@
 //! It is exactly as printed: there is no recovery and no slack. The one choice is the split (docs/theory, `sec:split`).
 //! The equations are in [`crate::equations::composition`].
 
+use crate::controller::clearance::Clearance;
 use crate::controller::{AtOnce, Batch, Control, Decision, Glimpse, Motion, Neighbor, Own, Standing, View};
 use crate::equations::composition::{Composed, Composition, PhiSplit, Sum, TERM_LARGE, Term};
 use crate::equations::link::{Link, LinkShape};
 use crate::need::Need;
 use crate::num::scaled::Scaled;
 use crate::num::{Vector, dot};
-use crate::program::box_row::closest;
+use crate::program::balls::Program;
+use crate::program::balls::reach::Reach;
+use crate::program::box_row::{Row, Solution, closest};
+use crate::program::one_row::closest_beyond;
 use crate::program::{InputBox, Outcome};
 use crate::robot::neighbor::RobotId;
 use crate::robot::report::{Mode, Reason};
-use crate::robot::scratch::Scratch;
+use crate::robot::scratch::{Needs, Scratch};
 use crate::settings::{ComposedSettings, Settings};
 
 /// The controller with its parameters.
@@ -24,6 +28,9 @@ pub struct ComposedController<const D: usize> {
     link: LinkShape,
     need: Need,
     input: InputBox<D>,
+    reach: Reach<D>,
+    clearance: Clearance,
+    hold_s: f64,
 }
 
 /// What both ends of a link share in their rows.
@@ -61,7 +68,27 @@ impl<const D: usize> ComposedController<D> {
             required: need.need(RobotId(0)),
             distance_min_m: settings.limits.distance_min_m,
         };
-        Self { composed, link, need, input: settings.limits.input }
+        Self {
+            composed,
+            link,
+            need,
+            input: settings.limits.input,
+            reach: settings.reach(),
+            clearance: Clearance::new(settings),
+            hold_s: settings.clock.hold_max().as_secs_f64(),
+        }
+    }
+
+    /// The closest velocity where there is more than a box and a row: obstacles, whose rows come first, or a disc.
+    #[cold]
+    fn among(&self, row: &Row<D>, motion: &Motion<D>, scratch: &mut Scratch<'_, D>) -> Solution<D> {
+        let mut program = Program::new(scratch.rows, self.reach);
+        self.clearance.push(&motion.position_m, scratch.map, &mut program);
+        let desired_m = motion.desired_m_s.map(|component| component * self.hold_s);
+        let row = Row { normal: row.normal, bound: row.bound * self.hold_s };
+        let moved = closest_beyond(&mut program, &desired_m, &row);
+        let velocity_m_s = self.input.clip(&moved.displacement_m.map(|component| component / self.hold_s));
+        Solution { velocity_m_s, outcome: moved.outcome }
     }
 
     /// Row and φ_i from all neighbours, with free exponents. This is for robots whose plain sums overflow or vanish.
@@ -95,6 +122,12 @@ impl<const D: usize> Control<D> for ComposedController<D> {
         true
     }
 
+    /// Rows only where the box is not all.
+    fn needs(&self, neighbors: usize) -> Needs {
+        let rows = if self.reach.ball_m().is_some() { self.reach.rows() + 1 } else { 0 };
+        Needs { values: neighbors, sightings: 0, rows }
+    }
+
     fn alone(&self, view: &View<'_, D>, desired: &Vector<D>, scratch: &mut Scratch<'_, D>) -> Decision<D> {
         let own =
             Own { member: view.member(), level: view.told_level, told_level: view.told_level, degree: 0 };
@@ -113,7 +146,8 @@ impl<const D: usize> Control<D> for ComposedController<D> {
             pair: None,
             known: slot.told_level(),
         });
-        let motion = Motion { desired_m_s: *desired, before_m_s: view.before_m_s };
+        let (position_m, before_m_s) = (view.position_m, view.before_m_s);
+        let motion = Motion { position_m, desired_m_s: *desired, before_m_s };
         self.decide(&own, &sums, neighbors, &motion, scratch)
     }
 
@@ -202,7 +236,7 @@ impl<const D: usize> AtOnce<D> for ComposedController<D> {
         sums: &Sums<D>,
         neighbors: impl Iterator<Item = Neighbor<'a, D, Pair, Option<f64>>> + Clone,
         motion: &Motion<D>,
-        _scratch: &mut Scratch<'_, D>,
+        scratch: &mut Scratch<'_, D>,
     ) -> Decision<D> {
         // Beside a huge Ê no slope counts as 0, so pairs that were left out might matter.
         let row = match self.composed.split {
@@ -211,7 +245,11 @@ impl<const D: usize> AtOnce<D> for ComposedController<D> {
         };
         let plain = row.finish(&self.composed).filter(|_| sums.terms < TERM_LARGE);
         let Composition { row, phi } = plain.unwrap_or_else(|| self.careful(own, neighbors));
-        let solution = closest(&motion.desired_m_s, &row, &self.input);
+        let solution = if scratch.map.is_empty() && self.reach.ball_m().is_none() {
+            closest(&motion.desired_m_s, &row, &self.input)
+        } else {
+            self.among(&row, motion, scratch)
+        };
         Decision {
             velocity_m_s: solution.velocity_m_s,
             outcome: solution.outcome,

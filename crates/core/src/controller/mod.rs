@@ -12,12 +12,13 @@
 //! | ours, without weights | [`links`] | positions, lists and acknowledgements | docs/links.md |
 //! | none | [`none`] | nothing | nothing |
 //!
-//! What several of them use stands beside them: [`assume`], [`errors`], [`kept`] and [`rows`].
+//! What several of them use stands beside them: [`assume`], [`clearance`], [`errors`], [`kept`] and [`rows`].
 
 pub mod any;
 pub mod assume;
 pub mod at_once;
 pub mod budget;
+pub mod clearance;
 pub mod composed;
 pub mod errors;
 pub mod kept;
@@ -52,6 +53,8 @@ pub struct View<'a, const D: usize> {
     pub now: Instant,
     /// Its level as it tells it, if it does.
     pub told_level: f64,
+    /// Where it counts itself, m.
+    pub position_m: Vector<D>,
     /// The velocity of the tick before, m/s.
     pub before_m_s: Vector<D>,
     /// What it holds of its own messages, under `links`.

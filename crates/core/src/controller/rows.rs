@@ -58,17 +58,9 @@ impl<'memory, const D: usize> Rows<'memory, D> {
         self.program.closest_from(&self.desired_m, before_m)
     }
 
-    /// Adds the `row` of a `vector` that is known up to `error` along each axis. If the error is 0 that is one row; else it
-    /// is one row for every corner of the cube around the vector.
-    //= theory sec:margins
+    /// As [`Program::push_around`](Program).
     pub(crate) fn push(&mut self, vector: &Vector<D>, error: f64, row: impl Fn(&Vector<D>) -> Row<D>) {
-        if error == 0.0 {
-            return self.program.keep(row(vector));
-        }
-        for corner in 0..1_usize << D.min(8) {
-            let tilt = |d: usize| if corner >> d & 1 == 1 { error } else { -error };
-            self.program.push(row(&core::array::from_fn(|d| vector[d] + tilt(d))));
-        }
+        self.program.push_around(vector, error, row);
     }
 
     /// Counts a violation that is possible, and `certain` or not.

@@ -156,7 +156,7 @@ fn between<const D: usize>(before: &Vector<D>, after: &Vector<D>, row: &Row<D>) 
 mod tests {
     use super::*;
 
-    const SQUARE: InputBox<2> = InputBox { min_m_s: [-1.5, -1.5], max_m_s: [1.5, 1.5] };
+    const SQUARE: InputBox<2> = InputBox::of([-1.5, -1.5], [1.5, 1.5]);
 
     #[test]
     fn free_active_and_infeasible_by_hand() {

@@ -27,7 +27,11 @@ impl<'memory, const D: usize> Scratch<'memory, D> {
         let given = Needs { values: values.len(), sightings: sightings.len(), rows: rows.len() };
         let enough =
             given.values >= needs.values && given.sightings >= needs.sightings && given.rows >= needs.rows;
-        if enough { Ok(Self { neighbors, values, sightings, rows }) } else { Err(RobotError::Scratch(needs)) }
+        if enough {
+            Ok(Self { neighbors, values, sightings, rows, map: &[] })
+        } else {
+            Err(RobotError::Scratch(needs))
+        }
     }
 }
 
@@ -62,7 +66,7 @@ impl<const D: usize, const N: usize, const K: usize> RobotMemory<D, N, K> {
     #[must_use]
     pub fn scratch(&mut self) -> Scratch<'_, D> {
         let (values, sightings, rows) = self.slices();
-        Scratch { neighbors: N, values, sightings, rows }
+        Scratch { neighbors: N, values, sightings, rows, map: &[] }
     }
 
     fn slices(&mut self) -> (&mut [f64], &mut [Sighting<D>], &mut [Row<D>]) {

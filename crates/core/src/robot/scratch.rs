@@ -1,6 +1,7 @@
 //! Memory that a robot needs during a call and not between calls: one piece for any number of robots that take turns.
 
 use crate::controller::budget::knowledge::Sighting;
+use crate::obstacle::Obstacle;
 use crate::program::balls::row::Row;
 
 /// Scratch for the calls of a robot. It is enough for robots with the parameters and the number of slots that it was made
@@ -15,6 +16,8 @@ pub struct Scratch<'memory, const D: usize> {
     pub(crate) sightings: &'memory mut [Sighting<D>],
     /// Rows of a program.
     pub(crate) rows: &'memory mut [Row<D>],
+    /// The obstacles that a robot knows of.
+    pub(crate) map: &'memory [Obstacle<D>],
 }
 
 /// How much of each a robot needs.
@@ -28,7 +31,25 @@ pub struct Needs {
     pub rows: usize,
 }
 
-impl<const D: usize> Scratch<'_, D> {
+impl Needs {
+    /// The same with rows for up to `obstacles` within reach of one move. In a tick in which more of them are, and the rows for
+    /// neighbours leave no room, the robot stands still, which is always allowed.
+    #[must_use]
+    pub fn among<const D: usize>(self, obstacles: usize) -> Self {
+        let more = obstacles.saturating_mul(1 << D.min(8)).saturating_add(2 * D + 1);
+        let rows = self.rows.saturating_add(more);
+        Self { rows, ..self }
+    }
+}
+
+impl<'memory, const D: usize> Scratch<'memory, D> {
+    /// The same for a robot among the obstacles of `map`, in the frame of the robot. Whoever knows of many hands over those near it:
+    /// in a tick only those matter that the longest move could take nearer than allowed.
+    #[must_use]
+    pub fn among(self, map: &'memory [Obstacle<D>]) -> Self {
+        Self { map, ..self }
+    }
+
     /// True if it is enough for `count` neighbours.
     pub(crate) fn is_for(&self, count: usize) -> bool {
         count <= self.neighbors

@@ -5,6 +5,7 @@ use core::ops::Deref;
 use crate::controller::links::wire::Notice;
 use crate::message::Message;
 use crate::num::Vector;
+use crate::obstacle::Obstacle;
 use crate::robot::Robot;
 use crate::robot::error::{ObserveError, Observed, ReceiveError, RobotError, SenseError};
 use crate::robot::memory::RobotMemory;
@@ -76,6 +77,11 @@ impl<const D: usize, const N: usize, const K: usize> SizedRobot<D, N, K> {
     /// See [`Robot::tick`].
     pub fn tick(&mut self, desired: Vector<D>) -> Output<D> {
         self.robot.tick(desired, &mut self.memory.scratch())
+    }
+
+    /// The same among the obstacles of `map`; see [`Scratch::among`](crate::robot::scratch::Scratch::among).
+    pub fn tick_among(&mut self, desired: Vector<D>, map: &[Obstacle<D>]) -> Output<D> {
+        self.robot.tick(desired, &mut self.memory.scratch().among(map))
     }
 }
 

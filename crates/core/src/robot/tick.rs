@@ -53,6 +53,7 @@ impl<const D: usize, S: Slots<D>> Robot<D, S> {
             rank: self.rank,
             now: self.now,
             told_level: self.told_level,
+            position_m: self.position.unwrap_or([f64::NAN; D]),
             before_m_s: self.before,
             ledger: &self.ledger,
             slots: self.neighbors(),

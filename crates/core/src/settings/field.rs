@@ -27,6 +27,8 @@ pub enum Field {
     HeldGammaC,
     HorizonS,
     DistanceMinM,
+    ClearanceM,
+    SpeedMaxMS,
     PositionErrorM,
     TrackingErrorM,
     LevelPeriod,
@@ -73,7 +75,7 @@ const STEEPNESS: Allowed = Allowed::LeftOpen(0.0, 1e15);
 const SECONDS: Allowed = Allowed::Closed(1e-6, 3_600.0);
 
 /// All numbers, in the order in which they are checked.
-pub const TABLE: [Row; 23] = [
+pub const TABLE: [Row; 25] = [
     Row {
         field: Field::Robots,
         name: "team.robots",
@@ -133,6 +135,26 @@ pub const TABLE: [Row; 23] = [
         range: POSITIVE,
         limit: Some(|of| Allowed::Open(0.0, of.distance_limit_m)),
         why: "below link.radius_m",
+    },
+    Row {
+        field: Field::ClearanceM,
+        name: "obstacles.clearance_m",
+        about: "how near a robot may come to an obstacle, m",
+        get: |of| Some(*of.clearance_m),
+        set: |of, to| *of.clearance_m = to,
+        range: NOT_NEGATIVE,
+        limit: None,
+        why: "",
+    },
+    Row {
+        field: Field::SpeedMaxMS,
+        name: "controller.speed_max_m_s",
+        about: "greatest speed, whatever its direction, m/s; by default only the box limits it",
+        get: |of| (*of.speed_max_m_s != f64::INFINITY).then_some(*of.speed_max_m_s),
+        set: |of, to| *of.speed_max_m_s = to,
+        range: POSITIVE,
+        limit: None,
+        why: "",
     },
     Row {
         field: Field::Epsilon,

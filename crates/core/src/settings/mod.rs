@@ -49,6 +49,8 @@ pub struct Limits<const D: usize> {
     pub distance_min_m: f64,
     /// U_i, the velocities that a robot may be given.
     pub input: InputBox<D>,
+    /// How near a robot may come to an obstacle, m, at least 0.
+    pub clearance_m: f64,
 }
 
 /// Stated bounds of errors. `composed` does not use them, because its theorem has no room for errors.
@@ -96,7 +98,7 @@ impl Default for LinkSettings {
 
 impl<const D: usize> Default for Limits<D> {
     fn default() -> Self {
-        Self { distance_min_m: 0.3, input: InputBox { min_m_s: [-1.5; D], max_m_s: [1.5; D] } }
+        Self { distance_min_m: 0.3, input: InputBox::of([-1.5; D], [1.5; D]), clearance_m: 0.15 }
     }
 }
 

@@ -21,6 +21,10 @@ pub struct Parts<'a> {
     pub link: &'a mut LinkSettings,
     /// Δ_d, m.
     pub distance_min_m: &'a mut f64,
+    /// How near a robot may come to an obstacle, m.
+    pub clearance_m: &'a mut f64,
+    /// The greatest speed, m/s; infinite for the box alone.
+    pub speed_max_m_s: &'a mut f64,
     /// Parameters of `composed`.
     pub composed: Option<&'a mut ComposedSettings>,
     /// Parameters of `budget`.
@@ -53,6 +57,8 @@ impl<const D: usize> Settings<D> {
             ranks: self.ranks,
             link: &mut self.link,
             distance_min_m: &mut self.limits.distance_min_m,
+            clearance_m: &mut self.limits.clearance_m,
+            speed_max_m_s: &mut self.limits.input.speed_max_m_s,
             composed,
             budget,
             links,

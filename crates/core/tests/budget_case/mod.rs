@@ -64,10 +64,10 @@ impl<const D: usize> Case<D> {
     }
 
     fn with(rows: Vec<Row<D>>, random: &mut Seeded) -> Self {
-        let input = InputBox {
-            min_m_s: core::array::from_fn(|_| -random.between(0.2, 1.5)),
-            max_m_s: core::array::from_fn(|_| random.between(0.2, 1.5)),
-        };
+        let input = InputBox::of(
+            core::array::from_fn(|_| -random.between(0.2, 1.5)),
+            core::array::from_fn(|_| random.between(0.2, 1.5)),
+        );
         let reach = [0.3, 1.0, 3.0][random.below(3)];
         let desired = core::array::from_fn(|_| reach * random.between(-1.0, 1.0));
         Self { desired, rows, input }

@@ -95,7 +95,7 @@ impl<const D: usize> Team<D> {
         let (robots, count) = (need.robots(), usize::from(need.robots()));
         let link = shape(seed % 3 == 2, robots, need.most(), &mut random);
         let period_s = [0.005, 0.05][random.below(2)];
-        let reach = Reach::new(&InputBox { min_m_s: [-1.5; D], max_m_s: [1.5; D] }, period_s);
+        let reach = Reach::new(&InputBox::of([-1.5; D], [1.5; D]), period_s);
         let budget = Budget {
             curvature: Curvature::new(link),
             need,

@@ -8,6 +8,8 @@ use closeranks_sim::output::record::Record;
 use super::Case;
 use super::formation::links::{Link, links};
 use super::formation::marker::{Marker, robots_group, shape};
+use super::formation::obstacles;
+use super::panel::axes::Place;
 use super::panel::ticks::{Range, plain};
 use crate::svg::palette::{CLOSE, FRAME, INK, LINK, MALICIOUS};
 use crate::svg::{Element, Piece, Svg, number};
@@ -45,6 +47,7 @@ pub fn animation(case: Case<'_>) -> Option<String> {
         format!("{}: how robots move and who is linked, in {} pictures", case.title, film.places.len());
     let mut svg = Svg::new(WIDTH, HEIGHT, &label);
     film.draw_title(&mut svg);
+    film.draw_obstacles(&mut svg);
     film.draw_links(&mut svg);
     film.draw_robots(&mut svg);
     film.draw_time(&mut svg);
@@ -93,9 +96,25 @@ impl<'a> Film<'a> {
 
     /// Where a robot is on the page in the picture at `place`.
     fn point(&self, place: usize, index: usize) -> [f64; 2] {
-        let [x, y] = self.case.record.point(place, index);
+        self.at(self.case.record.point(place, index))
+    }
+
+    /// Where a point in m is on the page.
+    fn at(&self, [x, y]: [f64; 2]) -> [f64; 2] {
         let middle = [0.5 * WIDTH, ABOVE + 0.5 * (HEIGHT - ABOVE - BELOW)];
         [middle[0] + (x - self.middle_m[0]) * self.scale, middle[1] - (y - self.middle_m[1]) * self.scale]
+    }
+
+    fn draw_obstacles(&self, svg: &mut Svg) {
+        let [width, height] = [WIDTH - 2.0 * MARGIN, HEIGHT - ABOVE - BELOW];
+        let place = Place { left: MARGIN, top: ABOVE, width, height };
+        obstacles::draw(
+            svg,
+            place,
+            self.scale,
+            |x| self.at([x[0], x[1]]),
+            &self.case.scenario.obstacles.list,
+        );
     }
 
     fn draw_title(&self, svg: &mut Svg) {

@@ -14,6 +14,7 @@ const STEP: f64 = 0.8;
 
 /// Draws all paths, their starts, and the robots where they are at the end.
 pub(crate) fn draw(svg: &mut Svg, axes: &Axes, case: Case<'_>, view: View, marker: Marker) {
+    Moment::end(case, view).draw_obstacles(svg, axes);
     let record = case.record;
     let mut normal = 0;
     for index in 0..usize::from(record.robots) {

@@ -70,7 +70,7 @@ pub fn numbers(scenario: &Scenario, run: &Run, program: Program<'_>) -> Map<Stri
         "ok": summary.failures(scenario).next().is_none(),
     });
     let mut numbers = if let Value::Object(numbers) = numbers { numbers } else { Map::new() };
-    numbers.extend(conduct(&summary.conduct));
+    numbers.extend(conduct(&summary.conduct).into_iter().chain(clear(scenario, extremes.clear_min_m)));
     if let Some(ranks) = ranks(scenario) {
         let first = summary.void.first.map(|(tick, robot, liars)| {
             json!({ "time_s": f64::from(tick) * scenario.tick_s(), "robot": robot, "listened_to": liars })
@@ -79,6 +79,11 @@ pub fn numbers(scenario: &Scenario, run: &Run, program: Program<'_>) -> Map<Stri
         numbers.insert("void".to_owned(), json!({ "rounds": summary.void.rounds, "first": first }));
     }
     numbers
+}
+
+/// How near a normal robot came to an obstacle, if there are any.
+fn clear(scenario: &Scenario, least_m: f64) -> Option<(String, Value)> {
+    (!scenario.obstacles.list.is_empty()).then(|| ("clear_min_m".to_owned(), json!(least_m)))
 }
 
 /// How normal robots moved, means over them and the run.

@@ -13,6 +13,8 @@ pub(crate) const MALICIOUS: &str = "#D55E00";
 pub(crate) const LINK: &str = "#A0A0A0";
 /// What is closer than it may be: the purple of Okabe and Ito.
 pub(crate) const CLOSE: &str = "#CC79A7";
+/// What stands in the way of robots.
+pub(crate) const OBSTACLE: &str = "#BDB4A7";
 /// Frames and ticks.
 pub(crate) const FRAME: &str = "#4D4D4D";
 /// Texts.

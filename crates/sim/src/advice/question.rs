@@ -141,7 +141,7 @@ impl Question {
         let limits = &self.scenario.limits;
         let corner = |numbers: &[f64]| core::array::from_fn(|d| numbers.get(d).copied().unwrap_or(0.0));
         let (min_m_s, max_m_s) = (corner(&limits.input_min_m_s), corner(&limits.input_max_m_s));
-        Reach::<D>::new(&InputBox { min_m_s, max_m_s }, time_s).longest_m()
+        Reach::<D>::new(&InputBox::of(min_m_s, max_m_s), time_s).longest_m()
     }
 
     /// The tracking error that is enough for the bodies of the scenario, m, if they lag and start from rest.

@@ -142,7 +142,7 @@ mod tests {
 
     #[test]
     fn the_closest_point_of_one_row_and_a_box() {
-        let input = InputBox { min_m_s: [-1.0; 2], max_m_s: [1.0; 2] };
+        let input = InputBox::of([-1.0; 2], [1.0; 2]);
         let barrier = Barrier { h: 0.0, gradients: vec![(0, [1.0, 0.0]), (1, [2.0, 0.0])] };
         let mut answers = [Answer { velocity_m_s: [0.0; 2], outcome: Outcome::Free }; 2];
         let mut solve = |bound: f64| {

@@ -20,7 +20,7 @@ mod shared;
 use closeranks_core::settings;
 
 use row::of_others;
-pub use row::{Answer, Counted, Inside, Knows, Make, Parameters, Row, TeamView, Velocities};
+pub use row::{Amid, Answer, Counted, Inside, Knows, Make, Parameters, Row, TeamView, Velocities};
 
 use crate::law::Law;
 
@@ -75,6 +75,7 @@ controllers! {
             guarantees: true,
             ranks: true,
             uses_phi: false,
+            amid: Amid::Avoids,
             promises: &Law::PROMISED,
             counted: Counted::Covered,
             expects: &Law::PROMISED,
@@ -95,6 +96,7 @@ controllers! {
             guarantees: false,
             ranks: false,
             uses_phi: true,
+            amid: Amid::Avoids,
             promises: &Law::COMPOSED,
             counted: Counted::Covered,
             expects: &Law::EXPECTED,
@@ -118,6 +120,7 @@ controllers! {
             guarantees: true,
             ranks: true,
             uses_phi: false,
+            amid: Amid::Avoids,
             promises: &Law::LINKS,
             counted: Counted::Covered,
             expects: &Law::LINKS,
@@ -135,6 +138,7 @@ controllers! {
             guarantees: false,
             ranks: false,
             uses_phi: false,
+            amid: Amid::Ignores,
             promises: &Law::EXPECTED,
             counted: Counted::All,
             expects: &Law::EXPECTED,

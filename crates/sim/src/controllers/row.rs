@@ -65,6 +65,17 @@ pub enum Counted {
     All,
 }
 
+/// What a controller does among obstacles.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Amid {
+    /// It keeps clear of them.
+    Avoids,
+    /// It takes no notice of them, as it takes none of robots.
+    Ignores,
+    /// It is not run there.
+    Refuses,
+}
+
 /// Parameters of all controllers that have any. They are there whichever controller is run.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Parameters {
@@ -101,6 +112,8 @@ pub struct Row {
     pub ranks: bool,
     /// Whether φ_i is part of its decisions.
     pub uses_phi: bool,
+    /// What it does among obstacles.
+    pub amid: Amid,
     /// The laws that sweeps hold it to.
     pub promises: &'static [Law],
     /// Which violations of them count.
@@ -111,6 +124,14 @@ pub struct Row {
     pub inside: Inside,
     /// How it is made.
     pub make: Make,
+}
+
+impl Row {
+    /// True if it can be run where there are obstacles.
+    #[must_use]
+    pub fn runs_among_obstacles(&self) -> bool {
+        self.amid != Amid::Refuses
+    }
 }
 
 /// The row of a controller of others that looks at the whole team. It is held to what holds whatever the velocities are: what
@@ -127,6 +148,7 @@ pub(crate) const fn of_others(
         guarantees: false,
         ranks: false,
         uses_phi: false,
+        amid: Amid::Refuses,
         promises: &[Law::Interval, Law::Input],
         counted: Counted::Covered,
         expects: &[Law::Interval, Law::Input],

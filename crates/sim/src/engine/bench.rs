@@ -1,6 +1,7 @@
 //! What computing a part of a team takes, and what comes of it.
 
 use closeranks_core::num::Vector;
+use closeranks_core::obstacle::Obstacle;
 use closeranks_core::program::Outcome;
 use closeranks_core::robot::report::Mode;
 use closeranks_core::settings::params::Params;
@@ -26,9 +27,9 @@ pub(crate) struct Decided<const D: usize> {
 }
 
 impl<const D: usize> Bench<D> {
-    /// For a team of so many robots.
-    pub(crate) fn new(params: &Params<D>, robots: usize) -> Self {
-        Self { memory: Memory::new(params, robots), marks: Marks::default() }
+    /// For a team of so many robots among obstacles.
+    pub(crate) fn new(params: &Params<D>, robots: usize, map: &[Obstacle<D>]) -> Self {
+        Self { memory: Memory::new(params, robots).among(map), marks: Marks::default() }
     }
 }
 

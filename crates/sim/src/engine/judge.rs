@@ -53,20 +53,20 @@ impl Judge {
         self.refer(frame, robots, bodies);
         let edges = robots.edges();
         frame.assumptions.unsteady = edges.is_some_and(|edges| self.is_unsteady(edges));
+        let mut misplaced = edges.is_some_and(|edges| edges.downtime.blind()) || self.is_away(frame, bodies);
         for (index, wrong) in frame.assumptions.sensed_wrong.iter_mut().enumerate() {
             *wrong = edges.is_some_and(|edges| {
-                let error_m = edges.senses.error_m(index);
-                error_m > self.position_error_m + self.still_m || edges.sight.overlooks(index)
+                let off = edges.senses.error_m(index) > self.position_error_m + self.still_m;
+                misplaced |= off;
+                off || edges.sight.overlooks(index)
             });
         }
         for (index, unsensed) in frame.assumptions.unsensed.iter_mut().enumerate() {
             *unsensed = edges.is_some_and(|edges| edges.sight.misses(index));
         }
-        frame.assumptions.broken = self.disobeyed
-            || edges.is_some_and(|edges| edges.downtime.blind())
-            || self.is_away(frame, bodies)
-            || frame.assumptions.sensed_wrong.contains(&true)
-            || frame.assumptions.renewed;
+        frame.assumptions.misplaced = misplaced || frame.assumptions.renewed;
+        frame.assumptions.broken =
+            self.disobeyed || frame.assumptions.misplaced || frame.assumptions.sensed_wrong.contains(&true);
     }
 
     /// Takes over where robots count themselves. A robot that is down stays where its velocities have taken it.

@@ -7,6 +7,7 @@
 use closeranks_core::controller::{AtOnce, Decision, Glimpse, Motion, Neighbor, Own, Standing};
 use closeranks_core::equations::barrier::degree_barrier;
 use closeranks_core::num::{Vector, dot, subtract};
+use closeranks_core::obstacle::Obstacle;
 use closeranks_core::robot::neighbor::Member;
 use closeranks_core::robot::scratch::Scratch;
 use closeranks_core::settings::params::Params;
@@ -43,6 +44,7 @@ struct Robots<const D: usize, C: AtOnce<D>> {
     params: Params<D>,
     controller: C,
     roster: Roster,
+    map: Vec<Obstacle<D>>,
     links: Links<C::Pair>,
     /// In a small team without ranks who sees whom, in bits.
     sees: Option<Sees>,
@@ -84,6 +86,7 @@ impl<const D: usize, C: AtOnce<D> + Copy> Team<D, C> {
             params,
             controller,
             roster,
+            map: scenario.obstacles.in_dimension(),
             links: Links::new(),
             sees: small.then(|| Sees::new(count)),
             around: Around::default(),
@@ -128,7 +131,7 @@ impl<const D: usize, C: AtOnce<D> + Copy> Team<D, C> {
         let Self { robots, benches, decided, .. } = self;
         let count = frame.positions_m.len();
         let (each, mut dense) = (share(count, workers), robots.dense.take());
-        benches.resize_with(count.div_ceil(each), || Bench::new(&robots.params, count));
+        benches.resize_with(count.div_ceil(each), || Bench::new(&robots.params, count, &robots.map));
         decided.resize(count, Decided::NOTHING);
         if let Some(dense) = &mut dense {
             dense.fill(robots.links.pairs(), robots.links.pair_weights());
@@ -274,7 +277,7 @@ impl<const D: usize, C: AtOnce<D> + Copy> Robots<D, C> {
         let own =
             Own { member: self.roster.member(robot), level, told_level, degree: self.links.counted()[robot] };
         let (desired_m_s, before_m_s) = (frame.asked_m_s[robot], frame.velocities_m_s[robot]);
-        let motion = Motion { desired_m_s, before_m_s };
+        let motion = Motion { position_m: frame.positions_m[robot], desired_m_s, before_m_s };
         let decision = self.controller.decide(&own, &self.sums[robot], neighbors, &motion, scratch);
         self.judged(robot, &decision, frame)
     }

@@ -11,6 +11,8 @@ pub struct Extremes {
     pub h_min: f64,
     /// Least distance of two robots, m.
     pub distance_min_m: f64,
+    /// Least distance of a normal robot to an obstacle, m; infinite without any.
+    pub clear_min_m: f64,
     /// Least global φ.
     pub phi_global_min: f64,
     /// Least φ_i.
@@ -33,6 +35,7 @@ impl Extremes {
             malicious_degree_min: None,
             h_min: f64::INFINITY,
             distance_min_m: f64::INFINITY,
+            clear_min_m: f64::INFINITY,
             phi_global_min: f64::INFINITY,
             phi_min: f64::INFINITY,
             inside_from: None,

@@ -15,7 +15,7 @@ use std::sync::Arc;
 
 use closeranks_core::equations::barrier::degree_barrier;
 use closeranks_core::equations::composition::Composed;
-use closeranks_core::num::sqrt;
+use closeranks_core::num::{length, sqrt};
 use closeranks_core::program::{InputBox, Outcome};
 use closeranks_core::settings::params::Params;
 
@@ -189,6 +189,7 @@ impl<const D: usize> Monitors<D> {
             self.extremes.h_min = self.extremes.h_min.min(h);
         }
         self.extremes.distance_min_m = sqrt(self.carry.least_m2());
+        self.extremes.clear_min_m = self.carry.least_clear_m();
     }
 
     /// φ of the true levels, of the paper's weight whatever the controller.
@@ -261,8 +262,12 @@ impl<const D: usize> Monitors<D> {
     }
 }
 
-/// The first component outside its bounds, and the bound.
+/// The speed if it is too great, or the first component outside its bounds, and the bound.
 fn worst_component<const D: usize>(velocity: &[f64; D], input: &InputBox<D>) -> (f64, f64) {
+    let speed_m_s = length(velocity);
+    if speed_m_s > input.speed_max_m_s {
+        return (speed_m_s, input.speed_max_m_s);
+    }
     let cut = input.clip(velocity);
     (0..D).map(|d| (velocity[d], cut[d])).find(|(seen, allowed)| seen != allowed).unwrap_or((0.0, 0.0))
 }

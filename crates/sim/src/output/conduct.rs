@@ -1,9 +1,10 @@
 //! How normal robots moved compared with what they wished.
 
 use closeranks_core::num::{Vector, dot, length, sqrt, subtract};
+use closeranks_core::program::InputBox;
 
 use crate::frame::Frame;
-use crate::scenario::Scenario;
+use crate::scenario::{Limits, Scenario};
 
 /// A robot wishes to move if its wish is at least this fast, m/s.
 const WISH_MIN_M_S: f64 = 0.05;
@@ -51,7 +52,7 @@ impl Watch {
         malicious: &[bool],
     ) {
         let (mut wishing, mut blocked) = (0, 0);
-        let limits_m_s = limits_m_s(scenario);
+        let limits = limits(scenario);
         let [one, two] = self.before.each_ref().map(|before| before.as_chunks::<D>().0);
         let (velocities_m_s, wishes_m_s) = (&frame.velocities_m_s[..], &frame.desired_m_s[..]);
         let robots = velocities_m_s.iter().zip(wishes_m_s).zip(malicious.iter().zip(&frame.down)).enumerate();
@@ -59,7 +60,7 @@ impl Watch {
             if *malicious || *down {
                 continue;
             }
-            let wish = cut(&limits_m_s, desired);
+            let wish = limits.clip(desired);
             let (speed2, along) = (dot(&wish, &wish), dot(velocity, &wish));
             self.robot_ticks += 1;
             if *velocity != wish {
@@ -100,14 +101,11 @@ impl Watch {
     }
 }
 
-/// The corners of the box, m/s; 0 where the scenario says nothing.
-fn limits_m_s<const D: usize>(scenario: &Scenario) -> [Vector<D>; 2] {
+/// The velocities that a robot can be given; of a corner of which the scenario says nothing, 0.
+fn limits<const D: usize>(scenario: &Scenario) -> InputBox<D> {
     let corner = |bounds: &[f64]| core::array::from_fn(|d| bounds.get(d).copied().unwrap_or(0.0));
-    [corner(&scenario.limits.input_min_m_s), corner(&scenario.limits.input_max_m_s)]
-}
-
-fn cut<const D: usize>([low, high]: &[Vector<D>; 2], desired: &Vector<D>) -> Vector<D> {
-    core::array::from_fn(|d| desired[d].max(low[d]).min(high[d]))
+    let Limits { input_min_m_s, input_max_m_s, speed_max_m_s, .. } = &scenario.limits;
+    InputBox::of(corner(input_min_m_s), corner(input_max_m_s)).within(*speed_max_m_s)
 }
 
 #[cfg(test)]

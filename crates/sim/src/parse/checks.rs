@@ -38,6 +38,10 @@ pub(super) fn check(reader: &mut Reader, scenario: &Scenario) {
         3 => start::<3>(reader, scenario),
         _ => start::<2>(reader, scenario),
     }
+    match scenario.dimension {
+        3 => obstacles::<3>(reader, scenario),
+        _ => obstacles::<2>(reader, scenario),
+    }
     if reader.is_clean() {
         match scenario.dimension {
             3 => ranks::<3>(reader, scenario),
@@ -97,6 +101,30 @@ fn one_by_one<const D: usize>(reader: &mut Reader, scenario: &Scenario, params: 
     }
 }
 
+/// Obstacles are refused under a controller that takes no notice of them, and so are robots that start in their way.
+fn obstacles<const D: usize>(reader: &mut Reader, scenario: &Scenario) {
+    if let Some(error) = scenario.refuses_obstacles() {
+        let with: Vec<_> = Controller::ALL.iter().filter(|of| of.row().runs_among_obstacles()).collect();
+        let names: Vec<_> = with.iter().map(|of| of.name()).collect();
+        return reader.refuse("obstacles", error, format!("only under {}", names.join(", ")));
+    }
+    let (Ok(positions), keep_m) = (scenario.positions::<D>(), scenario.start_clearance_m::<D>()) else {
+        return;
+    };
+    let Some((robot, index, gap_m)) = scenario.obstacles.too_near(&positions, keep_m) else { return };
+    let field = match scenario.start {
+        Start::Listed(_) => format!("start.positions_m[{robot}]"),
+        _ => scenario.obstacles.field(index),
+    };
+    let (robot, place) = (robot + 1, scenario.obstacles.field(index));
+    let found = format!("{gap_m:.4} m between the start of robot {robot} and {place}");
+    reader.refuse(
+        &field,
+        found,
+        format!("at least {keep_m} m: obstacles.clearance_m and what stated errors cost"),
+    );
+}
+
 fn boxes(reader: &mut Reader, scenario: &Scenario) {
     let corners = [
         ("controller.input_min_m_s", &scenario.limits.input_min_m_s),
@@ -153,13 +181,18 @@ fn values(reader: &mut Reader, scenario: &Scenario) {
 fn is_too_fast(reader: &mut Reader, scenario: &Scenario) -> bool {
     let Limits { input_min_m_s: low, input_max_m_s: high, .. } = &scenario.limits;
     let fastest = low.iter().zip(high).map(|(low, high)| low.abs().max(high.abs()));
-    let speed = fastest.map(|speed| speed * speed).sum::<f64>().sqrt();
+    let speed = fastest.map(|speed| speed * speed).sum::<f64>().sqrt().min(scenario.limits.speed_max_m_s);
     let (hold_s, radius_m) = (scenario.clock.hold_max().as_secs_f64(), scenario.link.radius_m);
     if 2.0 * speed * hold_s < radius_m {
         return false;
     }
-    let fields =
-        ["controller.input_max_m_s", "controller.input_min_m_s", "clock.hold_max_s", "clock.tau_1_s"];
+    let fields = [
+        "controller.speed_max_m_s",
+        "controller.input_max_m_s",
+        "controller.input_min_m_s",
+        "clock.hold_max_s",
+        "clock.tau_1_s",
+    ];
     let field = fields.into_iter().find(|field| reader.was_given(field)).unwrap_or("link.radius_m");
     let found =
         format!("too much: at up to {speed:.4} m/s a robot moves {:.4} m in {hold_s} s", speed * hold_s);

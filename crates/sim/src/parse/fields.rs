@@ -16,6 +16,7 @@ use crate::law::Law;
 use crate::plant::Plant;
 use crate::scenario::desired::Desired;
 use crate::scenario::liars::Local;
+use crate::scenario::obstacles::{Drawn, Obstacles};
 use crate::scenario::ranks::Ranking;
 use crate::scenario::route::{KINDS, Route, Whose};
 use crate::scenario::start::Start;
@@ -29,13 +30,14 @@ pub(super) fn read(reader: &mut Reader, table: &DeTable<'_>) -> Scenario {
     let mut root = Section::root(table);
     let mut scenario = Scenario::default();
     let expect = head(reader, &mut root, &mut scenario);
-    let tables: [(&'static str, Fill); 9] = [
+    let tables: [(&'static str, Fill); 10] = [
         ("team", team),
         ("link", link),
         ("controller", controller),
         ("links", links),
         ("clock", clock),
         ("start", start),
+        ("obstacles", obstacles),
         ("consensus", consensus),
         ("values", values),
         ("motion", motion),
@@ -63,6 +65,10 @@ pub(super) fn read(reader: &mut Reader, table: &DeTable<'_>) -> Scenario {
     let stated = reader.was_given("controller.tracking_error_m");
     if let (false, Some(error_m)) = (stated, scenario.plant.tracking_error_m()) {
         scenario.errors.tracking_m = error_m;
+    }
+    if let Some(mut section) = root.table("obstacles").filter(|section| section.has_table("drawn")) {
+        let drawn = reader.table(&mut section, "drawn", Drawn::read);
+        draw_obstacles(reader, &drawn, &mut scenario);
     }
     // What happens to the processes of a fleet; `closeranks-node` reads it.
     let _ = root.has("fleet");
@@ -143,6 +149,14 @@ fn controller(reader: &mut Reader, section: &mut Section<'_>, scenario: &mut Sce
     let speed = format!("a finite number (m/s), {ANY}");
     set(&mut limits.input_min_m_s, reader.list(section, "input_min_m_s", &speed, inside));
     set(&mut limits.input_max_m_s, reader.list(section, "input_max_m_s", &speed, inside));
+    // Who states a speed alone means a disc and no box.
+    let is_disc = limits.speed_max_m_s.is_finite();
+    if is_disc && !reader.was_given("controller.input_min_m_s") {
+        limits.input_min_m_s.fill(-limits.speed_max_m_s);
+    }
+    if is_disc && !reader.was_given("controller.input_max_m_s") {
+        limits.input_max_m_s.fill(limits.speed_max_m_s);
+    }
 }
 
 fn links(reader: &mut Reader, section: &mut Section<'_>, scenario: &mut Scenario) {
@@ -182,6 +196,32 @@ fn start(reader: &mut Reader, section: &mut Section<'_>, scenario: &mut Scenario
         }
         Start::Inside | Start::Published => {}
     }
+}
+
+fn obstacles(reader: &mut Reader, section: &mut Section<'_>, scenario: &mut Scenario) {
+    numbers(reader, section, "obstacles", scenario);
+    scenario.obstacles = Obstacles::read(reader, section, scenario.dimension);
+    // Those that are drawn are read once it is known how far from the start they must be.
+    if section.knows_table("drawn") && !scenario.obstacles.list.is_empty() {
+        reader.refuse("obstacles.drawn", "beside obstacles that are listed", "one of the two");
+    }
+}
+
+/// Draws obstacles once it is known where robots start. A start that does not exist is refused later.
+fn draw_obstacles(reader: &Reader, drawn: &Drawn, scenario: &mut Scenario) {
+    if !reader.is_clean() {
+        return;
+    }
+    let found = match scenario.dimension {
+        3 => scenario
+            .positions::<3>()
+            .map(|x| drawn.draw(&x, scenario.start_clearance_m::<3>(), scenario.seed)),
+        _ => scenario
+            .positions::<2>()
+            .map(|x| drawn.draw(&x, scenario.start_clearance_m::<2>(), scenario.seed)),
+    };
+    let turn = scenario.obstacles.turn;
+    set(&mut scenario.obstacles, found.ok().map(|found| Obstacles { turn, ..found }));
 }
 
 /// How values are updated.

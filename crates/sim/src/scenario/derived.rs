@@ -39,12 +39,13 @@ impl Scenario {
     /// The robot's own parameters; an error names the field.
     pub fn params<const D: usize>(&self) -> Result<Params<D>, ParamsError> {
         let corner = |numbers: &[f64]| core::array::from_fn(|d| numbers.get(d).copied().unwrap_or(f64::NAN));
-        let Limits { distance_min_m, input_min_m_s, input_max_m_s } = &self.limits;
-        let input = InputBox { min_m_s: corner(input_min_m_s), max_m_s: corner(input_max_m_s) };
+        let Limits { distance_min_m, input_min_m_s, input_max_m_s, speed_max_m_s, clearance_m } =
+            &self.limits;
+        let input = InputBox::of(corner(input_min_m_s), corner(input_max_m_s)).within(*speed_max_m_s);
         Params::new(Settings {
             team: self.team,
             link: self.link,
-            limits: settings::Limits { distance_min_m: *distance_min_m, input },
+            limits: settings::Limits { distance_min_m: *distance_min_m, input, clearance_m: *clearance_m },
             controller: self.controller.settings(&self.parameters()),
             clock: self.clock,
             errors: self.errors,
@@ -74,6 +75,8 @@ impl Scenario {
             ranks,
             link: &mut self.link,
             distance_min_m: &mut self.limits.distance_min_m,
+            clearance_m: &mut self.limits.clearance_m,
+            speed_max_m_s: &mut self.limits.speed_max_m_s,
             composed: Some(&mut self.composed),
             budget: Some(&mut self.budget),
             links: Some(&mut self.links),
@@ -93,7 +96,15 @@ impl Scenario {
     pub(crate) fn speed_max_m_s(&self) -> f64 {
         let Limits { input_min_m_s, input_max_m_s, .. } = &self.limits;
         let corner = input_min_m_s.iter().zip(input_max_m_s).map(|(low, high)| low.abs().max(high.abs()));
-        sqrt(corner.fold(0.0, |sum, speed| sum + speed * speed))
+        sqrt(corner.fold(0.0, |sum, speed| sum + speed * speed)).min(self.limits.speed_max_m_s)
+    }
+
+    /// How far from obstacles robots must start, m: so far as they are kept, and what stated errors cost.
+    #[must_use]
+    pub(crate) fn start_clearance_m<const D: usize>(&self) -> f64 {
+        let away_m = self.params::<D>().map_or(0.0, |params| params.kept().errors.away_m);
+        let unknown_m = if away_m > 0.0 { self.errors.position_m } else { 0.0 };
+        self.limits.clearance_m + away_m + unknown_m
     }
 
     /// The paper's composition, for whoever wants to know φ and φ_i, whatever the controller.

@@ -3,11 +3,13 @@
 mod derived;
 pub mod desired;
 pub mod liars;
+pub mod obstacles;
 pub mod ranks;
 pub mod route;
 mod scatter;
 
 pub mod start;
+pub(crate) mod turn;
 
 use closeranks_core::num::Vector;
 use closeranks_core::settings::{
@@ -16,11 +18,13 @@ use closeranks_core::settings::{
 
 use crate::attack::Attack;
 pub use crate::consensus::{Consensus, Rule};
+use crate::controllers::Amid;
 pub use crate::controllers::Controller;
 use crate::faults::Faults;
 use crate::law::Law;
 use crate::plant::Plant;
 use crate::scenario::desired::Desired;
+use crate::scenario::obstacles::Obstacles;
 use crate::scenario::ranks::Ranking;
 use crate::scenario::start::{Start, StartError};
 
@@ -64,6 +68,8 @@ pub struct Scenario {
     pub consensus: Consensus,
     /// y_i(t₀).
     pub values: Values,
+    /// What stands in the way.
+    pub obstacles: Obstacles,
     /// Where robots want to go.
     pub desired: Desired,
     /// What malicious robots do.
@@ -101,13 +107,22 @@ pub struct Limits {
     pub input_min_m_s: Vec<f64>,
     /// Upper corner of U_i, m/s.
     pub input_max_m_s: Vec<f64>,
+    /// Greatest speed, m/s; infinite for the box alone.
+    pub speed_max_m_s: f64,
+    /// How near a robot may come to an obstacle, m.
+    pub clearance_m: f64,
 }
 
 impl Default for Limits {
     fn default() -> Self {
-        let settings::Limits { distance_min_m, input } = settings::Limits::<2>::default();
-        let (low, high) = (input.min_m_s.to_vec(), input.max_m_s.to_vec());
-        Self { distance_min_m, input_min_m_s: low, input_max_m_s: high }
+        let settings::Limits { distance_min_m, input, clearance_m } = settings::Limits::<2>::default();
+        Self {
+            distance_min_m,
+            input_min_m_s: input.min_m_s.to_vec(),
+            input_max_m_s: input.max_m_s.to_vec(),
+            speed_max_m_s: input.speed_max_m_s,
+            clearance_m,
+        }
     }
 }
 
@@ -132,6 +147,7 @@ impl Default for Scenario {
             start: Start::Inside,
             consensus: Consensus::default(),
             values: Values::Random { min: -500.0, max: 500.0 },
+            obstacles: Obstacles::default(),
             desired: Desired::Paper,
             attack: Attack::default(),
             plant: Plant::Single,
@@ -183,8 +199,18 @@ impl Scenario {
 
     /// The laws that a run under `controller` is expected to keep if the scenario names none.
     pub(crate) fn usual(&self, controller: Controller) -> Vec<Law> {
-        let kept = |law: &Law| law.is_kept_by(&self.consensus);
-        controller.row().expects.iter().copied().filter(kept).collect()
+        let row = controller.row();
+        let kept = |law: &Law| *law != Law::Clear && law.is_kept_by(&self.consensus);
+        let clear = Some(Law::Clear).filter(|_| !self.obstacles.list.is_empty() && row.amid == Amid::Avoids);
+        row.expects.iter().copied().filter(kept).chain(clear).collect()
+    }
+
+    /// Why the controller is not run among the obstacles of the scenario, if it is not.
+    #[must_use]
+    pub fn refuses_obstacles(&self) -> Option<String> {
+        let refuses = !self.controller.row().runs_among_obstacles() && !self.obstacles.list.is_empty();
+        refuses
+            .then(|| format!("under controller \"{}\", which does not know of any", self.controller.name()))
     }
 
     /// τ₁ in seconds.

@@ -91,6 +91,9 @@ impl<const D: usize> World<D> {
         if scenario.dimension != D {
             return Err(RunError::Dimension(scenario.dimension));
         }
+        if let Some(why) = scenario.refuses_obstacles() {
+            return Err(RunError::Obstacles(why));
+        }
         let params = scenario.params::<D>()?;
         scenario.ranks::<D>()?;
         let values = initial_values(scenario)?;
@@ -245,6 +248,8 @@ impl<const D: usize> World<D> {
     fn ask(&mut self) {
         let Frame { desired_m_s, asked_m_s, positions_m, velocities_m_s, .. } = &mut self.frame;
         asked_m_s.copy_from_slice(desired_m_s);
+        let reaches_m = [self.scenario.link.radius_m, self.scenario.limits.clearance_m];
+        self.scenario.obstacles.turn(positions_m, reaches_m, asked_m_s);
         let Some(global) = &mut self.global else { return };
         let nothing = Answer { velocity_m_s: [0.0; D], outcome: Outcome::Free };
         self.answers.resize(positions_m.len(), nothing);

@@ -57,6 +57,9 @@ pub enum RunError {
     /// A robot could not be made.
     #[error(transparent)]
     Robot(#[from] RobotError),
+    /// The controller does not know of obstacles.
+    #[error("there are obstacles {0}")]
+    Obstacles(String),
     /// Neither 2 nor 3.
     #[error("dimension is {0}, allowed is 2 or 3")]
     Dimension(usize),

@@ -7,6 +7,7 @@ use crate::controller::budget::inequality::{self, Pair};
 use crate::controller::budget::knowledge::{KnownMargin, Sighting};
 use crate::controller::budget::recovery::H_ROUNDING;
 use crate::controller::budget::settings::{Budget, Form};
+use crate::controller::clearance::Clearance;
 use crate::controller::rows::{Move, Rows};
 use crate::controller::{
     AtOnce, Batch, Control, Decision, Glimpse, Kept, Motion, Neighbor, Own, Standing, View,
@@ -14,6 +15,7 @@ use crate::controller::{
 use crate::equations::link::{Link, LinkShape};
 use crate::need::Need;
 use crate::num::{Vector, sqrt};
+use crate::obstacle::Obstacle;
 use crate::program::InputBox;
 use crate::program::balls::reach::Reach;
 use crate::robot::neighbor::{Member, Slot};
@@ -28,6 +30,7 @@ pub struct BudgetController<const D: usize> {
     pub budget: Budget,
     reach: Reach<D>,
     input: InputBox<D>,
+    clearance: Clearance,
     hold_s: f64,
 }
 
@@ -50,7 +53,8 @@ impl<const D: usize> BudgetController<D> {
             errors,
         };
         let hold_s = settings.clock.hold_max().as_secs_f64();
-        Self { budget, reach, input: settings.limits.input, hold_s }
+        let (input, clearance) = (settings.limits.input, Clearance::new(settings));
+        Self { budget, reach, input, clearance, hold_s }
     }
 
     /// Fills the sightings from the slots and returns how many there are.
@@ -71,7 +75,13 @@ impl<const D: usize> BudgetController<D> {
     /// The velocity that keeps every row for as long as it may be held. The velocity of the tick before makes it faster to
     /// find, and changes it by no more than rounding.
     #[inline]
-    fn decision(&self, rows: &mut Rows<'_, D>, before_m_s: &Vector<D>) -> Decision<D> {
+    fn decision(
+        &self,
+        rows: &mut Rows<'_, D>,
+        (position_m, map): (&Vector<D>, &[Obstacle<D>]),
+        before_m_s: &Vector<D>,
+    ) -> Decision<D> {
+        self.clearance.push(position_m, map, &mut rows.program);
         let Move { displacement_m, outcome, doubt } = rows.decide(&self.desired_m(before_m_s));
         let velocity = displacement_m.map(|component| component / self.hold_s);
         Decision { velocity_m_s: self.input.clip(&velocity), outcome, phi: None, doubt }
@@ -123,7 +133,11 @@ impl<const D: usize> Control<D> for BudgetController<D> {
 
     fn needs(&self, neighbors: usize) -> Needs {
         let values = Budget::survey_len(self.budget.assume, neighbors);
-        Needs { values, sightings: neighbors, rows: rows(D, !self.budget.is_exact(), neighbors) }
+        Needs {
+            values,
+            sightings: neighbors,
+            rows: rows(D, !self.budget.is_exact(), neighbors) + self.reach.rows() - 2 * D,
+        }
     }
 
     fn reckons(&self) -> bool {
@@ -150,7 +164,7 @@ impl<const D: usize> Control<D> for BudgetController<D> {
         let desired_m = self.desired_m(desired);
         let mut rows =
             self.budget.rows(view.member(), &scratch.sightings[..count], &desired_m, self.reach, memory);
-        self.decision(&mut rows, &view.before_m_s)
+        self.decision(&mut rows, (&view.position_m, scratch.map), &view.before_m_s)
     }
 
     /// The answer is guaranteed as long as nothing that the robot can check speaks against it.
@@ -211,7 +225,7 @@ impl<const D: usize> AtOnce<D> for BudgetController<D> {
         let desired_m = self.desired_m(&motion.desired_m_s);
         let own = (own.member, own.level, own.degree);
         let mut rows = self.budget.rows_between(own, neighbors, &desired_m, self.reach, scratch.rows);
-        self.decision(&mut rows, &motion.before_m_s)
+        self.decision(&mut rows, (&motion.position_m, scratch.map), &motion.before_m_s)
     }
 }
 

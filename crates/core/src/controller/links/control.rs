@@ -1,6 +1,7 @@
 //! The controller `links` as a robot runs it: its lists, its rows, the closest velocity, and its worth.
 
 use crate::controller::assume::Assume;
+use crate::controller::clearance::Clearance;
 use crate::controller::links::Links;
 use crate::controller::links::peer::{Ledger, Peer};
 use crate::controller::{Control, Decision, Kept, Standing, View};
@@ -23,6 +24,7 @@ pub struct LinksController<const D: usize> {
     pub links: Links,
     reach: Reach<D>,
     input: InputBox<D>,
+    clearance: Clearance,
     hold_s: f64,
     /// A neighbour that is not sensed for more ticks than this is given up.
     unseen_max: u32,
@@ -56,10 +58,10 @@ impl<const D: usize> LinksController<D> {
             pass_right: parameters.pass_right,
             told_max: settings.clock.told_max,
         };
-        let input = settings.limits.input;
+        let (input, clearance) = (settings.limits.input, Clearance::new(settings));
         let ticks = settings.clock.told_max.as_nanos() / period.as_nanos().max(1);
         let unseen_max = u32::try_from(ticks).unwrap_or(u32::MAX);
-        Self { links, reach, input, hold_s, unseen_max, shape }
+        Self { links, reach, input, clearance, hold_s, unseen_max, shape }
     }
 
     /// The desired velocity as the robot tells and follows it.
@@ -75,6 +77,7 @@ impl<const D: usize> LinksController<D> {
         let desired_m = self.wish(view, desired).map(|component| component * self.hold_s);
         let mut rows =
             self.links.rows((view.slots, view.ledger.obliged), &desired_m, self.reach, scratch.rows);
+        self.clearance.push(&view.position_m, scratch.map, &mut rows.program);
         let moved = rows.decide(&view.before_m_s.map(|component| component * self.hold_s));
         let velocity = moved.displacement_m.map(|component| component / self.hold_s);
         let counted = view.slots.iter().filter(|slot| slot.peer.is_counted()).count();
@@ -117,7 +120,7 @@ impl<const D: usize> Control<D> for LinksController<D> {
     /// Two rows a neighbour and two for each axis. Whoever is not sensed for a while has an error, and so all corners of a cube.
     fn needs(&self, neighbors: usize) -> Needs {
         let corners = 1_usize << D.min(8);
-        let rows = neighbors.saturating_mul(2).saturating_mul(corners).saturating_add(2 * D);
+        let rows = neighbors.saturating_mul(2).saturating_mul(corners).saturating_add(self.reach.rows());
         Needs { values: neighbors, sightings: 0, rows }
     }
 

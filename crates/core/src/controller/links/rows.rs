@@ -97,7 +97,7 @@ mod tests {
     }
 
     fn reach() -> Reach<2> {
-        Reach::new(&InputBox { min_m_s: [-2.0; 2], max_m_s: [2.0; 2] }, 0.1)
+        Reach::new(&InputBox::of([-2.0; 2], [2.0; 2]), 0.1)
     }
 
     fn row_of(links: &Links, offset_m: [f64; 2], memory: &mut [Row<2>]) -> [f64; 2] {

@@ -15,7 +15,7 @@ use crate::program::balls::row::Row;
 /// A desired displacement counts up to this many times the longest move.
 const DESIRED_MAX: f64 = 1e6;
 
-/// The rows of one tick in memory that the caller lends: 2·D for the box, and one for each row that does not contain it.
+/// The rows of one tick in memory that the caller lends: 2·D for the box, one for a ball that cuts anything off it, and one for each row that does not contain it.
 #[derive(Debug)]
 pub struct Program<'memory, const D: usize> {
     rows: &'memory mut [Row<D>],
@@ -37,13 +37,17 @@ pub struct Closest<const D: usize> {
 }
 
 impl<'memory, const D: usize> Program<'memory, D> {
-    /// A program that has the rows of the box alone.
+    /// A program that has the rows of the box, and of the ball if it cuts anything off.
+    //= theory sec:disc
     #[must_use]
     pub fn new(memory: &'memory mut [Row<D>], reach: Reach<D>) -> Self {
         let mut program = Self { rows: memory, count: 0, full: false, reach };
         for d in 0..D {
             program.keep(Row::side(d, 1.0, reach.max_m()[d]));
             program.keep(Row::side(d, -1.0, -reach.min_m()[d]));
+        }
+        if let Some(ball_m) = reach.ball_m() {
+            program.keep(Row::new([0.0; D], 1.0, ball_m * ball_m));
         }
         program
     }
@@ -52,6 +56,19 @@ impl<'memory, const D: usize> Program<'memory, D> {
     pub fn push(&mut self, row: Row<D>) {
         if !row.contains(&self.reach) {
             self.keep(row);
+        }
+    }
+
+    /// Adds the `row` of a `vector` that is known up to `error` along each axis. If the error is 0 that is one row; else it
+    /// is one row for every corner of the cube around the vector.
+    //= theory sec:margins
+    pub(crate) fn push_around(&mut self, vector: &Vector<D>, error: f64, row: impl Fn(&Vector<D>) -> Row<D>) {
+        if error == 0.0 {
+            return self.keep(row(vector));
+        }
+        for corner in 0..1_usize << D.min(8) {
+            let tilt = |d: usize| if corner >> d & 1 == 1 { error } else { -error };
+            self.push(row(&core::array::from_fn(|d| vector[d] + tilt(d))));
         }
     }
 
@@ -77,6 +94,13 @@ impl<'memory, const D: usize> Program<'memory, D> {
     #[must_use]
     pub fn closest(&mut self, desired_m: &Vector<D>) -> Closest<D> {
         self.closest_from(desired_m, &[0.0; D])
+    }
+
+    /// The program seen from `to` (m), a point in which all rows hold: the same set of displacements, as steps from there.
+    pub(crate) fn shift(&mut self, to: &Vector<D>) {
+        for row in &mut self.rows[..self.count] {
+            *row = row.shifted(to);
+        }
     }
 
     /// The result of [`closest`](Self::closest) up to rounding. It is found faster where `before_m` is close to it, as the

@@ -8,7 +8,7 @@ const EDGE_MAX_M: f64 = 1e12;
 /// Far more than the rounding of a row and of its largest value in the box.
 const SURELY: f64 = 1.0 + 1e-9;
 
-/// The displacements of one tick, `T U_i`: a box that contains 0. No corner has a −0.
+/// The displacements of one tick, `T U_i`: a box that contains 0, and a ball around 0. No corner has a −0.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[expect(clippy::struct_field_names, reason = "units last")]
 pub struct Reach<const D: usize> {
@@ -16,20 +16,25 @@ pub struct Reach<const D: usize> {
     max_m: Vector<D>,
     /// How far the longer side of each axis reaches, m.
     far_m: Vector<D>,
+    /// The radius of the ball, m; infinite where it cuts nothing off.
+    ball_m: f64,
 }
 
 impl<const D: usize> Reach<D> {
     /// `T U_i` for a tick of `period_s`. A corner that is not a number, or on the wrong side of 0, becomes 0.
     #[must_use]
     pub fn new(input: &InputBox<D>, period_s: f64) -> Self {
-        Self::between(
+        let sides = Self::between(
             input.min_m_s.map(|speed| 0.0 - edge(-period_s * speed)),
             input.max_m_s.map(|speed| edge(period_s * speed)),
-        )
+        );
+        let ball_m = if input.is_round() { edge(period_s * input.speed_max_m_s) } else { f64::INFINITY };
+        Self { ball_m, ..sides }
     }
 
     fn between(min_m: Vector<D>, max_m: Vector<D>) -> Self {
-        Self { min_m, max_m, far_m: core::array::from_fn(|d| larger(max_m[d], -min_m[d])) }
+        let far_m = core::array::from_fn(|d| larger(max_m[d], -min_m[d]));
+        Self { min_m, max_m, far_m, ball_m: f64::INFINITY }
     }
 
     /// Least displacement per axis, m, at most 0.
@@ -44,10 +49,21 @@ impl<const D: usize> Reach<D> {
         &self.max_m
     }
 
-    /// ρ, m: no displacement in the box is longer.
+    /// ρ, m: no displacement is longer.
     #[must_use]
     pub fn longest_m(&self) -> f64 {
-        length(&self.far_m) * (1.0 + 4.0 * f64::EPSILON)
+        length(&self.far_m).min(self.ball_m) * (1.0 + 4.0 * f64::EPSILON)
+    }
+
+    /// The radius of the ball, m, if it cuts anything off the box.
+    #[must_use]
+    pub fn ball_m(&self) -> Option<f64> {
+        self.ball_m.is_finite().then_some(self.ball_m)
+    }
+
+    /// How many rows it takes: two for each axis, and one for the ball if it cuts anything off.
+    pub(crate) fn rows(&self) -> usize {
+        2 * D + usize::from(self.ball_m().is_some())
     }
 
     /// A number that `n·v + c |v|²` is at most, anywhere in the box, for a `normal` n known up to `error` along each axis and a
@@ -61,7 +77,7 @@ impl<const D: usize> Reach<D> {
         if curvature >= 0.0 { most * SURELY } else { f64::NAN }
     }
 
-    /// The point of the box closest to `v`; a component that is not a number becomes 0.
+    /// The point of the box closest to `v`, which the ball may cut off; a component that is not a number becomes 0.
     #[must_use]
     pub fn clip(&self, v: &Vector<D>) -> Vector<D> {
         let number = |component: f64| if component.is_nan() { 0.0 } else { component };
@@ -71,7 +87,7 @@ impl<const D: usize> Reach<D> {
     /// True when `v` is inside, borders included.
     #[must_use]
     pub fn contains(&self, v: &Vector<D>) -> bool {
-        (0..D).all(|d| self.min_m[d] <= v[d] && v[d] <= self.max_m[d])
+        (0..D).all(|d| self.min_m[d] <= v[d] && v[d] <= self.max_m[d]) && length(v) <= self.ball_m
     }
 }
 
@@ -86,7 +102,7 @@ mod tests {
 
     #[test]
     fn a_tick_of_the_input_box() {
-        let input = InputBox { min_m_s: [-1.5, 0.0], max_m_s: [2.0, 4.0] };
+        let input = InputBox::of([-1.5, 0.0], [2.0, 4.0]);
         let reach = Reach::new(&input, 0.5);
         assert_eq!(reach, Reach::between([-0.75, 0.0], [1.0, 2.0]));
         assert!((reach.longest_m() - libm::sqrt(5.0)).abs() < 1e-14);
@@ -108,7 +124,7 @@ mod tests {
 
     #[test]
     fn zeros_at_a_side_are_positive() {
-        let reach = Reach::new(&InputBox { min_m_s: [0.0, -1.0], max_m_s: [1.0, 0.0] }, 0.5);
+        let reach = Reach::new(&InputBox::of([0.0, -1.0], [1.0, 0.0]), 0.5);
         let bits = |v: &Vector<2>| v.map(f64::to_bits);
         assert_eq!(bits(reach.min_m()), bits(&[0.0, -0.5]));
         for v in [[0.0, 0.0], [-0.0, -0.0], [-1.0, 1.0]] {
@@ -119,7 +135,7 @@ mod tests {
 
     #[test]
     fn a_corner_without_a_number_forbids_any_move() {
-        let input = InputBox { min_m_s: [f64::NAN, 1.0], max_m_s: [f64::NAN, -1.0] };
+        let input = InputBox::of([f64::NAN, 1.0], [f64::NAN, -1.0]);
         assert_eq!(Reach::new(&input, 0.5), Reach::between([0.0; 2], [0.0; 2]));
     }
 }

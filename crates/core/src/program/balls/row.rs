@@ -48,6 +48,11 @@ impl<const D: usize> Row<D> {
         Self { normal, curvature: 0.0, bound: larger(bound_m, 0.0) }
     }
 
+    /// The same row for steps from `to`, where it holds: `n·(to + w) + c |to + w|² ≤ b` as a row of w.
+    pub(crate) fn shifted(&self, to: &Vector<D>) -> Self {
+        Self::new(self.gradient(to), self.curvature, self.bound - self.value(to))
+    }
+
     /// Gradient part, scaled.
     #[must_use]
     pub fn normal(&self) -> &Vector<D> {
@@ -186,7 +191,7 @@ mod tests {
 
     #[test]
     fn a_row_contains_a_box_when_it_holds_at_the_worst_corner() {
-        let reach = Reach::new(&InputBox { min_m_s: [-1.0, 0.0], max_m_s: [0.5, 2.0] }, 1.0);
+        let reach = Reach::new(&InputBox::of([-1.0, 0.0], [0.5, 2.0]), 1.0);
         let worst = Row::new([1.0, -1.0], 1.0, 0.0).value(&[0.5, 2.0]);
         assert!(Row::new([1.0, -1.0], 1.0, worst).contains(&reach));
         assert!(!Row::new([1.0, -1.0], 1.0, worst - 1e-12).contains(&reach));

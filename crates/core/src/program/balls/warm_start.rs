@@ -53,7 +53,7 @@ mod tests {
     /// The corner (1, 0.5) of a box is the answer to a desire beyond both of its sides, and no answer to one beyond a single side.
     #[test]
     fn a_corner_is_taken_only_where_both_sides_push_back() {
-        let input = InputBox { min_m_s: [-1.0; 2], max_m_s: [1.0, 0.5] };
+        let input = InputBox::of([-1.0; 2], [1.0, 0.5]);
         let mut memory = [Row::default(); 5];
         let mut program = Program::new(&mut memory, Reach::new(&input, 1.0));
         let corner = [1.0, 0.5];

@@ -2,6 +2,7 @@
 
 pub(crate) mod links;
 pub(crate) mod marker;
+pub(crate) mod obstacles;
 pub(crate) mod view;
 
 use closeranks_sim::output::record::Record;
@@ -155,6 +156,7 @@ impl<'a> Moment<'a> {
     /// Draws links, then robots: in the order of their numbers, which stay readable where robots overlap (a wide number is
     /// above a narrow one); without numbers malicious ones last.
     pub(crate) fn draw(&self, svg: &mut Svg, axes: &Axes, marker: Marker) {
+        self.draw_obstacles(svg, axes);
         let points: Vec<[f64; 2]> = self.points().into_iter().map(|point| axes.at(point)).collect();
         let links = links(self.record(), self.case.scenario.link.radius_m, self.tick);
         let (red, grey): (Vec<Link>, Vec<Link>) = links.iter().partition(|link| link.malicious);
@@ -176,6 +178,12 @@ impl<'a> Moment<'a> {
         robots.sort_unstable();
         robots.dedup();
         robots
+    }
+
+    /// Draws what stands in the way.
+    pub(crate) fn draw_obstacles(&self, svg: &mut Svg, axes: &Axes) {
+        let (scale, list) = (axes.place.width / axes.x.width(), &self.case.scenario.obstacles.list);
+        obstacles::draw(svg, axes.place, scale, |x| axes.at(self.view.seen(x)), list);
     }
 
     /// Draws the robots alone, where they are seen at this tick.

@@ -51,6 +51,12 @@ impl View {
         [position[self.across], position[self.up]]
     }
 
+    /// Where a point of space is seen, m.
+    #[must_use]
+    pub(crate) fn seen(self, x: &[f64; 3]) -> [f64; 2] {
+        [x[self.across], x[self.up]]
+    }
+
     /// Says in the panel from where robots are seen, if there is more than one way.
     pub(crate) fn draw_note(self, svg: &mut Svg, place: Place, record: &Record) {
         if record.dimension > 2 {

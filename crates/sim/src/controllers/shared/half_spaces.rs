@@ -65,8 +65,7 @@ impl HalfSpaces {
         let (start, missing) = self.allowed(from, input, false);
         let start = if missing > ROUNDING_M_S { self.allowed(&start, input, true).0 } else { start };
         // Seen from `start`, the box and every half-space contain 0, as the program wants it.
-        let around =
-            InputBox { min_m_s: subtract(&input.min_m_s, &start), max_m_s: subtract(&input.max_m_s, &start) };
+        let around = InputBox::of(subtract(&input.min_m_s, &start), subtract(&input.max_m_s, &start));
         let mut rows = vec![Row::default(); 2 * D + self.planes.len()];
         let mut program = Program::new(&mut rows, Reach::new(&around, 1.0));
         for plane in &self.planes {
@@ -112,7 +111,7 @@ mod tests {
 
     #[test]
     fn the_closest_velocity_is_allowed_and_what_cannot_be_is_said() {
-        let input = InputBox { min_m_s: [-1.0; 2], max_m_s: [1.0; 2] };
+        let input = InputBox::of([-1.0; 2], [1.0; 2]);
         let mut spaces = HalfSpaces::default();
         spaces.push(&[2.0, 0.0], 1.0);
         spaces.push(&[0.0; 2], 7.0);

@@ -99,7 +99,7 @@ impl<const D: usize, T: Transport> Fleet<D, T> {
         Ok(Self {
             robots: robots.collect::<Result<_, _>>()?,
             members,
-            memory: Memory::new(&params, others),
+            memory: Memory::new(&params, others).among(&scenario.obstacles.in_dimension()),
             composed: scenario.composition(),
             params,
             values: values.to_vec(),

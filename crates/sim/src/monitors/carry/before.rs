@@ -11,6 +11,8 @@ pub(crate) struct Before<const D: usize> {
     pub(crate) positions_m: Vec<Vector<D>>,
     /// Moves obey the rows, and rows rest on what is true.
     pub(crate) moves: bool,
+    /// Robots are where they think, and move as they decide: all that keeping clear of obstacles rests on.
+    pub(crate) clear: bool,
     /// They do so for so long that every level in use is one that was told since.
     pub(crate) settled: bool,
 }

@@ -1,6 +1,7 @@
 //! The theorem of `budget` from tick to tick: what was safe stays safe wherever its assumptions hold.
 
 mod before;
+mod clear;
 mod distance;
 mod held;
 mod mode;
@@ -15,6 +16,7 @@ use closeranks_core::settings::params::Params;
 use crate::frame::Frame;
 use crate::law::{Law, Verdicts, Violation};
 use crate::monitors::carry::before::Before;
+use crate::monitors::carry::clear::Clear;
 use crate::monitors::carry::distance::Distances;
 use crate::monitors::carry::held::Held;
 use crate::monitors::carry::mode::ModeWatch;
@@ -41,6 +43,7 @@ pub(crate) struct Carry<const D: usize> {
     kept: Vec<bool>,
     distances: Distances<D>,
     held: Held<D>,
+    clear: Clear<D>,
     /// What robots say of it, and how far they move.
     mode: ModeWatch<D>,
     rest: RestWatch<D>,
@@ -65,6 +68,7 @@ impl<const D: usize> Carry<D> {
             rest: RestWatch::new(scenario, params, rule),
             distances: Distances::new(scenario, params),
             held: Held::new(scenario, params, rule),
+            clear: Clear::new(scenario, params),
             params,
             before: None,
             broken: None,
@@ -94,6 +98,7 @@ impl<const D: usize> Carry<D> {
         let carried = before.as_ref().filter(|_| covered && !frame.assumptions.renewed);
         self.watch_h(tick, frame, truth, carried, verdicts);
         self.distances.watch(tick, frame, truth, carried, verdicts);
+        self.clear.watch(tick, frame, before.as_ref(), verdicts);
         if frame.assumptions.broken || !covered {
             self.broken = Some(tick);
         }
@@ -114,6 +119,7 @@ impl<const D: usize> Carry<D> {
         now.positions_m.clone_from(&frame.positions_m);
         self.carry(frame, truth, &now, [moves, settled]);
         (now.moves, now.settled) = (moves, settled);
+        now.clear = !frame.assumptions.misplaced;
         self.before = Some(now);
     }
 
@@ -185,6 +191,11 @@ impl<const D: usize> Carry<D> {
     /// Longest time from the end of trouble until all were guaranteed again, in ticks.
     pub(crate) fn recovery_ticks(&self) -> u32 {
         self.mode.recovery_ticks()
+    }
+
+    /// Least distance of a normal robot to an obstacle yet, m.
+    pub(crate) fn least_clear_m(&self) -> f64 {
+        self.clear.least_m()
     }
 
     /// Least squared distance of two robots yet, m².
