@@ -1,7 +1,10 @@
 //! Every check on the saved corpus and on some thousands of mutations of it, the same in every run.
 
+use std::fs;
 use std::panic::catch_unwind;
+use std::path::Path;
 
+use closeranks_graph::formats::Format;
 use mutated::{corpus, mutated};
 use seeded::Seeded;
 
@@ -58,4 +61,20 @@ fn any_calls_of_a_robot_give_a_safe_answer() {
 #[test]
 fn any_bytes_are_a_recording_or_an_error() {
     replay("recording", closeranks_checks::recording, 5_000);
+}
+
+/// Every format of graphs has a target of its own and a line in the page of formats.
+#[test]
+fn every_format_has_a_target_and_a_line() {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
+    let read = |path: &str| fs::read_to_string(root.join(path)).unwrap();
+    let (targets, page) = (read("fuzz/Cargo.toml"), read("docs/robustness.md"));
+    let table: Vec<&str> = page.lines().filter(|line| line.starts_with("| `")).collect();
+    for name in Format::ALL.map(Format::name) {
+        let file = format!("fuzz_targets/graph_as/{}.rs", name.replace('-', "_"));
+        assert!(targets.contains(&format!("path = \"{file}\"")), "{name} has no target in fuzz/Cargo.toml");
+        assert!(read(&format!("fuzz/{file}")).contains(&format!("graph_as(\"{name}\", bytes)")), "{file}");
+        let lines = table.iter().filter(|line| line.contains(&format!("`{name}`"))).count();
+        assert!(lines > 0, "{name} is not in docs/robustness.md");
+    }
 }

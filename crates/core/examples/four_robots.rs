@@ -69,7 +69,7 @@ pub(crate) struct Line {
 #[expect(clippy::print_stdout, reason = "a report")]
 pub(crate) fn main() -> Result<(), Box<dyn Error>> {
     println!("Four robots want to drive apart, to the left, to the right, up and down, at {SPEED_M_S} m/s.");
-    println!("Robot 4 lies about its level and its value. A link reaches {RADIUS_M} m. With n = 4 and F = 1");
+    println!("Robot 4 tells each robot another value. A link reaches {RADIUS_M} m. With n = 4 and F = 1");
     println!("every robot must keep F' = 3 neighbours: all the others. Values meet every two seconds.");
     let budget = Controller::Budget(BudgetSettings::default());
     for (what, controller, hold_max) in [

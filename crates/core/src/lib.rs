@@ -3,8 +3,8 @@
 //! # The problem
 //!
 //! There are n robots, and up to F of them may be malicious: they tell others whatever they like. Every robot i senses its
-//! own position and those of the robots within R of it, its neighbours. It hears from each neighbour j a *level* c_j, which
-//! says how well j is connected, and a *value* y_j, on which all normal robots should agree. It wants to move with some
+//! own position and those of the robots within R of it, its neighbours. It hears from each neighbour j a *value* y_j, on which all
+//! normal robots should agree, and under the paper's controller a *level* c_j, which says how well j is connected. It wants to move with some
 //! desired velocity, and must find out on its own how far it may follow that wish.
 //!
 //! If every normal robot keeps `F′ = F + ⌊n/2⌋` neighbours, up to F liars can neither split the team nor drag its values out of
@@ -15,8 +15,8 @@
 //! H_i · u_i ≥ −α φ_i,   H_i = Σ_j [ w_r (Ê_i + Ê_j) ∂a_ij/∂x_i + 2 w_c E^c_ij (x_i − x_j) ]
 //! ```
 //!
-//! Its guarantee needs continuous time and lies that do not change. Our controller, `budget`, has two inequalities for each
-//! neighbour, and its guarantee holds in discrete time for any lie and any loss of messages.
+//! Its guarantee needs continuous time and lies that do not change. Our controllers, `budget` and `links`, have two inequalities for
+//! each neighbour, and their guarantees hold in discrete time for any lie and any loss of messages.
 //!
 //! | equation | module |
 //! | --- | --- |
@@ -26,6 +26,7 @@
 //! | eq:composition, eq:phi_i, eq:split | [`equations::composition`] |
 //! | the paper's controller, seq:qp | [`controller::composed`], [`program::box_row`] |
 //! | our controller: eq:far, eq:far-prime, eq:near (docs/theory) | [`controller::budget`], [`program::balls`] |
+//! | our controller without weights: eq:held (docs/theory) | [`controller::links`] |
 //! | eq:connectivity: when a level is told | [`robot`], [`controller::Control::level`] |
 //! | eq:linear, W-MSR | [`wmsr`]; other rules of consensus: [`consensus`] |
 //! | what is told, as bytes | [`message`] |
@@ -87,7 +88,8 @@
 //! # Ok::<(), Box<dyn core::error::Error>>(())
 //! ```
 //!
-//! `examples/four_robots.rs` has four of them, one of which lies, and ticks that are late.
+//! `examples/four_robots.rs` has four of them, one of which lies, and ticks that are late. Under `links` messages are longer than a
+//! [`Message`]: send what [`Robot::encode`] writes, and give what comes to [`Robot::receive_bytes`].
 //!
 //! # Borders
 //!

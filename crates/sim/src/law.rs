@@ -181,6 +181,15 @@ impl Law {
     }
 }
 
+// Verdicts stand in the order of `ALL` and are found by the number of their law.
+const _: () = {
+    let mut place = 0;
+    while place < Law::COUNT {
+        assert!(Law::ALL[place] as usize == place, "`Law::ALL` has the order of the variants");
+        place += 1;
+    }
+};
+
 /// Where a law was broken.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Violation {

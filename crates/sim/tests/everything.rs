@@ -1,6 +1,7 @@
 //! `scenarios/everything.toml` against the table of numbers in the core: nothing is left out, and the values are the defaults.
 
 use closeranks_core::settings::field::{Parts, Row, TABLE};
+use closeranks_sim::law::Law;
 use closeranks_sim::parse::scenario;
 use closeranks_sim::scenario::Scenario;
 
@@ -74,5 +75,53 @@ fn a_number_that_is_none_is_refused_with_the_range_of_the_table() {
         let problems = scenario(&format!("[{table}]\n{key} = nan")).expect_err("nan is no number of a team");
         let told = problems[0].to_string();
         assert!(told.starts_with(&format!("`{}` is nan, allowed is ", row.name)), "{told}");
+    }
+}
+
+/// The words that the field of this text may hold, as the refusal of another one names them.
+fn words(text: &str) -> Vec<String> {
+    let problems = scenario(text).expect_err("no such word");
+    let told = problems[0].to_string();
+    let (_, allowed) = told.split_once(", allowed is ").expect("what is allowed");
+    allowed.split('`').skip(1).step_by(2).map(str::to_owned).collect()
+}
+
+/// A new controller, lie, motion or rule is found by who reads the file.
+#[test]
+fn every_word_that_a_field_may_hold_stands_in_the_file() {
+    let fields = [
+        "[controller]\nkind = \"?\"",
+        "[consensus]\nrule = \"?\"",
+        "[start]\nkind = \"?\"",
+        "[values]\nkind = \"?\"",
+        "[motion]\nkind = \"?\"",
+        "[attack]\nmotion = \"?\"",
+        "[attack]\nlevel = { kind = \"?\" }",
+        "[attack]\nlists = { kind = \"?\" }",
+        "[attack]\nvalue = { kind = \"?\" }",
+    ];
+    for field in fields {
+        let words = words(field);
+        assert!(words.len() > 1, "{field}: {words:?}");
+        let (table, key) = field.split_once('\n').expect("a table and a field");
+        let key = key.split(' ').next().unwrap_or(key);
+        let there = EVERYTHING.lines().skip_while(|line| line.split(' ').next() != Some(table)).skip(1);
+        let there: Vec<&str> = there.take_while(|line| !line.starts_with('[')).collect();
+        let missing: Vec<&String> =
+            words.iter().filter(|word| !there.join("\n").contains(&format!("\"{word}\""))).collect();
+        assert!(missing.is_empty(), "{table} {key} of everything.toml: {missing:?}");
+    }
+}
+
+#[test]
+fn every_law_stands_in_the_file_and_in_the_table_of_laws() {
+    let table = include_str!("../../../scenarios/README.md");
+    for law in Law::ALL.map(Law::name) {
+        let named = EVERYTHING
+            .lines()
+            .filter(|line| line.starts_with("# "))
+            .any(|line| line.trim_end_matches('.').split([' ', ',']).any(|word| word == law));
+        assert!(named, "{law} in everything.toml");
+        assert!(table.contains(&format!("| `{law}` | ")), "{law} in scenarios/README.md");
     }
 }

@@ -3,7 +3,7 @@
 use crate::num::is_finite;
 use crate::settings::field::{Field, TABLE};
 use crate::settings::range::{Allowed, MAGNITUDE_MAX};
-use crate::settings::{Controller, Settings, Team};
+use crate::settings::{Settings, Team};
 
 /// A setting outside what is allowed.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -37,22 +37,19 @@ impl<const D: usize> Settings<D> {
         Ok(())
     }
 
-    /// What Δ_d must be below: R, and with `budget` and `links` R − 2ρ − 4A, because robots that are not linked have no row for their
-    /// distance.
+    /// What Δ_d must be below: R, or R − 2ρ − 4A where robots that are not linked have no row for their distance.
     fn distance_limit(&self) -> f64 {
-        match self.controller {
-            Controller::Composed(_) | Controller::None => self.link.radius_m,
-            Controller::Budget(_) | Controller::Links(_) => {
-                self.link.radius_m - 2.0 * self.reach().longest_m() - 4.0 * self.error_bounds().away_m
-            }
+        if !self.controller.traits().ignores_unlinked {
+            return self.link.radius_m;
         }
+        self.link.radius_m - 2.0 * self.reach().longest_m() - 4.0 * self.error_bounds().away_m
     }
 
     /// m is at least 2F + 1; n where the controller knows of no ranks.
     fn check_ranks(&self) -> Result<(), ParamsError> {
         let Some(ranks) = self.ranks else { return Ok(()) };
         let (core, Team { robots, faults }) = (f64::from(ranks.core), self.team);
-        let ranked = matches!(self.controller, Controller::Links(_) | Controller::Budget(_));
+        let ranked = self.controller.traits().knows_ranks;
         let least = if ranked { f64::from(faults) * 2.0 + 1.0 } else { f64::from(robots) };
         let allowed = Allowed::Closed(least, f64::from(robots));
         if allowed.holds(core) {
@@ -98,7 +95,7 @@ mod tests {
     use crate::controller::assume::Assume;
     use crate::need::{Listen, Ranks};
     use crate::settings::range::ROBOTS_MAX;
-    use crate::settings::{BudgetSettings, ComposedSettings, LinksSettings};
+    use crate::settings::{BudgetSettings, ComposedSettings, Controller, LinksSettings};
 
     type Change = fn(&mut Settings<2>);
 

@@ -49,6 +49,30 @@ pub struct BudgetSettings {
     pub assume: Assume,
 }
 
+/// What the settings themselves must know of a kind of controller, before one is made.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) struct Traits {
+    /// Its rows leave room for stated errors.
+    pub(super) leaves_room: bool,
+    /// Robots that are not linked have no row for their distance, so that Δ_d must be well below R.
+    pub(super) ignores_unlinked: bool,
+    /// Ranks may tell who counts for whom.
+    pub(super) knows_ranks: bool,
+}
+
+impl Controller {
+    pub(super) fn traits(&self) -> Traits {
+        match self {
+            Self::Budget(_) | Self::Links(_) => {
+                Traits { leaves_room: true, ignores_unlinked: true, knows_ranks: true }
+            }
+            Self::Composed(_) | Self::None => {
+                Traits { leaves_room: false, ignores_unlinked: false, knows_ranks: false }
+            }
+        }
+    }
+}
+
 impl BudgetSettings {
     /// What is set, and for the rest what is chosen for these conditions.
     #[must_use]

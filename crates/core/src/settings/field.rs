@@ -365,7 +365,7 @@ impl Field {
     pub fn why(self) -> &'static str {
         match self {
             Self::InputMinMS | Self::InputMaxMS => "the box must contain 0",
-            Self::Core => "2F + 1 <= core <= n, and all are core under another controller than links",
+            Self::Core => "2F + 1 <= core <= n, and all are core under a controller without ranks",
             _ => self.row().map_or("", |row| row.why),
         }
     }

@@ -138,11 +138,10 @@ impl<const D: usize> Settings<D> {
     /// What errors of sensing and tracking cost; nothing where the controller has no room for them.
     #[must_use]
     pub fn error_bounds(&self) -> ErrorBounds {
-        match self.controller {
-            Controller::Budget(_) | Controller::Links(_) => {
-                ErrorBounds::new(self.errors.position_m, self.errors.tracking_m)
-            }
-            Controller::Composed(_) | Controller::None => ErrorBounds::NONE,
+        if self.controller.traits().leaves_room {
+            ErrorBounds::new(self.errors.position_m, self.errors.tracking_m)
+        } else {
+            ErrorBounds::NONE
         }
     }
 

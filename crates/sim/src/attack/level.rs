@@ -1,7 +1,8 @@
 //! Lies about the connectivity level c_i, for controllers that tell levels: what they are, how a scenario writes them, and how they are told.
 //!
-//! A new lie is a variant of [`LevelAttack`], its row in `KINDS`, and its arm in `LevelLiar::level` or
-//! `LevelLiar::to_one`.
+//! A new lie is a variant of [`LevelAttack`], its row in `KINDS`, and its arms. The compiler asks for those in `telling`,
+//! `LevelLiar::begin_tick` (a bias) and `LevelLiar::to_one` (what each neighbour gets). Another number in place of the level is
+//! `LevelLiar::level`'s.
 
 use closeranks_core::message::{MESSAGE_BYTES, Message, VALUE_MAX};
 use closeranks_core::time::Instant;
@@ -102,8 +103,38 @@ impl LevelAttack {
     /// True when every neighbour gets one and the same well-formed message.
     #[must_use]
     pub fn is_alike_for_all(self) -> bool {
-        !matches!(self, Self::Faces { .. } | Self::Garbage | Self::Silent)
+        self.telling() == Telling::AllAlike
     }
+
+    /// True when every neighbour gets a well-formed message.
+    pub(crate) fn is_message(self) -> bool {
+        self.telling() != Telling::Broken
+    }
+
+    fn telling(self) -> Telling {
+        match self {
+            Self::Faces { .. } => Telling::EachItsOwn,
+            Self::Garbage | Self::Silent => Telling::Broken,
+            Self::None
+            | Self::Bias(_)
+            | Self::Step { .. }
+            | Self::Ramp { .. }
+            | Self::Sine { .. }
+            | Self::Random { .. }
+            | Self::Replay { .. } => Telling::AllAlike,
+        }
+    }
+}
+
+/// What the neighbours of a liar get.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Telling {
+    /// One and the same message.
+    AllAlike,
+    /// Messages with different levels.
+    EachItsOwn,
+    /// No message, or bytes that may be none.
+    Broken,
 }
 
 /// What one neighbour gets from a liar.
@@ -147,10 +178,21 @@ impl LevelLiar {
     pub(crate) fn begin_tick(&mut self, time_s: f64, malicious: &[bool]) {
         self.bias = match self.attack {
             LevelAttack::Bias(bias) => bias,
-            LevelAttack::Step { bias, from_s } if time_s >= from_s => bias,
+            LevelAttack::Step { bias, from_s } => {
+                if time_s >= from_s {
+                    bias
+                } else {
+                    0.0
+                }
+            }
             LevelAttack::Ramp { rate_per_s } => rate_per_s * time_s,
             LevelAttack::Sine { amplitude, period_s } => swing(amplitude, period_s, time_s),
-            _ => 0.0,
+            LevelAttack::None
+            | LevelAttack::Random { .. }
+            | LevelAttack::Faces { .. }
+            | LevelAttack::Replay { .. }
+            | LevelAttack::Garbage
+            | LevelAttack::Silent => 0.0,
         };
         let LevelAttack::Random { min, max } = self.attack else { return };
         for (instead, _) in self.instead.iter_mut().zip(malicious).filter(|(_, malicious)| **malicious) {
@@ -187,7 +229,13 @@ impl LevelLiar {
             LevelAttack::Faces { min, max } => {
                 LevelFace::Level(message.level().map(|_| random.uniform(min, max)))
             }
-            _ => LevelFace::Level(message.level()),
+            LevelAttack::None
+            | LevelAttack::Bias(_)
+            | LevelAttack::Step { .. }
+            | LevelAttack::Ramp { .. }
+            | LevelAttack::Sine { .. }
+            | LevelAttack::Random { .. }
+            | LevelAttack::Replay { .. } => LevelFace::Level(message.level()),
         }
     }
 }

@@ -1,7 +1,8 @@
 //! Lies about held links: what is told of lists, acknowledgements, promises and wishes.
 //!
 //! A liar runs the controller and keeps its rows; what it sends is changed on its way. A new lie is a variant of
-//! [`ListsAttack`], its row in `KINDS`, and its arm in `ListsLiar::lie`.
+//! [`ListsAttack`], its row in `KINDS`, and its arms, for which the compiler asks, in `ListsLiar::lists` and
+//! `ListsLiar::lie`. One that acknowledges what it did not receive stands in `lies_about_receipts` too.
 
 use closeranks_core::controller::links::protocol::{Entry, Number};
 use closeranks_core::controller::links::wire::{Head, Item, LinkMessage, bytes_max};
@@ -115,7 +116,13 @@ impl ListsLiar {
         match self.attack {
             ListsAttack::None => return Some(bytes),
             ListsAttack::Garbage => return Some(self.garbage(&bytes)),
-            _ => {}
+            ListsAttack::Faces
+            | ListsAttack::Never
+            | ListsAttack::Always
+            | ListsAttack::Flap { .. }
+            | ListsAttack::Replay { .. }
+            | ListsAttack::Siren
+            | ListsAttack::Deserter => {}
         }
         let Ok(message) = LinkMessage::<D>::parse(&bytes) else { return Some(bytes) };
         let mut head = *message.head();

@@ -1,7 +1,7 @@
 //! Lies about the value y_i: what they are, how a scenario writes them, and how they are told.
 //!
-//! A new lie is a variant of [`ValueAttack`], its row in `KINDS`, and its arm in `ValueLiar::chosen` or
-//! `ValueLiar::to_one`.
+//! A new lie is a variant of [`ValueAttack`], its row in `KINDS`, and its arms. The compiler asks for those in `has_one_voice`,
+//! `shows_its_own`, `ValueLiar::chosen` (what all are told) and `ValueLiar::to_one` (what each neighbour is told).
 
 use closeranks_core::message::VALUE_MAX;
 
@@ -108,7 +108,17 @@ impl ValueAttack {
     /// True when no two neighbours are told different values, as the paper's definition wants it (misbeh).
     #[must_use]
     pub fn has_one_voice(self) -> bool {
-        !matches!(self, Self::Faces { .. } | Self::Split)
+        match self {
+            Self::Faces { .. } | Self::Split => false,
+            Self::None
+            | Self::Random { .. }
+            | Self::Constant { .. }
+            | Self::Ramp { .. }
+            | Self::Sine { .. }
+            | Self::Extreme
+            | Self::Sway
+            | Self::Silent => true,
+        }
     }
 
     /// True when every neighbour is told one and the same value.
@@ -119,7 +129,15 @@ impl ValueAttack {
 
     /// True when the value that everybody sees of a liar is the one that it holds.
     fn shows_its_own(self) -> bool {
-        matches!(self, Self::None | Self::Faces { .. } | Self::Split | Self::Silent)
+        match self {
+            Self::None | Self::Faces { .. } | Self::Split | Self::Silent => true,
+            Self::Random { .. }
+            | Self::Constant { .. }
+            | Self::Ramp { .. }
+            | Self::Sine { .. }
+            | Self::Extreme
+            | Self::Sway => false,
+        }
     }
 }
 
@@ -189,7 +207,13 @@ impl ValueLiar {
             ValueAttack::Silent => None,
             ValueAttack::Faces { min, max } => Some(random.uniform(min, max)),
             ValueAttack::Split => Some(if hearer > 0.5 * (low + high) { high } else { low }),
-            _ => Some(told),
+            ValueAttack::None
+            | ValueAttack::Random { .. }
+            | ValueAttack::Constant { .. }
+            | ValueAttack::Ramp { .. }
+            | ValueAttack::Sine { .. }
+            | ValueAttack::Extreme
+            | ValueAttack::Sway => Some(told),
         }
     }
 }

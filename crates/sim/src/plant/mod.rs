@@ -61,10 +61,14 @@ impl Plant {
         }
     }
 
-    /// True if a robot is always where its velocities take it.
+    /// True if a robot is always where its velocities take it. Only then may robots whose controller guarantees something be
+    /// computed all at once.
     #[must_use]
     pub fn follows(self) -> bool {
-        matches!(self, Self::Single | Self::Unicycle { .. })
+        match self {
+            Self::Single | Self::Unicycle { .. } => true,
+            Self::Lag { .. } | Self::Double { .. } => false,
+        }
     }
 
     /// The bound of the tracking error that follows from what it is, m, if one does.

@@ -6,7 +6,7 @@ use closeranks_core::controller::Kept;
 use closeranks_core::robot::report::Mode;
 use closeranks_core::settings::params::Params;
 
-use crate::attack::{Attack, LevelAttack, ListsAttack, MotionAttack};
+use crate::attack::{Attack, ListsAttack, MotionAttack};
 use crate::faults::Clocks;
 use crate::faults::network::Network;
 use crate::frame::Frame;
@@ -53,7 +53,7 @@ pub(crate) struct ModeWatch<const D: usize> {
 /// True if robots of `links` may not hear each other, or are lied to about links.
 fn is_deaf<const D: usize>(scenario: &Scenario, params: &Params<D>) -> bool {
     let Attack { level, lists, .. } = scenario.attack;
-    let told = !matches!(level, LevelAttack::Silent | LevelAttack::Garbage) && lists == ListsAttack::None;
+    let told = level.is_message() && lists == ListsAttack::None;
     let heard = scenario.faults.network == Network::default() && (told || scenario.malicious.is_empty());
     params.controller().tells_lists() && !heard
 }
