@@ -8,9 +8,11 @@ use closeranks_core::settings::{self, LinkSettings};
 use closeranks_sim::attack::LevelAttack;
 use closeranks_sim::attack::liars::Liars;
 use closeranks_sim::engine::fleet::Fleet;
+use closeranks_sim::engine::held::Held;
 use closeranks_sim::engine::team::Team;
 use closeranks_sim::engine::workers::Alone;
 use closeranks_sim::frame::Frame;
+use closeranks_sim::parse;
 use closeranks_sim::plant::Bodies;
 use closeranks_sim::scenario::start::Start;
 use closeranks_sim::scenario::{Controller, Scenario};
@@ -76,8 +78,54 @@ fn tick_of_a_team_of_budget_in_part(bencher: Bencher<'_, '_>) {
 fn tick_of_a_team_of_links_in_part(bencher: Bencher<'_, '_>) {
     let scenario = in_part(Controller::Links);
     let (params, frame, values) = world(&scenario);
-    let mut fleet = Fleet::at_once(&scenario, params, &values).expect("robots of a valid scenario");
-    tick_in_part(bencher, &scenario, frame, |frame, liars| fleet.step(frame, liars));
+    let AnyController::Links(links) = *params.controller() else { return };
+    let mut team = Held::new(&scenario, params, links, &values);
+    tick_in_part(bencher, &scenario, frame, |frame, liars| team.step(frame, liars, &Alone));
+}
+
+/// A tick of a swarm that pulls outwards (`scenarios/swarm.toml`) with so many robots at equal density; every second tick has a round.
+#[divan::bench(args = [100, 1_000, 10_000])]
+fn tick_of_a_swarm_of_links(bencher: Bencher<'_, '_>, robots: u16) {
+    let scenario = swarm("links", robots);
+    let (params, frame, values) = world(&scenario);
+    let AnyController::Links(links) = *params.controller() else { return };
+    let mut team = Held::new(&scenario, params, links, &values);
+    tick_of_a_swarm(bencher, &scenario, frame, |frame, liars| team.step(frame, liars, &Alone));
+}
+
+/// The same under `budget`.
+#[divan::bench(args = [100, 1_000, 10_000])]
+fn tick_of_a_swarm_of_budget(bencher: Bencher<'_, '_>, robots: u16) {
+    let scenario = swarm("budget", robots);
+    let (params, frame, values) = world(&scenario);
+    let AnyController::Budget(budget) = *params.controller() else { return };
+    let mut team = Team::new(&scenario, params, budget, &values);
+    tick_of_a_swarm(bencher, &scenario, frame, |frame, liars| team.step(frame, liars, &Alone));
+}
+
+fn swarm(controller: &str, robots: u16) -> Scenario {
+    let text = include_str!("../../../scenarios/swarm.toml");
+    let text = text.replace("robots = 10000", &format!("robots = {robots}"));
+    let text = text.replace("local = 400", &format!("local = {}", robots / 25));
+    parse::scenario(&text.replace("\"links\"", &format!("\"{controller}\""))).expect("a valid scenario")
+}
+
+fn tick_of_a_swarm(
+    bencher: Bencher<'_, '_>,
+    scenario: &Scenario,
+    mut frame: Frame<2>,
+    mut step: impl FnMut(&mut Frame<2>, &mut Liars),
+) {
+    let mut liars = Liars::new(scenario);
+    let mut bodies = Bodies::new(scenario.plant, scenario.tick_s(), &frame.positions_m);
+    bencher.bench_local(|| {
+        want(scenario, 0, &mut frame);
+        frame.asked_m_s.clone_from(&frame.desired_m_s);
+        step(&mut frame, &mut liars);
+        bodies.integrate(&mut frame.positions_m, &frame.velocities_m_s);
+    });
+    let neighbors = 2.0 * f64::from(frame.links) / f64::from(scenario.team.robots);
+    assert!(neighbors > 10.0, "each has more than ten neighbours: {neighbors}");
 }
 
 fn in_part(controller: Controller) -> Scenario {

@@ -3,7 +3,7 @@
 
 use closeranks_graph::effort::Meter;
 use closeranks_graph::graph::Graph;
-use closeranks_graph::hops;
+use closeranks_graph::hops::{self, HopQuestion, HopVerdict};
 use closeranks_sim::attack::ValueAttack;
 use closeranks_sim::consensus::{Combine, Consensus, Rule, Told, Update};
 use closeranks_sim::faults::{Faults, Network};
@@ -113,7 +113,7 @@ fn two_hops_agree_where_one_does_not() {
     let (graph, hears) = graph(5, &cycle);
     let mut go = |_: &_| ControlFlow::Continue(());
     let mut meter = Meter::new(u64::MAX, &mut go);
-    assert_eq!(hops::witness(&graph, 1, &mut meter), Ok(None));
+    assert_eq!(hops::decide(&graph, HopQuestion::survives(2, 1), &mut meter), Ok(HopVerdict::Robust));
     let start = [0.0, 0.0, 10.0, 10.0, 700.0];
     let spread = |rule: Rule, liar: usize| {
         let mut rounds = Rounds::new(&rule.into(), 1, &start, &[liar]);

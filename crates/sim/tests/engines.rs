@@ -125,6 +125,21 @@ fn teams_that_hold_links() {
     same_bits(&Scenario { controller: Controller::Links, links, clock, ..short("free") });
 }
 
+/// Neighbours come and go, some links end at R at the start, and some lists change back and forth.
+#[test]
+fn teams_that_hold_links_and_move_far() {
+    let links = Scenario { controller: Controller::Links, duration_s: 8.0, ..short("far") };
+    let clock = Clock { level_period: Duration::from_millis(100), ..links.clock };
+    for (seed, desired) in [(1, Desired::Outward), (2, Desired::Gather), (3, Desired::Wander)] {
+        let team = Team { robots: 24, faults: 1 };
+        let links = Scenario { team, desired, clock, seed, malicious: vec![5], ..links.clone() };
+        let random = Start::Random { half_side_m: 1.6, distance_min_m: 0.35 };
+        same_bits(&Scenario { start: random, ..links.clone() });
+        // Six neighbours are at a distance of exactly R, and a few more of nearly that.
+        same_bits(&Scenario { start: Start::Hexagon { spacing_m: 1.0 }, ..links });
+    }
+}
+
 #[test]
 fn every_rule_of_consensus() {
     for (_, rule) in Rule::ALL {
@@ -352,17 +367,18 @@ impl Workers for Backwards {
 /// Who computes a large team, and in how many pieces, changes no bit.
 #[test]
 fn any_number_of_workers_gives_the_same_bits() {
-    let scenario = Scenario {
-        malicious: vec![7, 301],
-        ..ranked(Controller::Budget, (700, 1), 1.2, How::Own { core: 5 })
-    };
-    let digest = |workers: usize| {
-        let mut world = World::<2>::new(&scenario, Options { digest: true, ..Options::default() }).unwrap();
-        world.employ(Arc::new(Backwards(workers)));
-        for _ in 0..4 {
-            world.step();
-        }
-        world.digest()
-    };
-    assert!([2, 3, 8].iter().all(|workers| digest(*workers) == digest(1)));
+    for controller in [Controller::Budget, Controller::Links] {
+        let scenario =
+            Scenario { malicious: vec![7, 301], ..ranked(controller, (700, 1), 1.2, How::Own { core: 5 }) };
+        let digest = |workers: usize| {
+            let options = Options { digest: true, ..Options::default() };
+            let mut world = World::<2>::new(&scenario, options).unwrap();
+            world.employ(Arc::new(Backwards(workers)));
+            for _ in 0..4 {
+                world.step();
+            }
+            world.digest()
+        };
+        assert!([2, 3, 8].iter().all(|workers| digest(*workers) == digest(1)));
+    }
 }

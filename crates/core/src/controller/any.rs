@@ -143,6 +143,15 @@ impl<const D: usize> AnyController<D> {
         }
     }
 
+    /// The controller whose robots tell lists of links, if it is that.
+    #[must_use]
+    pub fn lists(self) -> Option<LinksController<D>> {
+        match self {
+            Self::Links(controller) => Some(controller),
+            Self::Composed(_) | Self::Budget(_) | Self::None(_) => None,
+        }
+    }
+
     /// True if a robot tells its level ([`Control::tells_levels`]).
     #[must_use]
     pub fn tells_levels(&self) -> bool {

@@ -24,6 +24,7 @@ use crate::robot::error::ObserveError;
 use crate::robot::neighbor::{NO_LINK, Slot, Told};
 use crate::robot::report::Reason;
 use crate::robot::{Robot, Slots};
+use crate::settings::params::Params;
 
 /// Nobody whose distance is rounded is taken for one inside R: as a fraction of R.
 const HAIR: f64 = 1e-9;
@@ -40,6 +41,14 @@ pub struct Horizon {
 }
 
 impl Horizon {
+    /// That of robots with these `params`.
+    #[must_use]
+    pub fn new<const D: usize>(params: &Params<D>) -> Self {
+        let longest_m = params.reach().longest_m();
+        let radius_m = params.link().radius_m - params.kept().errors.offset_m;
+        Self { speed_m_s: longest_m / params.hold_s(), move_max_m: longest_m, radius_m }
+    }
+
     /// How far a robot can have gone in a tick that took `elapsed` on the own clock, m: ρ at least.
     //= theory sec:unsensed
     #[must_use]
@@ -104,9 +113,7 @@ impl<const D: usize, S: Slots<D>> Robot<D, S> {
 
     /// How far robots go, and how far this one surely senses them.
     pub(crate) fn horizon(&self) -> Horizon {
-        let (params, longest_m) = (&self.params, self.params.reach().longest_m());
-        let radius_m = params.link().radius_m - params.kept().errors.offset_m;
-        Horizon { speed_m_s: longest_m / params.hold_s(), move_max_m: longest_m, radius_m }
+        Horizon::new(&self.params)
     }
 
     /// True if the robot reckons with a neighbour that it does not sense although it cannot have left.

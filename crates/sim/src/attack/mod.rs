@@ -50,6 +50,13 @@ impl Attack {
             && self.motion == MotionAttack::Obedient
     }
 
+    /// True when every neighbour of a liar gets one and the same well-formed message, also about `lists` if robots tell them.
+    #[must_use]
+    pub(crate) fn is_alike_for_all(&self, lists: bool) -> bool {
+        let alike = self.level.is_alike_for_all() && self.value.is_alike_for_all();
+        alike && (!lists || self.lists == ListsAttack::None)
+    }
+
     /// True when no two neighbours of a liar are told different values, as the paper's definition wants it (misbeh). Bits that are
     /// changed at random may be those of a value.
     #[must_use]

@@ -6,7 +6,6 @@ use closeranks_core::need::Listen;
 
 use crate::attack::liars::Liars;
 use crate::engine::roster::Roster;
-use crate::engine::sees::Around;
 use crate::frame::Frame;
 use crate::geometry::near::small;
 use crate::scenario::Scenario;
@@ -69,18 +68,18 @@ impl Consensus {
         }
     }
     /// The same in a team in which few are linked: each robot looks at those `around` it.
-    pub(crate) fn hold_around<const D: usize>(
+    pub(crate) fn hold_around<const D: usize, Others: Iterator<Item = usize>>(
         &mut self,
         frame: &mut Frame<D>,
         liars: &mut Liars,
-        around: &Around,
+        around: impl Fn(usize) -> Others,
         roster: &Roster,
     ) {
         self.tell(frame, liars);
         for (index, own) in self.next_values.iter_mut().enumerate() {
             self.heard.clear();
             let [mut counted, mut normal, mut lying] = [0; 3];
-            for speaker in around.of(index).iter().map(|half| usize::from(half.other)) {
+            for speaker in around(index) {
                 let (counts, lies) = (roster.counts(index, speaker), self.malicious[speaker]);
                 if counts || !self.listens_to_counted {
                     self.heard.push(frame.values[speaker]);

@@ -35,6 +35,13 @@ impl<const D: usize> Memory<D> {
         }
     }
 
+    /// Grows for a robot that has so many slots.
+    pub fn fit(&mut self, slots: usize) {
+        if slots > self.robots {
+            *self = Self::new(&self.params, slots).among(&self.map);
+        }
+    }
+
     /// The same among the obstacles of `map`, with rows for all of them.
     #[must_use]
     pub fn among(mut self, map: &[Obstacle<D>]) -> Self {

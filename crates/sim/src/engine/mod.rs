@@ -1,9 +1,16 @@
 //! What computes the robots of a tick: one by one, or all at once with the same bits.
+//!
+//! | engine | computes |
+//! | --- | --- |
+//! | [`team`] | controllers whose decisions rest on levels and links alone |
+//! | [`held`] | `links`, whose robots keep lists from tick to tick |
+//! | [`fleet`] | everything, robot by robot; where everybody hears the same they hand over what they tell, else it goes as bytes |
 
 mod bench;
 mod consensus;
 mod dense;
 pub mod fleet;
+pub mod held;
 pub(crate) mod judge;
 mod links;
 mod marks;
@@ -19,8 +26,8 @@ use closeranks_core::controller::{AtOnce, WithAtOnce};
 use closeranks_core::robot::error::RobotError;
 use closeranks_core::settings::params::Params;
 
-use crate::attack::ListsAttack;
 use crate::engine::fleet::Fleet;
+use crate::engine::held::Held;
 use crate::engine::robots::Robots;
 use crate::engine::team::Team;
 use crate::frame::Frame;
@@ -29,7 +36,7 @@ use crate::scenario::Scenario;
 /// How robots are computed; both give the same bits.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Engine {
-    /// All at once ([`team`]). A world in which something goes wrong, `budget` with free liars or stated errors, and robots
+    /// All at once ([`team`], [`held`]). A world in which something goes wrong, free liars under `budget`, stated errors, and robots
     /// far from the origin run one by one all the same.
     #[default]
     Team,
@@ -47,19 +54,19 @@ pub(crate) fn robots<const D: usize>(
 ) -> Result<Box<dyn Robots<D>>, RobotError> {
     let controller = *params.controller();
     let steady = !controller.promises() || is_near(scenario, &params, frame);
-    if engine == Engine::Team
-        && scenario.is_plain()
-        && controller.tells_lists()
-        && scenario.attack.lists == ListsAttack::None
-    {
-        return Ok(Box::new(Fleet::at_once(scenario, params, values)?));
+    let heard_alike = scenario.faults.is_none() && scenario.attack.is_alike_for_all(controller.tells_lists());
+    if engine == Engine::Robots || !heard_alike {
+        return Ok(Box::new(Fleet::new(scenario, params, values)?));
     }
-    let at_once = engine == Engine::Team && scenario.is_plain() && steady;
-    let team = at_once.then(|| controller.at_once(MakeTeam { scenario, params, values })).flatten();
-    match team {
-        Some(team) => Ok(team),
-        None => Ok(Box::new(Fleet::new(scenario, params, values)?)),
+    if scenario.is_plain() && steady {
+        if let Some(controller) = controller.lists().filter(|_| Held::covers(&params)) {
+            return Ok(Box::new(Held::new(scenario, params, controller, values)));
+        }
+        if let Some(team) = controller.at_once(MakeTeam { scenario, params, values }) {
+            return Ok(team);
+        }
     }
+    Ok(Box::new(Fleet::at_once(scenario, params, values)?))
 }
 
 /// Makes a team under whichever controller it is.

@@ -6,6 +6,7 @@ use closeranks_core::robot::Robot;
 
 use crate::attack::liars::Liars;
 use crate::engine::fleet::Fleet;
+use crate::engine::held::Held;
 use crate::engine::team::Team;
 use crate::engine::workers::Workers;
 use crate::faults::edges::Edges;
@@ -67,6 +68,15 @@ where
 }
 
 impl<const D: usize, C: AtOnce<D> + Copy> Robots<D> for Team<D, C>
+where
+    Self: Send + Sync,
+{
+    fn step(&mut self, frame: &mut Frame<D>, liars: &mut Liars, workers: &dyn Workers) {
+        self.step(frame, liars, workers);
+    }
+}
+
+impl<const D: usize> Robots<D> for Held<D>
 where
     Self: Send + Sync,
 {

@@ -113,9 +113,11 @@ impl<const D: usize, C: AtOnce<D> + Copy> Team<D, C> {
         liars.begin_tick(self.tick);
         robots.tell(frame, liars);
         if round {
-            match &robots.sees {
-                Some(sees) => self.consensus.hold(frame, liars, |robot, other| sees.linked(robot, other)),
-                None => self.consensus.hold_around(frame, liars, &robots.around, &robots.roster),
+            if let Some(sees) = &robots.sees {
+                self.consensus.hold(frame, liars, |robot, other| sees.linked(robot, other));
+            } else {
+                let around = |robot| robots.around.of(robot).iter().map(|half| usize::from(half.other));
+                self.consensus.hold_around(frame, liars, around, &robots.roster);
             }
         }
         robots.add(frame);

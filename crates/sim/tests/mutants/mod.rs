@@ -302,8 +302,8 @@ pub(crate) const MUTANTS: [Mutant; 42] = [
         law: "decay",
         lines: &[(
             "core/src/controller/links/mod.rs",
-            "self.errors.offset_m + slot.gone_m",
-            "self.errors.offset_m + 0.0 * slot.gone_m",
+            "self.errors.offset_m + gone_m",
+            "self.errors.offset_m + 0.0 * gone_m",
         )],
     },
     Mutant {

@@ -4,7 +4,8 @@ use crate::controller::assume::Assume;
 use crate::controller::clearance::Clearance;
 use crate::controller::links::Links;
 use crate::controller::links::peer::{Ledger, Peer};
-use crate::controller::{Control, Decision, Kept, Standing, View};
+use crate::controller::links::rows::Beside;
+use crate::controller::{Control, Decision, Kept, Motion, Standing, View};
 use crate::equations::link::LinkShape;
 use crate::id::Member;
 use crate::need::{Keep, Need};
@@ -74,14 +75,29 @@ impl<const D: usize> LinksController<D> {
     }
 
     fn decision(&self, view: &View<'_, D>, desired: &Vector<D>, scratch: &mut Scratch<'_, D>) -> Decision<D> {
-        let desired_m = self.wish(view, desired).map(|component| component * self.hold_s);
-        let mut rows =
-            self.links.rows((view.slots, view.ledger.obliged), &desired_m, self.reach, scratch.rows);
-        self.clearance.push(&view.position_m, scratch.map, &mut rows.program);
-        let moved = rows.decide(&view.before_m_s.map(|component| component * self.hold_s));
-        let velocity = moved.displacement_m.map(|component| component / self.hold_s);
+        let others = view.slots.iter().map(|slot| Beside::of(slot, view.ledger.obliged));
         let counted = view.slots.iter().filter(|slot| slot.peer.is_counted()).count();
-        let uncounted = (counted < usize::from(self.links.keep(view.member()))).then_some(Reason::Uncounted);
+        let (position_m, before_m_s) = (view.position_m, view.before_m_s);
+        let motion = Motion { position_m, desired_m_s: self.wish(view, desired), before_m_s };
+        self.decide(view.member(), counted, others, &motion, scratch)
+    }
+
+    /// The decision of robot `own`, which counts on so many neighbours and has these `others`. Its desired velocity is
+    /// [`turned`](Links::turned) already.
+    pub fn decide(
+        &self,
+        own: Member,
+        counted: usize,
+        others: impl Iterator<Item = Beside<D>>,
+        motion: &Motion<D>,
+        scratch: &mut Scratch<'_, D>,
+    ) -> Decision<D> {
+        let desired_m = motion.desired_m_s.map(|component| component * self.hold_s);
+        let mut rows = self.links.rows(others, &desired_m, self.reach, scratch.rows);
+        self.clearance.push(&motion.position_m, scratch.map, &mut rows.program);
+        let moved = rows.decide(&motion.before_m_s.map(|component| component * self.hold_s));
+        let velocity = moved.displacement_m.map(|component| component / self.hold_s);
+        let uncounted = (counted < usize::from(self.links.keep(own))).then_some(Reason::Uncounted);
         let doubt = match moved.doubt {
             Some(Reason::Uncertain) | None => uncounted.or(moved.doubt),
             grave => grave,

@@ -25,13 +25,15 @@
 //! | the rows of a tick | `rows` |
 //! | who releases whom: no guarantee rests on it | `policy`, `deal` |
 //! | the seam | [`control`] |
+//! | the same in few bytes, for large teams in which nothing goes wrong | [`bond`] |
 
+pub mod bond;
 pub mod control;
 mod deal;
 pub mod peer;
 mod policy;
 pub mod protocol;
-mod rows;
+pub mod rows;
 pub mod wire;
 
 use core::time::Duration;
@@ -108,9 +110,9 @@ impl Links {
         self.need.need(robot).saturating_add(self.spare)
     }
 
-    /// How wrong the offset to a neighbour may be, m: since it was last sensed, it may have moved.
-    pub(crate) fn error_m<const D: usize>(&self, slot: &Slot<D>) -> f64 {
-        self.errors.offset_m + slot.gone_m
+    /// How wrong the offset to a neighbour may be, m: since it was last sensed, it may have moved by `gone_m`.
+    pub(crate) fn error_m(&self, gone_m: f64) -> f64 {
+        self.errors.offset_m + gone_m
     }
 
     /// Notes whether a neighbour that is counted on has been within R_h. Once it certainly was, it is for as long as it is
@@ -119,7 +121,7 @@ impl Links {
     /// wrong. Gives the distance, m.
     fn settle<const D: usize>(&self, slot: &mut Slot<D>, now: Instant) -> f64 {
         let recent = now.since(slot.sensed_at) <= self.told_max;
-        let error_m = self.error_m(slot);
+        let error_m = self.error_m(slot.gone_m);
         let (distance_m, peer) = (length(&slot.offset_m), &mut slot.peer);
         let certainly_within = distance_m + error_m <= self.begun_m();
         let certainly_beyond = distance_m - error_m > self.radius_m * (1.0 + HAIR);

@@ -154,7 +154,8 @@ impl Links {
 
     /// The wish, turned to the right if somebody comes towards the robot, seen along the first two axes: by a hair, so that two
     /// robots that meet head-on slide past each other, or as far as they may.
-    pub(crate) fn turned<const D: usize>(
+    #[must_use]
+    pub fn turned<const D: usize>(
         &self,
         wish_m_s: &Vector<D>,
         mut sensed: impl Iterator<Item = (Vector<D>, Vector<D>)>,

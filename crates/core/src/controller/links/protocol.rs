@@ -121,6 +121,21 @@ impl Hold {
         Self { born: last, listed_after: None, heard: None, acknowledged: Number::NONE }
     }
 
+    /// What such a state comes to that is not lived through but known ([`bond`](crate::controller::links::bond)).
+    pub(crate) fn of(
+        born: Number,
+        listed_after: Option<Number>,
+        heard: Option<Word>,
+        acknowledged: Number,
+    ) -> Self {
+        Self { born, listed_after, heard, acknowledged }
+    }
+
+    /// While i lists j: the number of the last message before it began to.
+    pub(crate) fn listed_after(&self) -> Option<Number> {
+        self.listed_after
+    }
+
     /// Lists j from the next message on; `last` is the number of the newest message of i. Nothing changes if j is listed.
     pub fn list(&mut self, last: Number) {
         self.listed_after.get_or_insert(last);

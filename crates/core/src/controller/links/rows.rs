@@ -7,30 +7,51 @@ use crate::program::balls::reach::Reach;
 use crate::program::balls::row::Row;
 use crate::robot::neighbor::Slot;
 
+/// What bounds the move of a robot next to a neighbour.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Beside<const D: usize> {
+    /// x_i − x_j, m, as sensed last.
+    pub offset_m: Vector<D>,
+    /// How far it can have gone since, m.
+    pub gone_m: f64,
+    /// True if it is sensed in this tick.
+    pub sensed: bool,
+    /// True if both keep each other: it has a row (held).
+    pub active: bool,
+}
+
+impl<const D: usize> Beside<D> {
+    /// That of a robot that keeps its row for everybody if it is `obliged`.
+    pub(super) fn of(slot: &Slot<D>, obliged: bool) -> Self {
+        let active = obliged || slot.peer.hold.is_active();
+        Self { offset_m: slot.offset_m, gone_m: slot.gone_m, sensed: slot.sensed, active }
+    }
+}
+
 impl Links {
-    /// All rows of a robot that has these `slots`, keeps its row for all of them if it is `obliged`, wants to move by `desired_m` (m) and can move within `reach`.
+    /// All rows of a robot that has these `others`, wants to move by `desired_m` (m) and can move within `reach`.
     //= theory thm:held
     pub(super) fn rows<'memory, const D: usize>(
         &self,
-        (slots, obliged): (&[Slot<D>], bool),
+        others: impl Iterator<Item = Beside<D>>,
         desired_m: &Vector<D>,
         reach: Reach<D>,
         memory: &'memory mut [Row<D>],
     ) -> Rows<'memory, D> {
         let mut rows = Rows::new(desired_m, reach, memory);
-        for slot in slots {
-            if obliged || slot.peer.hold.is_active() {
-                self.push_held(slot, &mut rows);
+        for other in others {
+            if other.active {
+                self.push_held(&other, &mut rows);
             }
-            self.push_near(slot, &mut rows);
+            self.push_near(&other, &mut rows);
         }
         rows
     }
 
     /// (held) for a neighbour, unless it is certainly farther away than anybody counts on.
     //= theory eq:held
-    fn push_held<const D: usize>(&self, slot: &Slot<D>, rows: &mut Rows<'_, D>) {
-        let (offset_m, error_m) = (&slot.offset_m, self.error_m(slot));
+    fn push_held<const D: usize>(&self, other: &Beside<D>, rows: &mut Rows<'_, D>) {
+        let (offset_m, error_m) = (&other.offset_m, self.error_m(other.gone_m));
         let square_m2 = dot(offset_m, offset_m);
         let distance_m2 = if error_m == 0.0 { square_m2 } else { squared(length(offset_m) + error_m) };
         let bound_m2 = 0.25 * self.gamma * (self.radius_m * self.radius_m - distance_m2).max(0.0);
@@ -42,8 +63,8 @@ impl Links {
 
     /// (near) for a neighbour, and recovery of the distance of one that is sensed.
     //= theory eq:near
-    fn push_near<const D: usize>(&self, slot: &Slot<D>, rows: &mut Rows<'_, D>) {
-        let (offset_m, error_m) = (&slot.offset_m, self.error_m(slot));
+    fn push_near<const D: usize>(&self, other: &Beside<D>, rows: &mut Rows<'_, D>) {
+        let (offset_m, error_m) = (&other.offset_m, self.error_m(other.gone_m));
         let square_m2 = dot(offset_m, offset_m);
         let nearest_m2 =
             if error_m == 0.0 { square_m2 } else { squared((length(offset_m) - error_m).max(0.0)) };
@@ -52,7 +73,7 @@ impl Links {
         if may_bind(rows.program.reach.lhs_max(offset_m, error_m, 0.0), 0.5 * give_m2) {
             rows.push(offset_m, error_m, |offset| Row::near(offset, give_m2));
         }
-        if nearest_m2 < squared(self.distance_min_m) && slot.sensed {
+        if nearest_m2 < squared(self.distance_min_m) && other.sensed {
             let distance_m = length(offset_m);
             rows.count_violation(distance_m + error_m < self.distance_min_m);
             let missing_m = self.distance_min_m + error_m - distance_m;
@@ -102,7 +123,10 @@ mod tests {
 
     fn row_of(links: &Links, offset_m: [f64; 2], memory: &mut [Row<2>]) -> [f64; 2] {
         let slot = Slot { sensed: true, offset_m, ..Slot::default() };
-        links.rows((&[slot], false), &offset_m, reach(), memory).closest().displacement_m
+        links
+            .rows([Beside::of(&slot, false)].into_iter(), &offset_m, reach(), memory)
+            .closest()
+            .displacement_m
     }
 
     //= theory eq:held type=test

@@ -46,6 +46,8 @@ pub struct Fleet<const D: usize, T = FaultyNetwork<InMemory>> {
     outbox: Vec<Option<Message>>,
     /// What everybody says to everybody in a tick, where messages need no bytes.
     notices: Option<Vec<(usize, usize, Notice<D>)>>,
+    /// Memory for those whom a robot hears there.
+    senders: Vec<usize>,
     /// Room for the longest message.
     buffer: Vec<u8>,
     transport: T,
@@ -99,13 +101,14 @@ impl<const D: usize, T: Transport> Fleet<D, T> {
         Ok(Self {
             robots: robots.collect::<Result<_, _>>()?,
             members,
-            memory: Memory::new(&params, others).among(&scenario.obstacles.in_dimension()),
+            memory: Memory::new(&params, first).among(&scenario.obstacles.in_dimension()),
             composed: scenario.composition(),
             params,
             values: values.to_vec(),
             malicious: scenario.malicious_mask(),
             outbox: vec![None; values.len()],
             notices: None,
+            senders: Vec::new(),
             buffer: vec![0; MESSAGE_BYTES.max(bytes_max(scenario.team.robots, D))],
             transport,
             edges,
@@ -184,6 +187,7 @@ impl<const D: usize, T: Transport> Fleet<D, T> {
             let _ = robot.sense(clocks.now(observer, self.tick), senses.sense(observer, observer, own));
             if whole {
                 make_room(robot, self.around.of(observer).len(), self.slots);
+                self.memory.fit(robot.slot_count());
             }
             let mut observe = |index: usize, position: &Vector<D>, sight: &mut Sight<D>| {
                 let sensed = senses.sense(observer, index, position);

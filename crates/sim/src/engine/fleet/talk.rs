@@ -34,6 +34,27 @@ impl<const D: usize, T: Transport> Fleet<D, T> {
 
     /// What is told to every other robot, without bytes and with the same bits.
     pub(super) fn hand_over(&mut self) {
+        if self.lists {
+            self.hand_over_lists();
+        } else {
+            self.hand_over_messages();
+        }
+    }
+
+    fn hand_over_messages(&mut self) {
+        for (receiver, robot) in self.robots.iter_mut().enumerate() {
+            // All others are refused: they are out of range.
+            self.senders.clear();
+            self.senders.extend(robot.neighbors().iter().map(|slot| usize::from(slot.id().0) - 1));
+            for sender in self.senders.iter().filter(|sender| **sender != receiver) {
+                if let Some(message) = &self.outbox[*sender] {
+                    let _ = robot.receive(id(*sender), message);
+                }
+            }
+        }
+    }
+
+    fn hand_over_lists(&mut self) {
         let mut notices = self.notices.take().unwrap_or_default();
         notices.clear();
         for (receiver, robot) in self.robots.iter().enumerate() {

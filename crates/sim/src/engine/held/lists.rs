@@ -1,0 +1,295 @@
+//! The neighbours of all robots in one list, each with what the robot holds of it.
+
+use core::ops::Range;
+
+use closeranks_core::controller::Control;
+use closeranks_core::controller::links::bond::{Bond, Moment, Terms, Unseen, Voice};
+use closeranks_core::controller::links::control::LinksController;
+use closeranks_core::num::Vector;
+use closeranks_core::robot::missing::Horizon;
+use closeranks_core::robot::neighbor::Slot;
+
+use crate::engine::roster::Roster;
+use crate::geometry::around::Around;
+use crate::geometry::near::small;
+
+/// So many more neighbours a robot has room for than it has when room is made.
+const SPARE: usize = 8;
+
+/// Neighbours robot after robot, those of each in order of numbers. If one robot has another, that one has it too.
+#[derive(Clone, Debug)]
+pub(crate) struct Lists<const D: usize> {
+    /// Where the room of each robot begins, and one past the last; and how much of it is in use.
+    starts: Vec<u32>,
+    counts: Vec<u16>,
+    rows: Rows,
+    /// Those that are not sensed and keep their place, in the same order. There are hardly ever any.
+    unseen: Vec<Ghost<D>>,
+    unseen_before: Vec<Ghost<D>>,
+    /// Where robots were in the tick before, m.
+    before_m: Vec<Vector<D>>,
+    around: Around,
+    /// Memory for the neighbours of one robot.
+    fresh: Rows,
+}
+
+/// One line a neighbour.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Rows {
+    others: Vec<u16>,
+    pub(crate) bonds: Vec<Bond>,
+    pub(crate) terms: Vec<Terms>,
+}
+
+/// A neighbour of a robot that the robot does not sense.
+#[derive(Clone, Copy, Debug)]
+struct Ghost<const D: usize> {
+    robot: u16,
+    other: u16,
+    unseen: Unseen<D>,
+}
+
+/// The neighbours of one robot.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Others<'a, const D: usize> {
+    pub(crate) numbers: &'a [u16],
+    unseen: &'a [Ghost<D>],
+}
+
+/// What decides whether a neighbour that left keeps its place.
+pub(crate) struct Rule<'a, const D: usize> {
+    pub(crate) controller: &'a LinksController<D>,
+    pub(crate) horizon: Horizon,
+    pub(crate) roster: &'a Roster,
+    pub(crate) moment: Moment,
+}
+
+impl<const D: usize> Lists<D> {
+    /// Of a team of so many robots in which nobody has a neighbour.
+    pub(crate) fn new(robots: usize) -> Self {
+        Self {
+            starts: vec![0; robots + 1],
+            counts: vec![0; robots],
+            rows: Rows::default(),
+            unseen: Vec::new(),
+            unseen_before: Vec::new(),
+            before_m: vec![[0.0; D]; robots],
+            around: Around::default(),
+            fresh: Rows::default(),
+        }
+    }
+
+    /// Robots at `positions_m` look around as far as `radius_m`.
+    pub(crate) fn look(&mut self, positions_m: &[Vector<D>], radius_m: f64, rule: &Rule<'_, D>) {
+        self.around.look(positions_m, radius_m);
+        let robots = 0..positions_m.len();
+        if robots.clone().any(|robot| self.around.of(robot).len() > self.room(robot).len()) {
+            self.make_room(rule, |lists, robot| lists.around.of(robot).len());
+        }
+        core::mem::swap(&mut self.unseen, &mut self.unseen_before);
+        self.unseen.clear();
+        for robot in robots {
+            let same = self.rows.others[self.range(robot)] == *self.around.of(robot);
+            if !same || !self.unseen_before.is_empty() {
+                self.merge(robot, positions_m, rule);
+                self.put(robot, rule);
+            }
+        }
+        self.before_m.copy_from_slice(positions_m);
+    }
+
+    /// Collects the neighbours of one robot where some came or left.
+    fn merge(&mut self, robot: usize, positions_m: &[Vector<D>], rule: &Rule<'_, D>) {
+        self.fresh.clear();
+        let mut near = self.around.of(robot).iter().copied().peekable();
+        for place in self.range(robot) {
+            let (other, bond, terms) = self.rows.line(place);
+            while let Some(new) = near.next_if(|near| *near < other) {
+                self.fresh.push(new, Bond::new(&rule.moment), Terms::default());
+            }
+            if near.next_if_eq(&other).is_none() {
+                let before = find(&self.unseen_before, robot, other);
+                let last_m = self.before_m[usize::from(other)];
+                let mut unseen = before.unwrap_or_else(|| Unseen::new(&rule.moment, last_m));
+                unseen.reckon(&rule.moment, &rule.horizon, &positions_m[robot]);
+                if !rule.keeps((other, &bond, &terms), &unseen, &positions_m[robot]) {
+                    continue;
+                }
+                self.unseen.push(Ghost { robot: small(robot), other, unseen });
+            }
+            self.fresh.push(other, bond, terms);
+        }
+        for new in near {
+            self.fresh.push(new, Bond::new(&rule.moment), Terms::default());
+        }
+    }
+
+    /// Puts those that were collected where the neighbours of one robot are.
+    fn put(&mut self, robot: usize, rule: &Rule<'_, D>) {
+        let count = self.fresh.others.len();
+        if count > self.room(robot).len() {
+            self.make_room(
+                rule,
+                |lists, other| if other == robot { count } else { usize::from(lists.counts[other]) },
+            );
+        }
+        self.rows.put(self.starts[robot] as usize, &self.fresh);
+        self.counts[robot] = small(count);
+    }
+
+    /// Gives each robot room for at least as many neighbours as `needed`, and for some more.
+    fn make_room(&mut self, rule: &Rule<'_, D>, needed: impl Fn(&Self, usize) -> usize) {
+        let (mut rows, mut starts) = (Rows::default(), vec![0]);
+        for robot in 0..self.counts.len() {
+            let start = rows.others.len();
+            let room = needed(self, robot).max(usize::from(self.counts[robot])) + SPARE;
+            rows.resize(start + room, &rule.moment);
+            rows.copy(start, &self.rows, self.range(robot));
+            starts.push(u32::try_from(rows.others.len()).unwrap_or(u32::MAX));
+        }
+        (self.rows, self.starts) = (rows, starts);
+    }
+
+    /// The neighbours of one robot.
+    #[inline]
+    pub(crate) fn of(&self, robot: usize) -> Others<'_, D> {
+        Others { numbers: &self.rows.others[self.range(robot)], unseen: self.unseen_by(robot) }
+    }
+
+    /// Where the neighbours of one robot are.
+    #[inline]
+    pub(crate) fn range(&self, robot: usize) -> Range<usize> {
+        let start = self.starts[robot] as usize;
+        start..start + usize::from(self.counts[robot])
+    }
+
+    /// Where there is room for the neighbours of one robot.
+    #[inline]
+    pub(crate) fn room(&self, robot: usize) -> Range<usize> {
+        self.starts[robot] as usize..self.starts[robot + 1] as usize
+    }
+
+    /// What a robot holds of each neighbour.
+    #[inline]
+    pub(crate) fn bonds(&self, robot: usize) -> &[Bond] {
+        &self.rows.bonds[self.range(robot)]
+    }
+
+    /// Takes out what robots hold, for whoever changes it and gives it back.
+    pub(crate) fn take(&mut self) -> (Vec<Bond>, Vec<Terms>) {
+        (core::mem::take(&mut self.rows.bonds), core::mem::take(&mut self.rows.terms))
+    }
+
+    /// Takes it back.
+    pub(crate) fn give(&mut self, bonds: Vec<Bond>, terms: Vec<Terms>) {
+        (self.rows.bonds, self.rows.terms) = (bonds, terms);
+    }
+
+    /// Everybody says to each neighbour what is so. Robots come in order, and so do their neighbours: the next place of a
+    /// neighbour is always that of the robot that speaks.
+    pub(crate) fn exchange(&mut self, places: &mut Vec<u32>) {
+        places.clear();
+        places.extend_from_slice(&self.starts[..self.counts.len()]);
+        for robot in 0..self.counts.len() {
+            for place in self.range(robot) {
+                let said = self.rows.bonds[place].said();
+                let reader = &mut places[usize::from(self.rows.others[place])];
+                self.rows.bonds[*reader as usize].hear(said);
+                *reader += 1;
+            }
+        }
+    }
+
+    fn unseen_by(&self, robot: usize) -> &[Ghost<D>] {
+        if self.unseen.is_empty() {
+            return &[];
+        }
+        let from = self.unseen.partition_point(|ghost| usize::from(ghost.robot) < robot);
+        let to = self.unseen.partition_point(|ghost| usize::from(ghost.robot) <= robot);
+        &self.unseen[from..to]
+    }
+}
+
+impl Rows {
+    fn clear(&mut self) {
+        self.others.clear();
+        self.bonds.clear();
+        self.terms.clear();
+    }
+
+    fn push(&mut self, other: u16, bond: Bond, terms: Terms) {
+        self.others.push(other);
+        self.bonds.push(bond);
+        self.terms.push(terms);
+    }
+
+    fn line(&self, place: usize) -> (u16, Bond, Terms) {
+        (self.others[place], self.bonds[place], self.terms[place])
+    }
+
+    fn resize(&mut self, lines: usize, moment: &Moment) {
+        self.others.resize(lines, 0);
+        self.bonds.resize(lines, Bond::new(moment));
+        self.terms.resize(lines, Terms::default());
+    }
+
+    fn copy(&mut self, start: usize, from: &Self, range: Range<usize>) {
+        let to = start..start + range.len();
+        self.others[to.clone()].copy_from_slice(&from.others[range.clone()]);
+        self.bonds[to.clone()].copy_from_slice(&from.bonds[range.clone()]);
+        self.terms[to].copy_from_slice(&from.terms[range]);
+    }
+
+    fn put(&mut self, start: usize, from: &Self) {
+        self.copy(start, from, 0..from.others.len());
+    }
+}
+
+impl<'a, const D: usize> Others<'a, D> {
+    /// Where a neighbour was sensed last, if it is not sensed.
+    #[inline]
+    pub(crate) fn unseen(&self, other: u16) -> Option<&'a Unseen<D>> {
+        self.unseen.iter().find(|ghost| ghost.other == other).map(|ghost| &ghost.unseen)
+    }
+
+    /// Those that are sensed.
+    #[inline]
+    pub(crate) fn sensed(self) -> impl Iterator<Item = usize> + 'a {
+        self.numbers
+            .iter()
+            .filter(move |other| self.unseen(**other).is_none())
+            .map(|other| usize::from(*other))
+    }
+
+    /// How many are sensed.
+    pub(crate) fn degree(&self) -> usize {
+        self.numbers.len() - self.unseen.len()
+    }
+
+    /// True if one that is not sensed must still be there.
+    pub(crate) fn misses_somebody(&self) -> bool {
+        self.unseen.iter().any(|ghost| ghost.unseen.is_missing())
+    }
+}
+
+impl<const D: usize> Rule<'_, D> {
+    /// True if a neighbour of a robot at `own_m` (m) that it does not sense keeps its place. What it told does not matter here.
+    fn keeps(
+        &self,
+        (other, bond, terms): (u16, &Bond, &Terms),
+        unseen: &Unseen<D>,
+        own_m: &Vector<D>,
+    ) -> bool {
+        let silent = Voice { price_m: 0.0, wish_m_s: [0.0; D] };
+        let member = self.roster.member(usize::from(other));
+        let mut slot = Slot::default();
+        bond.fill(&mut slot, terms, &self.moment, member, [0.0; D], &silent);
+        unseen.fill(&mut slot, own_m);
+        self.controller.keeps_unseen(&slot)
+    }
+}
+
+fn find<const D: usize>(unseen: &[Ghost<D>], robot: usize, other: u16) -> Option<Unseen<D>> {
+    let ghost = unseen.iter().find(|ghost| (usize::from(ghost.robot), ghost.other) == (robot, other));
+    ghost.map(|ghost| ghost.unseen)
+}

@@ -1,0 +1,211 @@
+//! A team of held links at once: the bits of [`crate::engine::fleet`] in a world in which nothing goes wrong, at a fraction of the time.
+//!
+//! What a robot holds of a neighbour is a [`Bond`](closeranks_core::controller::links::bond::Bond) of few bytes in one list of the whole team, and messages are a word from
+//! bond to bond. Who releases whom, the rows and the closest velocity are those of a robot on its own.
+
+mod lists;
+mod piece;
+
+use closeranks_core::controller::links::bond::{Moment, Voice};
+use closeranks_core::controller::links::control::LinksController;
+use closeranks_core::equations::barrier::degree_barrier;
+use closeranks_core::num::Vector;
+use closeranks_core::obstacle::Obstacle;
+use closeranks_core::robot::missing::Horizon;
+use closeranks_core::settings::params::Params;
+
+use crate::attack::liars::Liars;
+use crate::engine::bench::Decided;
+use crate::engine::consensus::Consensus;
+use crate::engine::held::lists::{Lists, Rule};
+use crate::engine::held::piece::Desk;
+use crate::engine::roster::Roster;
+use crate::engine::workers::{Piece, Workers, share};
+use crate::frame::Frame;
+use crate::geometry::near::small;
+use crate::scenario::Scenario;
+
+/// A team whose robots tell lists of links, in a perfect network.
+#[derive(Clone, Debug)]
+pub struct Held<const D: usize> {
+    params: Params<D>,
+    team: Robots<D>,
+    map: Vec<Obstacle<D>>,
+    horizon: Horizon,
+    consensus: Consensus,
+    malicious: Vec<u16>,
+    /// What each of those who compute the team needs.
+    desks: Vec<Desk<D>>,
+    decided: Vec<Decided<D>>,
+    prices_m: Vec<f64>,
+    /// Memory for whose turn it is at each robot.
+    places: Vec<u32>,
+    tick: u32,
+    period_nanos: u64,
+}
+
+/// What the robots know in a tick.
+#[derive(Clone, Debug)]
+struct Robots<const D: usize> {
+    controller: LinksController<D>,
+    roster: Roster,
+    moment: Moment,
+    lists: Lists<D>,
+    /// What each said to all when it spoke last.
+    voices: Vec<Voice<D>>,
+    /// Where each wanted to go in the tick before, m/s.
+    wishes_m_s: Vec<Vector<D>>,
+}
+
+impl<const D: usize> Held<D> {
+    /// True if all that can happen to robots with these `params` can be told in bonds: positions and moves have no errors.
+    pub(crate) fn covers(params: &Params<D>) -> bool {
+        let errors = params.settings().errors;
+        errors.position_m == 0.0 && errors.tracking_m == 0.0
+    }
+
+    /// The team of `scenario` under `controller`, that of `params`, with initial `values`.
+    #[must_use]
+    pub fn new(
+        scenario: &Scenario,
+        params: Params<D>,
+        controller: LinksController<D>,
+        values: &[f64],
+    ) -> Self {
+        let (count, period) = (values.len(), params.settings().clock.level_period.as_nanos());
+        let period_nanos = u64::try_from(period).unwrap_or(u64::MAX);
+        let silence = Voice { price_m: f64::INFINITY, wish_m_s: [0.0; D] };
+        let team = Robots {
+            controller,
+            roster: Roster::new(scenario, &params),
+            moment: Moment::new(0, period_nanos),
+            lists: Lists::new(count),
+            voices: vec![silence; count],
+            wishes_m_s: vec![[0.0; D]; count],
+        };
+        let lies = scenario.malicious_mask();
+        Self {
+            map: scenario.obstacles.in_dimension(),
+            horizon: Horizon::new(&params),
+            params,
+            team,
+            consensus: Consensus::new(scenario, values),
+            malicious: (0..count).filter(|robot| lies[*robot]).map(small).collect(),
+            desks: Vec::new(),
+            decided: vec![Decided::NOTHING; count],
+            prices_m: vec![0.0; count],
+            places: Vec::new(),
+            tick: 0,
+            period_nanos,
+        }
+    }
+
+    /// One tick: fills everything in `frame` but positions and desired velocities.
+    pub fn step(&mut self, frame: &mut Frame<D>, liars: &mut Liars, workers: &dyn Workers) {
+        self.look(frame);
+        liars.begin_tick(self.tick);
+        self.agree(frame, workers);
+        self.tell(frame, liars);
+        self.hold_round(frame, liars);
+        self.team.lists.exchange(&mut self.places);
+        self.decide(frame, workers);
+        self.note(frame);
+        self.tick = self.tick.saturating_add(1);
+    }
+
+    /// Who is near whom.
+    fn look(&mut self, frame: &mut Frame<D>) {
+        let Robots { controller, roster, lists, moment, .. } = &mut self.team;
+        *moment = Moment::new(self.tick, self.period_nanos);
+        let rule = Rule { controller, horizon: self.horizon, roster, moment: *moment };
+        lists.look(&frame.positions_m, self.params.link().radius_m, &rule);
+        let mut ends = 0;
+        for robot in 0..frame.positions_m.len() {
+            let others = lists.of(robot);
+            frame.degrees[robot] = small(others.degree());
+            frame.missing[robot] = others.misses_somebody();
+            ends += u32::from(frame.degrees[robot]);
+        }
+        frame.links = ends / 2;
+    }
+
+    /// Every robot decides whom it lists.
+    fn agree(&mut self, frame: &mut Frame<D>, workers: &dyn Workers) {
+        let Self { params, map, team, desks, prices_m, .. } = self;
+        let each = share(prices_m.len(), workers);
+        desks.resize_with(prices_m.len().div_ceil(each), || Desk::new(params, prices_m.len(), map));
+        let (mut bonds, mut terms) = team.lists.take();
+        let mut rest = (&mut bonds[..], &mut terms[..]);
+        let mut pieces: Vec<Piece<'_>> = Vec::new();
+        let (now, positions_m) = (&*team, &frame.positions_m[..]);
+        let work = prices_m.chunks_mut(each).zip(frame.levels.chunks_mut(each)).zip(&mut *desks);
+        for (piece, ((prices_m, levels), desk)) in work.enumerate() {
+            let first = piece * each;
+            let (begin, end) = (now.lists.room(first).start, now.lists.room(first + prices_m.len() - 1).end);
+            let bonds = rest.0.split_off_mut(..end - begin).unwrap_or_default();
+            let terms = rest.1.split_off_mut(..end - begin).unwrap_or_default();
+            pieces.push(Box::new(move || {
+                now.agree_from(first, (prices_m, levels), (bonds, terms), desk, positions_m);
+            }));
+        }
+        workers.run(pieces);
+        team.lists.give(bonds, terms);
+        for (robot, voice) in team.voices.iter_mut().enumerate() {
+            *voice = Voice { price_m: prices_m[robot], wish_m_s: team.wishes_m_s[robot] };
+        }
+    }
+
+    /// Levels, as they are and as they are told.
+    fn tell(&mut self, frame: &mut Frame<D>, liars: &mut Liars) {
+        for (index, level) in frame.levels.iter().enumerate() {
+            frame.h[index] = degree_barrier(*level, self.team.roster.need(index));
+            frame.told[index] = liars.level(index, *level);
+        }
+    }
+
+    /// A round of consensus, if one is due.
+    fn hold_round(&mut self, frame: &mut Frame<D>, liars: &mut Liars) {
+        let Robots { lists, roster, .. } = &self.team;
+        if self.consensus.is_due(self.tick) {
+            self.consensus.hold_around(frame, liars, |robot| lists.of(robot).sensed(), roster);
+            return;
+        }
+        for robot in self.malicious.iter().map(|robot| usize::from(*robot)) {
+            frame.values[robot] = liars.value(robot, frame.held[robot]);
+        }
+    }
+
+    /// Every robot finds its velocity.
+    fn decide(&mut self, frame: &mut Frame<D>, workers: &dyn Workers) {
+        let Self { team, desks, decided, .. } = self;
+        let each = share(decided.len(), workers);
+        let (team, frame) = (&*team, &*frame);
+        let pieces = decided.chunks_mut(each).zip(desks).enumerate();
+        let pieces = pieces.map(|(piece, (decided, desk))| -> Piece<'_> {
+            Box::new(move || team.decide_from(piece * each, decided, desk, frame))
+        });
+        workers.run(pieces.collect());
+    }
+
+    /// Writes what became of every robot where it belongs.
+    fn note(&mut self, frame: &mut Frame<D>) {
+        let (input, Robots { lists, moment, wishes_m_s, .. }) =
+            (self.params.settings().limits.input, &mut self.team);
+        for (robot, decided) in self.decided.iter().enumerate() {
+            decided.write(robot, frame);
+            wishes_m_s[robot] = input.clip(&frame.asked_m_s[robot]);
+            frame.phis[robot] = f64::NAN;
+            let (counted, rows) = (&mut frame.counted[robot], &mut frame.rows[robot]);
+            counted.clear();
+            rows.clear();
+            for (other, bond) in lists.of(robot).numbers.iter().zip(lists.bonds(robot)) {
+                if bond.is_counted(moment) {
+                    counted.push(other + 1);
+                }
+                if bond.is_active(moment) {
+                    rows.push(other + 1);
+                }
+            }
+        }
+    }
+}
