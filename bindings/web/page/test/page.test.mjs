@@ -135,11 +135,13 @@ test("the sandbox: ranks and another rule of consensus are chosen, shown and sai
     await see(page, "#act-4");
     await more(page);
     const select = (label, value) => choose(page, label, value);
-    const disabled = () => page.$$eval("#act-4 .more select", ([ranks]) => ranks.disabled);
+    const disabled = () => page.$$eval("#act-4 .more select", (all) => all.map((one) => one.disabled));
+    await select("In the way", "discs");
     await select("Filter", "orca");
-    assert.equal(await disabled(), true, "orca counts nobody");
+    assert.deepEqual(await disabled(), [true, false, true], "orca counts nobody, and takes no obstacles");
+    assert.equal(await page.$eval("#act-4 .more .field:nth-of-type(5) select", (menu) => menu.value), "none");
     await select("Filter", "links");
-    assert.equal(await disabled(), false);
+    assert.deepEqual(await disabled(), [false, false, false]);
     await page.$eval("#act-4 .more .field input", (input) => {
       input.value = "40";
       input.dispatchEvent(new Event("input"));

@@ -86,8 +86,11 @@ function choices(stage: Stage, simulator: Simulator): HTMLElement[] {
   const of = (table: Table, name: string, field: string, otherwise: number) => number(part(table, name)[field], otherwise);
   const set = (name: string, field: string) => (value: number) => void stage.touch((table) => change(table, name, { [field]: value }));
   const controller = menu("Filter", simulator.controllers.map((one) => [one.name, `${one.name}: ${one.about}`]), "budget", (kind) => {
-    const ranks = simulator.controllers.find((one) => one.name === kind)?.ranks === true;
-    stage.touch((table) => change(ranks ? table : withRanks(table, false), "controller", { kind }));
+    const row = simulator.controllers.find((one) => one.name === kind);
+    stage.touch((table, moment) => {
+      const counted = row?.ranks ? table : withRanks(table, false);
+      return change(row?.obstacles ? counted : withObstacles(counted, moment, "none"), "controller", { kind });
+    });
   });
   const lie = menu("Liars tell", LIES.map((one) => [one.id, `${one.name}: ${one.about}`]), "value", (id) => {
     const attack = LIES.find((one) => one.id === id)?.attack ?? {};
@@ -119,6 +122,7 @@ function choices(stage: Stage, simulator: Simulator): HTMLElement[] {
     rule.select.value = String(part(table, "consensus")["rule"] ?? "w-msr");
     ranks.select.value = moment.facts.ranks ? "ranks" : "all";
     ranks.select.disabled = !moment.facts.controller.ranks;
+    obstacles.select.disabled = !moment.facts.controller.obstacles;
     robots.show(moment.robots);
     faults.input.max = String(Math.min(10, Math.floor((moment.robots - 1) / 2)));
     faults.show(moment.facts.faults);
