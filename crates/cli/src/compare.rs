@@ -4,14 +4,17 @@ use std::path::PathBuf;
 
 use anyhow::{Result, bail};
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
+use closeranks_report::comparison::comparison;
 use closeranks_report::content::{Figure, Link, Page, Section};
-use closeranks_report::figure::{Case, figure1, figure2, figure3};
+use closeranks_report::figure::{Case, comparison as drawing, figure1, figure2, figure3};
 use closeranks_report::html::html;
 use closeranks_report::robustness::robustness;
 use closeranks_report::table::{Line, table, text};
 use closeranks_sim::scenario::{Controller, Scenario};
+use closeranks_sim::world::any::AnyWorld;
 use closeranks_sim::world::{Options, Run};
 use rayon::prelude::*;
+use serde_json::Value;
 
 use crate::as_run::as_run;
 use crate::folder::Folder;
@@ -36,8 +39,28 @@ struct Done {
     source: String,
     run: Run,
     wall_s: f64,
+    /// What a robot-step takes, µs: [`step_us`].
+    step_us: f64,
     /// Where it was recorded.
     recorded: Option<PathBuf>,
+}
+
+/// Ticks that are timed, and how often.
+const TIMED: (u32, usize) = (100, 5);
+
+/// Time of a tick over the robots in it, µs: the median of a few short runs, of which nothing is recorded. It is measured here and now, and
+/// holds whatever the simulation does of a tick: sensing, messages, liars and monitors too.
+fn step_us(scenario: &Scenario) -> Result<f64> {
+    let (ticks, times) = TIMED;
+    let ticks = ticks.min(scenario.ticks().saturating_add(1));
+    let time = || -> Result<f64> {
+        let mut world = AnyWorld::new(scenario, Options { without_phi: true, ..Options::default() })?;
+        let ((), time) = progress::timed(|| (0..ticks).for_each(|_| world.step()));
+        Ok(time.as_secs_f64() * 1e6 / (f64::from(ticks) * f64::from(scenario.team.robots)))
+    };
+    let mut all = (0..times).map(|_| time()).collect::<Result<Vec<f64>>>()?;
+    all.sort_by(f64::total_cmp);
+    Ok(all[times / 2])
 }
 
 /// Runs the scenario once a controller; false when a law that it expects was broken under one of them.
@@ -65,7 +88,12 @@ pub(crate) fn compare(arguments: &crate::Compare) -> Result<bool> {
         bar.inc(1);
         done
     });
-    let runs = runs.collect::<Result<Vec<Done>>>()?;
+    let mut runs = runs.collect::<Result<Vec<Done>>>()?;
+    if !arguments.speech.quiet {
+        for done in &mut runs {
+            done.step_us = step_us(&done.scenario)?;
+        }
+    }
     bar.finish_and_clear();
     say(arguments, &runs);
     if let (Some(folder), Some(target)) = (folder, &arguments.output) {
@@ -119,7 +147,7 @@ impl Todo {
         });
         let run = run?;
         let recorded = tape.map(Tape::finish).transpose()?;
-        Ok(Done { run, source, scenario, wall_s: time.as_secs_f64(), recorded })
+        Ok(Done { run, source, scenario, wall_s: time.as_secs_f64(), step_us: f64::NAN, recorded })
     }
 }
 
@@ -136,10 +164,12 @@ fn lines(runs: &[Done]) -> Vec<Line<'_>> {
 
 fn say(arguments: &crate::Compare, runs: &[Done]) {
     if arguments.speech.json {
-        let all: Vec<_> = runs.iter().map(|done| json::run(&done.scenario, &done.run, done.wall_s)).collect();
+        let all: Vec<_> = runs.iter().map(object).collect();
         output::say(&json::text(&serde_json::json!({ "runs": all })));
     } else if !arguments.speech.quiet {
-        output::say(&text(&table(&lines(runs))));
+        let steps_us: Vec<f64> = runs.iter().map(|done| done.step_us).collect();
+        output::say(&text(&comparison(&lines(runs), Some(&steps_us))));
+        output::say(NOTE);
         for done in runs {
             let laws = sentences::laws(&done.scenario, &done.run.summary);
             output::say(&format!(
@@ -149,6 +179,23 @@ fn say(arguments: &crate::Compare, runs: &[Done]) {
             ));
         }
     }
+}
+
+/// What the heads of the table do not say.
+const NOTE: &str = "
+degree, h, progress, off wish (deviation from the desired velocity), blocked and
+jerk are of normal robots; robot-step is the time of a simulated tick over its
+robots, measured here and now: compare it within this table alone
+";
+
+/// The numbers of a controller.
+fn object(done: &Done) -> Value {
+    let mut object = json::run(&done.scenario, &done.run, done.wall_s);
+    let row = done.scenario.controller.row();
+    object["controller"] = row.name.into();
+    object["needs_to_know"] = row.needs.into();
+    object["robot_step_us"] = serde_json::json!(done.step_us);
+    object
 }
 
 /// Writes everything; says which files.
@@ -181,6 +228,11 @@ fn figures(runs: &[Done]) -> Vec<(&'static str, String, String)> {
         ("formations", formations, figure1(&cases)),
         ("paths", pages::PATHS.to_owned(), figure3(&cases)),
         ("series", pages::SERIES.to_owned(), figure2(&cases)),
+        (
+            "comparison",
+            "What each controller came to; a line is what is demanded.".to_owned(),
+            drawing(&lines(runs)),
+        ),
     ];
     let series =
         runs.iter().filter_map(|done| pages::robustness_of(&done.scenario.name, &done.scenario, &done.run));
@@ -194,7 +246,10 @@ fn figures(runs: &[Done]) -> Vec<(&'static str, String, String)> {
 fn page(scenario: &Scenario, runs: &[Done], figures: Vec<Figure>, files: Vec<Link>) -> Page {
     let side_by_side = Section {
         title: "Side by side".to_owned(),
-        tables: vec![("One line a controller; heads as in the terminal.".to_owned(), table(&lines(runs)))],
+        tables: vec![
+            ("One line a controller; heads as in the terminal.".to_owned(), comparison(&lines(runs), None)),
+            ("Degrees, links and programs of each.".to_owned(), table(&lines(runs))),
+        ],
         figures,
         ..Section::default()
     };

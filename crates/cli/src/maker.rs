@@ -7,7 +7,7 @@ use anyhow::{Context, Result, bail};
 use clap::{Args, Subcommand};
 use closeranks_graph::formats::{self, Named};
 use closeranks_graph::graph::Graph;
-use closeranks_graph::makers::{MakerError, fixed, large, random};
+use closeranks_graph::makers::{MakerError, fixed, large, random, symmetric};
 use closeranks_graph::network::Network;
 
 use crate::check::Format;
@@ -34,6 +34,10 @@ Examples, one for each maker; N is the number of nodes, at most 128, or four mil
     closeranks graph regular 12 5 --seed 3   all degrees 5
     closeranks graph geometric 20 0.4 --seed 3     points in a square, joined up to a distance of 0.4
     closeranks graph preferential 20 5 3 --seed 3  5 joined at first, each newcomer joins 3
+    closeranks graph multipartite 5 6              5 parts of 6, all joined but within parts
+    closeranks graph rook-complement 6 6           fields of a board that share neither row nor column
+    closeranks graph kneser 9 2                    pairs of 9 points, joined if disjoint
+    closeranks graph paley 41                      numbers below a prime 4k + 1, joined if they differ by a square
     closeranks graph ranked 100000 2 --seed 3      survives 2 liars around each node, as sparse as its order allows
     closeranks graph triangular 40 50              rows and columns of a lattice of triangles
 
@@ -108,6 +112,14 @@ enum Maker {
     Geometric { nodes: NonZeroU8, radius: f64 },
     /// START joined at first, each newcomer joins LINKS, the likelier the higher their degree.
     Preferential { nodes: NonZeroU8, start: NonZeroU8, links: u8 },
+    /// PARTS parts of SIZE nodes, all joined but those of one part.
+    Multipartite { parts: NonZeroU8, size: NonZeroU8 },
+    /// Fields of a board, joined if they share neither row nor column.
+    RookComplement { rows: NonZeroU8, columns: NonZeroU8 },
+    /// All sets of CHOSEN of POINTS points, joined if disjoint.
+    Kneser { points: NonZeroU8, chosen: u8 },
+    /// Numbers below a PRIME of the form 4k + 1, joined if they differ by a square.
+    Paley { prime: NonZeroU8 },
     /// 2F + 1 joined, each newcomer joins 2F + 1 of those before it: of any size.
     Ranked { nodes: u32, f: u16 },
     /// A lattice of triangles, of any size.
@@ -182,6 +194,10 @@ impl Maker {
             Self::Preferential { nodes, start, links } => {
                 random::preferential_attachment(at(nodes), at(start), usize::from(*links), seed)
             }
+            Self::Multipartite { parts, size } => symmetric::multipartite(at(parts), at(size)),
+            Self::RookComplement { rows, columns } => symmetric::rook_complement(at(rows), at(columns)),
+            Self::Kneser { points, chosen } => symmetric::kneser(at(points), usize::from(*chosen)),
+            Self::Paley { prime } => symmetric::paley(at(prime)),
             Self::Ranked { nodes, f } => {
                 large::ranked(*nodes as usize, usize::from(*f), seed)?.graph().map_err(MakerError::from)
             }

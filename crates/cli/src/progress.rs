@@ -42,6 +42,22 @@ pub(crate) fn timed<T>(work: impl FnOnce() -> T) -> (T, Duration) {
     (result, start.elapsed())
 }
 
+/// Processor time of this program so far, all threads together; where it cannot be asked for, the time since `start`.
+///
+/// A time limit decides how much is proved, never what.
+fn processor_s(start: Instant) -> f64 {
+    #[cfg(unix)]
+    {
+        let _ = start;
+        let time = rustix::time::clock_gettime(rustix::time::ClockId::ProcessCPUTime);
+        Duration::try_from(time).unwrap_or_default().as_secs_f64()
+    }
+    #[cfg(not(unix))]
+    {
+        start.elapsed().as_secs_f64()
+    }
+}
+
 /// Searches shorter than this show no bar.
 const PATIENCE: Duration = Duration::from_secs(1);
 
@@ -49,34 +65,30 @@ const PATIENCE: Duration = Duration::from_secs(1);
 #[derive(Debug)]
 pub(crate) struct Watch {
     start: Instant,
+    processor_s: f64,
+    threads: f64,
     limit_s: f64,
     quiet: bool,
     bar: Option<ProgressBar>,
 }
 
 impl Watch {
-    /// Starts now and ends after `limit_s` seconds.
-    pub(crate) fn new(limit_s: f64, quiet: bool) -> Self {
-        #[expect(
-            clippy::disallowed_methods,
-            reason = "the time limit decides how much is proved, never what"
-        )]
+    /// Starts now and ends after `limit_s` seconds of processor time on each of `threads` threads.
+    pub(crate) fn new(limit_s: f64, threads: usize, quiet: bool) -> Self {
+        #[expect(clippy::disallowed_methods, reason = "it is shown to people, and decides nothing")]
         let start = Instant::now();
-        Self { start, limit_s, quiet, bar: None }
-    }
-
-    /// The limit, s.
-    pub(crate) fn limit_s(&self) -> f64 {
-        self.limit_s
+        let threads = f64::from(u32::try_from(threads).unwrap_or(1).max(1));
+        Self { start, processor_s: processor_s(start), threads, limit_s, quiet, bar: None }
     }
 
     /// To be called every few milliseconds; `Break` when the time is up.
     pub(crate) fn look(&mut self, progress: &Progress) -> ControlFlow<()> {
         let spent = self.start.elapsed();
+        let worked_s = (processor_s(self.start) - self.processor_s) / self.threads;
         if spent > PATIENCE && !self.quiet {
-            self.show(spent, progress);
+            self.show(Duration::try_from_secs_f64(worked_s).unwrap_or_default(), progress);
         }
-        if spent.as_secs_f64() >= self.limit_s { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+        if worked_s >= self.limit_s { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
     }
 
     fn show(&mut self, spent: Duration, progress: &Progress) {

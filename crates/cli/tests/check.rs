@@ -78,6 +78,11 @@ fn json_has_the_golden_numbers() {
         let mut found: Value = serde_json::from_str(&told).unwrap();
         let witness = found.as_object_mut().unwrap().remove("witness").unwrap();
         let read = found.as_object_mut().unwrap().remove("read").unwrap();
+        let agreement = found.as_object_mut().unwrap().remove("agreement").unwrap();
+        let robots = |set: &Value| set.as_array().unwrap().len();
+        let groups =
+            [&agreement["groups"][0], &agreement["groups"][1], &agreement["between"], &agreement["liars"]];
+        assert_eq!(json!(groups.map(robots).iter().sum::<usize>()), entry["n"], "{}", entry["name"]);
         let links = entry["edges"].as_array().unwrap().len();
         let as_told = json!({
             "format": "edges", "told_by": "content", "robots": entry["n"], "links": links,
@@ -143,6 +148,7 @@ r  largest s  proved by
 The degree condition (every honest robot hears F + floor(n/2) = F + 2 or more) promises nothing here.
 Robot tom hears 1 robot outside {tom}, and robots ann and eve hear at most 1 robot outside {ann, eve}. A robot
 that discards the highest and the lowest value keeps none of these, so the two sides never agree.
+Who would still agree: robots tom and bob agree on one value, robots ann and eve agree on another.
 "
     );
 }
@@ -237,10 +243,10 @@ fn bad_arguments_are_refused() {
 fn rules_of_consensus_are_asked_about_by_name() {
     let (ring, complete) = (make(&["ring", "5"]), make(&["complete", "7"]));
     for (graph, arguments, begins, code) in [
-        (&ring, &["--rule", "two-hop", "--F", "1"][..], "Yes: (2,2)-robust with two hops", 0),
+        (&ring, &["--rule", "two-hop", "--F", "1"][..], "Yes: (2,2)-robust with 2 hops", 0),
         (&ring, &["--rule", "w-msr", "--F", "1"], "No: does not survive", 1),
-        (&make(&["ring", "8"]), &["--rule", "two-hop", "--F", "1"], "No: not (2,2)-robust with two hops", 1),
-        (&make(&["complete", "15"]), &["--rule", "two-hop", "--F", "1"], "Not known: all sets", 1),
+        (&make(&["ring", "8"]), &["--rule", "two-hop", "--F", "1"], "No: not (2,2)-robust with 2 hops", 1),
+        (&make(&["complete", "15"]), &["--rule", "two-hop", "--F", "1"], "Yes: (2,2)-robust with 2 hops", 0),
         (&complete, &["--rule", "sw-msr", "--F", "1"], "Yes: (3,1)-robust", 0),
         (
             &complete,
@@ -266,6 +272,8 @@ fn rules_of_consensus_are_asked_about_by_name() {
         assert_eq!(exit, Some(code), "{arguments:?}: {told}");
         assert!(told.contains("needs"), "{told}");
     }
+    let (told, _) = check(&complete, &["--rule", "sw-msr", "--F", "2"]);
+    assert!(told.contains("sufficient") && told.contains("discards 2"), "{told}");
     let refused = closeranks(Path::new("."), &["check", "-", "--rule", "w-msr"], &ring);
     assert_eq!(refused.status.code(), Some(2));
     assert!(text(&refused.stderr).contains("--F"), "{}", text(&refused.stderr));
@@ -319,7 +327,11 @@ fn a_recorded_run_has_its_robustness_over_time() {
     assert_eq!(check(&["--r", "2"]).status.code(), Some(2));
     let windows = check(&["--rule", "sw-msr", "--window", "3", "--F", "2"]);
     assert!(text(&windows.stdout).contains("jointly 5-robust in"), "{}", text(&windows.stdout));
+    let alone = check(&["--window", "3", "--F", "2"]);
+    assert_eq!(text(&alone.stdout), text(&windows.stdout), "--window alone means sw-msr");
+    assert!(text(&alone.stdout).contains("says nothing of W-MSR"), "{}", text(&alone.stdout));
     assert_eq!(check(&["--rule", "two-hop"]).status.code(), Some(2));
+    assert_eq!(check(&["--hops", "2"]).status.code(), Some(2));
     let whole = fs::read(folder.path().join("run/run.parquet")).unwrap();
     for length in (4..whole.len()).step_by(whole.len() / 7) {
         let output = closeranks(folder.path(), &["check", "-"], &whole[..length]);
@@ -337,7 +349,7 @@ fn every_example_of_the_help_makes_a_graph() {
         assert!(!make(&arguments.collect::<Vec<&str>>()).is_empty(), "{example}");
         count += 1;
     }
-    assert_eq!(count, 19, "{help}");
+    assert_eq!(count, 23, "{help}");
 }
 
 /// What a certificate says is what was answered, and the program that wrote it is not needed to check it.

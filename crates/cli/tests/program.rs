@@ -136,10 +136,18 @@ fn controllers_side_by_side() {
         told.lines().nth(3).unwrap().starts_with("budget  ")
             && told.lines().nth(5).unwrap().starts_with("none  ")
     );
-    for file in ["formations.png", "formations.svg", "series.png", "series.svg", "report.html"] {
+    let table: Vec<&str> = told.lines().take_while(|line| !line.starts_with("robots, measured")).collect();
+    assert!(table.len() < 30 && table.iter().all(|line| line.chars().count() <= 80), "{told}");
+    assert!(told.contains("senses and messages"), "{told}");
+    for file in ["formations.png", "formations.svg", "series.png", "comparison.svg", "report.html"] {
         assert!(folder.path().join("out").join(file).is_file(), "{file}");
     }
+    let page = fs::read_to_string(folder.path().join("out/report.html")).unwrap();
+    assert!(page.contains("needs to know") && !page.contains("robot-step"), "times are in no file");
     let json: serde_json::Value = serde_json::from_slice(&compare(&["--json"]).stdout).unwrap();
+    let budget = &json["runs"][1];
+    assert_eq!((&budget["controller"], &budget["needs_to_know"]), (&"budget".into(), &"senses".into()));
+    assert!(budget["robot_step_us"].as_f64().unwrap() > 0.0);
     let broken = |run: usize, law: &str| json["runs"][run]["laws"][law]["broken"].as_u64().unwrap();
     assert!(broken(0, "degree") + broken(0, "distance") > 0, "composed does not survive slow ticks");
     assert_eq!(broken(1, "degree") + broken(1, "distance"), 0, "budget does");

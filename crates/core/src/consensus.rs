@@ -8,7 +8,7 @@
 //! | `linear` | plain mean | never: one liar leads all | eq:linear with F = 0 |
 //!
 //! All of them take values that are not finite for not told, sort `told` in place, and do not depend on the order in which messages
-//! came. A scenario chooses one by `consensus.rule`. The theorems of this repository are about `w-msr` alone.
+//! came. A scenario chooses one by `consensus.rule`. How fast values come closer is proved of the first two (docs/theory, sec:other-rules).
 
 use crate::wmsr::{self, Round};
 

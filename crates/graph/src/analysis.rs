@@ -66,14 +66,19 @@ pub fn analyze(
     effort: &Effort,
     report: &mut dyn FnMut(&Progress) -> ControlFlow<()>,
 ) -> Analysis {
-    let mut meter = Meter::new(effort.nodes, report);
+    analyze_with(graph, effort, &mut Meter::new(effort.nodes, report))
+}
+
+/// The same within `meter`, which may have threads to lend. Of `effort` only the memory is used.
+//= paper def:robustness
+pub fn analyze_with(graph: &Graph, effort: &Effort, meter: &mut Meter<'_>) -> Analysis {
     let mut robustness = Robustness::new(graph, effort);
-    robustness.r_max(&mut meter);
-    robustness.f_max(&mut meter);
+    robustness.r_max(meter);
+    robustness.f_max(meter);
     for r in 1..=graph.node_count().div_ceil(2) {
-        robustness.s_max(r, &mut meter);
+        robustness.s_max(r, meter);
     }
-    summary(graph, &mut robustness, &meter)
+    summary(graph, &mut robustness, meter)
 }
 
 /// Largest r and largest F only, without a limit: what a monitor asks at every step.

@@ -4,7 +4,7 @@ use crate::definition::Witness;
 use crate::effort::{Effort, Meter, Stopped};
 use crate::graph::Graph;
 use crate::search::ledger::{Ledger, number};
-use crate::search::{self, Orbits};
+use crate::search::{self, Patience};
 use crate::table;
 use crate::verdict::{Certificate, Interval, Verdict};
 
@@ -21,7 +21,6 @@ const SHORT: u64 = 1 << 13;
 #[derive(Debug)]
 pub struct Robustness<'g> {
     ledger: Ledger<'g>,
-    orbits: Orbits,
     table_bytes: u64,
 }
 
@@ -29,7 +28,7 @@ impl<'g> Robustness<'g> {
     /// Nothing is computed here but the bounds of [`crate::bounds`]. Of `effort` only the memory is used here.
     #[must_use]
     pub fn new(graph: &'g Graph, effort: &Effort) -> Self {
-        Self { ledger: Ledger::new(graph), orbits: Orbits::new(), table_bytes: effort.table_bytes }
+        Self { ledger: Ledger::new(graph), table_bytes: effort.table_bytes }
     }
 
     /// Is the graph (r,s)-robust? An s above n asks the same as n.
@@ -157,7 +156,7 @@ impl<'g> Robustness<'g> {
         let before = meter.nodes();
         let affordable = table::bytes(graph.node_count()) <= self.table_bytes;
         let patience = if affordable { LEAST_PATIENCE + table::cost(graph.node_count()) } else { u64::MAX };
-        match meter.within(patience, |meter| search::witness_with(graph, r, s, &self.orbits, meter))? {
+        match meter.within(patience, |meter| search::witness_with(graph, r, s, Patience::DEFAULT, meter))? {
             Some(Some(witness)) => self.ledger.note_witness(r, witness.first, witness.second),
             Some(None) => {
                 let nodes = meter.nodes() - before;

@@ -1,6 +1,9 @@
 //! How much work a question may cost, and who may stop it.
 
+use core::fmt;
 use core::ops::ControlFlow;
+
+use crate::workers::Workers;
 
 /// Nodes between two calls of the progress callback.
 const REPORT_EVERY: u64 = 1 << 12;
@@ -42,13 +45,49 @@ pub struct Meter<'a> {
     told_to_stop: bool,
     progress: Progress,
     report: &'a mut dyn FnMut(&Progress) -> ControlFlow<()>,
+    workers: Option<&'a dyn Workers>,
+}
+
+impl fmt::Debug for Meter<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "Meter({:?}, at most {})", self.progress, self.limit)
+    }
 }
 
 impl<'a> Meter<'a> {
     /// A meter that allows `nodes` nodes and stops when `report` answers `Break`.
     pub fn new(nodes: u64, report: &'a mut dyn FnMut(&Progress) -> ControlFlow<()>) -> Self {
         let progress = Progress { r: 0, s: 0, nodes: 0 };
-        Self { limit: nodes, next_report: REPORT_EVERY, told_to_stop: false, progress, report }
+        Self { limit: nodes, next_report: REPORT_EVERY, told_to_stop: false, progress, report, workers: None }
+    }
+
+    /// Lends threads to searches that are long. Answers and counts stay what they are.
+    #[must_use]
+    pub fn with_workers(mut self, workers: &'a dyn Workers) -> Self {
+        self.workers = Some(workers);
+        self
+    }
+
+    /// The threads, if there is more than one.
+    pub(crate) fn workers(&self) -> Option<&'a dyn Workers> {
+        self.workers.filter(|workers| workers.count() > 1)
+    }
+
+    /// Nodes that may still be counted.
+    pub(crate) fn left(&self) -> u64 {
+        self.limit - self.progress.nodes
+    }
+
+    /// Asks the callback out of turn, with `more` nodes that are visited and not yet counted. True: go on.
+    pub(crate) fn look(&mut self, more: u64) -> bool {
+        let progress = Progress { nodes: self.progress.nodes.saturating_add(more), ..self.progress };
+        self.told_to_stop |= (self.report)(&progress).is_break();
+        !self.told_to_stop
+    }
+
+    /// Counts what is left, after which nothing may be spent.
+    pub(crate) fn exhaust(&mut self) {
+        self.progress.nodes = self.limit;
     }
 
     /// Nodes counted so far.

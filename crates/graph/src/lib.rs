@@ -21,9 +21,11 @@
 //! | branch and bound (algorithm B) | [`search`] |
 //! | the table of all subsets (algorithm A) | [`table`] |
 //! | which nodes look alike | [`search::symmetry`] |
+//! | what a question may cost; threads that a caller lends | [`effort`], [`workers`] |
 //! | leaders, and adversaries few in every neighbourhood | [`leaders`], [`local`] |
-//! | what two hops survive | [`hops`] |
+//! | what several hops survive | [`hops`] |
 //! | which edges to add | [`additions`] |
+//! | who still agrees where it is not robust | [`agreement`] |
 //! | a claim with what proves it, for others to check | [`evidence`] |
 //! | networks of any size; a proof by ranks in linear time | [`network`], [`ranks`] |
 //! | graphs by name, graphs as text | [`makers`], [`formats`] |
@@ -48,6 +50,7 @@
 extern crate alloc;
 
 pub mod additions;
+pub mod agreement;
 pub mod analysis;
 pub mod bounds;
 pub mod connectivity;
@@ -66,3 +69,4 @@ pub mod ranks;
 pub mod search;
 pub mod table;
 pub mod verdict;
+pub mod workers;

@@ -7,6 +7,7 @@
 //! | the paper's figures, and those of a single run | [`figure`] |
 //! | a graph with its witness; exact robustness over time | [`network`], [`robustness`] |
 //! | one self-contained page, and what is on it | [`html`], [`content`] |
+//! | controllers side by side | [`comparison`] |
 //! | the table of runs, and the paper's sentences held against them | [`table`], [`claims`] |
 //! | what a run came to, in sentences and as numbers for machines | [`sentences`], [`numbers`] |
 //! | what is wrong with a scenario, with its lines underlined | [`problems`] |
@@ -22,6 +23,6 @@ mod page;
 mod svg;
 
 pub use figure::{network, robustness};
-pub use page::{claims, content, html, numbers, problems, sentences, table};
+pub use page::{claims, comparison, content, html, numbers, problems, sentences, table};
 pub use recording::write as parquet;
 pub use svg::png;

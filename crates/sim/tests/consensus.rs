@@ -3,7 +3,7 @@
 
 use closeranks_graph::effort::Meter;
 use closeranks_graph::graph::Graph;
-use closeranks_graph::hops;
+use closeranks_graph::hops::{self, HopQuestion, HopVerdict};
 use closeranks_sim::attack::ValueAttack;
 use closeranks_sim::consensus::{Combine, Consensus, Rule, Told, Update};
 use closeranks_sim::faults::{Faults, Network};
@@ -113,7 +113,7 @@ fn two_hops_agree_where_one_does_not() {
     let (graph, hears) = graph(5, &cycle);
     let mut go = |_: &_| ControlFlow::Continue(());
     let mut meter = Meter::new(u64::MAX, &mut go);
-    assert_eq!(hops::witness(&graph, 1, &mut meter), Ok(None));
+    assert_eq!(hops::decide(&graph, HopQuestion::survives(2, 1), &mut meter), Ok(HopVerdict::Robust));
     let start = [0.0, 0.0, 10.0, 10.0, 700.0];
     let spread = |rule: Rule, liar: usize| {
         let mut rounds = Rounds::new(&rule.into(), 1, &start, &[liar]);
@@ -231,6 +231,39 @@ fn every_rule_meets_the_worst_values() {
         assert_eq!(broken == 0, holds, "{consensus:?}");
         assert!(!holds || spread < 1.0, "{consensus:?}: {spread}");
     }
+}
+
+/// Where a theorem says how fast values come closer, each number of them does, against every lie; else nothing is promised.
+//= theory sec:other-rules type=test
+#[test]
+fn every_number_comes_closer_where_a_theorem_says_so() {
+    let promised = |consensus: &Consensus| Law::Agreement.is_kept_by(consensus);
+    for rule in [Rule::WMsr, Rule::TrimmedMean] {
+        for dimension in [1, 2, 3] {
+            let consensus = Consensus { dimension, ..rule.into() };
+            assert!(consensus.contracts());
+            for value in
+                [ValueAttack::Extreme, ValueAttack::Sway, ValueAttack::Random { min: -500.0, max: 500.0 }]
+            {
+                let scenario = Scenario { attack: value.into(), ..team(consensus.clone()) };
+                let summary = recorded(&scenario, Engine::Team).summary;
+                assert_eq!(summary.broken(Law::Agreement), 0, "{consensus:?} {value:?}");
+                assert!(summary.extremes.spread < 10.0, "{consensus:?} {value:?}");
+            }
+        }
+    }
+    let safe = Consensus { dimension: 2, combine: Combine::SafePoint, ..Consensus::default() };
+    assert!(![safe, Rule::Median.into(), Rule::SwMsr.into()].iter().any(promised));
+}
+
+/// With n = 2F + 1 a trimmed mean discards everything, and the law says nothing of it.
+#[test]
+fn a_trimmed_mean_of_nothing_promises_nothing() {
+    let mut scenario = team(Rule::TrimmedMean.into());
+    scenario.team.faults = 5;
+    let summary = recorded(&scenario, Engine::Team).summary;
+    assert!(summary.extremes.spread > 1.0, "nobody moves");
+    assert_eq!(summary.broken(Law::Agreement), 0);
 }
 
 /// Half of all messages lost and the rest late: everybody who has a message has all that it says. Who trims on both sides keeps little then

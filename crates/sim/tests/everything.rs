@@ -4,6 +4,7 @@ use closeranks_core::settings::field::{Parts, Row, TABLE};
 use closeranks_sim::law::Law;
 use closeranks_sim::parse::scenario;
 use closeranks_sim::scenario::Scenario;
+use closeranks_sim::world::{Options, run};
 
 const EVERYTHING: &str = include_str!("../../../scenarios/everything.toml");
 
@@ -76,6 +77,29 @@ fn a_number_that_is_none_is_refused_with_the_range_of_the_table() {
         let told = problems[0].to_string();
         assert!(told.starts_with(&format!("`{}` is nan, allowed is ", row.name)), "{told}");
     }
+}
+
+/// What controllers of others leave open can be said, and matters; who says nothing gets what the table says.
+#[test]
+fn the_two_numbers_of_others_are_read_and_used() {
+    let text = |kind: &str, more: &str| {
+        format!(
+            "duration_s = 1.0\n[start]\nkind = \"random\"\nhalf_side_m = 1.0\ndistance_min_m = 0.31\n[controller]\nkind = \"{kind}\"\n{more}"
+        )
+    };
+    let end = |text: &str| {
+        let scenario = scenario(text).expect("a scenario");
+        run(&scenario, Options::default(), &mut |_| ()).expect("a run").summary.gyration_m
+    };
+    for (kind, usual, other) in [
+        ("min-composition", "rate_1_s = 5.0", "rate_1_s = 0.5"),
+        ("orca", "orca_horizon_s = 2.0", "orca_horizon_s = 0.25"),
+    ] {
+        assert_eq!(end(&text(kind, "")), end(&text(kind, usual)));
+        assert!(end(&text(kind, "")) != end(&text(kind, other)), "{kind}");
+    }
+    let problems = scenario(&text("orca", "orca_horizon_s = 0.0")).expect_err("no horizon");
+    assert!(problems[0].to_string().contains("controller.orca_horizon_s"), "{problems:?}");
 }
 
 /// The words that the field of this text may hold, as the refusal of another one names them.

@@ -10,7 +10,7 @@ import { build } from "esbuild";
 
 const source = join(dirname(fileURLToPath(import.meta.url)), "../src");
 const folder = mkdtempSync(join(tmpdir(), "closeranks-model-"));
-const modules = ["model/toml", "model/scenario", "model/moment", "model/link", "view/banner", "view/words"];
+const modules = ["model/toml", "model/scenario", "model/moment", "model/obstacles", "model/link", "view/banner", "view/words"];
 await build({
   stdin: { contents: modules.map((name) => `export * from "./${name}";`).join("\n"), resolveDir: source, loader: "ts" },
   bundle: true,
@@ -71,6 +71,27 @@ test("another number of robots forgets what was listed for those who are gone", 
   assert.deepEqual(changed.motion.goals, [[2, 1, 1]]);
   assert.equal(changed.values, undefined);
 });
+
+test("obstacles are put around the robots, near none of them, and taken away", () => {
+  const now = moment(LINE);
+  const robots = LINE.map(([x, y]) => ({ x, y }));
+  for (const [layout] of model.LAYOUTS) {
+    const table = model.withObstacles({ seed: 1, obstacles: { discs: [[0, 0, 9]] } }, now, layout);
+    const { discs, walls } = model.obstaclesOf(table);
+    assert.equal(discs.length + walls.length > 0, layout !== "none", layout);
+    for (const { x, y } of robots) {
+      for (const [u, v, radius] of discs) assert.ok(Math.hypot(u - x, v - y) - radius > 0.3);
+      for (const wall of walls) assert.ok(toWall(x, y, wall) > 0.3, `${layout}: ${wall}`);
+    }
+  }
+  assert.deepEqual(model.withObstacles({ seed: 1, obstacles: {} }, now, "none"), { seed: 1 });
+});
+
+function toWall(x, y, [u, v, p, q]) {
+  const along = ((x - u) * (p - u) + (y - v) * (q - v)) / ((p - u) ** 2 + (q - v) ** 2);
+  const share = Math.min(1, Math.max(0, along));
+  return Math.hypot(x - u - share * (p - u), y - v - share * (q - v));
+}
 
 test("lies are known by what they do", () => {
   for (const lie of model.LIES) assert.equal(model.lieOf({ attack: lie.attack })?.id, lie.id);

@@ -133,19 +133,15 @@ test("act 4: a click makes a liar, a drag draws a robot, charts move, and time g
 test("the sandbox: ranks and another rule of consensus are chosen, shown and said", () =>
   on({}, async (page) => {
     await see(page, "#act-4");
-    await page.$eval("#act-4 .more", (more) => {
-      more.open = true;
-    });
-    const select = async (label, value) => {
-      const found = await page.$$eval("#act-4 .field", (fields, label) => fields.findIndex((field) => field.querySelector("span").textContent === label), label);
-      const menu = (await page.$$("#act-4 .field"))[found];
-      await (await menu.$("select")).select(value);
-    };
-    const disabled = () => page.$$eval("#act-4 .more select", ([ranks]) => ranks.disabled);
+    await more(page);
+    const select = (label, value) => choose(page, label, value);
+    const disabled = () => page.$$eval("#act-4 .more select", (all) => all.map((one) => one.disabled));
+    await select("In the way", "discs");
     await select("Filter", "orca");
-    assert.equal(await disabled(), true, "orca counts nobody");
+    assert.deepEqual(await disabled(), [true, false, true], "orca counts nobody, and takes no obstacles");
+    assert.equal(await page.$eval("#act-4 .more .field:nth-of-type(5) select", (menu) => menu.value), "none");
     await select("Filter", "links");
-    assert.equal(await disabled(), false);
+    assert.deepEqual(await disabled(), [false, false, false]);
     await page.$eval("#act-4 .more .field input", (input) => {
       input.value = "40";
       input.dispatchEvent(new Event("input"));
@@ -208,32 +204,68 @@ for (const [name, scenario] of Object.entries(SCENARIOS)) {
   });
 }
 
+/** Saves the scenario of the sandbox, lets it end, and gives its text and the digest that the page shows. */
+async function savedAndEnded(page) {
+  const downloads = mkdtempSync(join(folder, "saved-"));
+  const client = await page.createCDPSession();
+  await client.send("Browser.setDownloadBehavior", { behavior: "allow", downloadPath: downloads });
+  await page.click("#act-4 .save");
+  await text(page, "#act-4 .note", /^Saved as/);
+  for (let waits = 0; !readdirSync(downloads).includes("page.toml") && waits < 100; waits += 1) {
+    await new Promise((resolve) => setTimeout(resolve, 100));
+  }
+  const saved = readFileSync(join(downloads, "page.toml"), "utf8");
+  await page.$eval("#act-4 .more .field:last-child input", (input) => {
+    input.value = "4";
+    input.dispatchEvent(new Event("input"));
+  });
+  if ((await page.$eval("#act-4 .play", (button) => button.textContent)) === "Play") await page.click("#act-4 .play");
+  const [, digest] = await text(page, "#act-4 .digest", /^([0-9a-f]{16}) after (\d+) of (\2) ticks/);
+  return { saved, digest };
+}
+
+/** Opens what the sandbox hides at first. */
+const more = (page) =>
+  page.$eval("#act-4 .more", (more) => {
+    more.open = true;
+  });
+
+/** Chooses in the menu of the sandbox with that label. */
+async function choose(page, label, value) {
+  const found = await page.$$eval("#act-4 .field", (fields, label) => fields.findIndex((field) => field.querySelector("span").textContent === label), label);
+  const menu = (await page.$$("#act-4 .field"))[found];
+  await (await menu.$("select")).select(value);
+}
+
 test("a scenario that was saved after touches runs on the command line with the same digest", () =>
   on({}, async (page) => {
-    const client = await page.createCDPSession();
-    await client.send("Browser.setDownloadBehavior", { behavior: "allow", downloadPath: folder });
     await see(page, "#act-4");
     await page.click("#act-4 .play");
     await text(page, "#act-4 .clock", /^[1-9]/);
     const { x, y } = await middle(page, "#act-4", 9);
     await page.mouse.click(x, y);
-    await page.$eval("#act-4 .more", (more) => {
-      more.open = true;
-    });
+    await more(page);
     await page.select("#act-4 .controls select", "composed");
-    await page.click("#act-4 .save");
-    await text(page, "#act-4 .note", /^Saved as/);
-    for (let waits = 0; !readdirSync(folder).includes("page.toml") && waits < 100; waits += 1) {
-      await new Promise((resolve) => setTimeout(resolve, 100));
-    }
-    const saved = readFileSync(join(folder, "page.toml"), "utf8");
-    await page.$eval('#act-4 .more .field:last-child input', (input) => {
-      input.value = "4";
-      input.dispatchEvent(new Event("input"));
-    });
-    if ((await page.$eval("#act-4 .play", (button) => button.textContent)) === "Play") await page.click("#act-4 .play");
-    const [, digest] = await text(page, "#act-4 .digest", /^([0-9a-f]{16}) after (\d+) of (\2) ticks/);
+    const { saved, digest } = await savedAndEnded(page);
     assert.equal(run(saved).digest, digest);
+  }));
+
+test("the sandbox: a team in a room stays in it, through touches, as on the command line", () =>
+  on({}, async (page) => {
+    await see(page, "#act-4");
+    await more(page);
+    await choose(page, "In the way", "room");
+    await choose(page, "Robots want to", "outward");
+    await page.click("#act-4 .play");
+    await text(page, "#act-4 .clock", /^[3-9]/);
+    const { x, y } = await middle(page, "#act-4", 9);
+    await page.mouse.click(x, y);
+    await page.waitForSelector('#act-4 .robot:nth-child(9)[aria-pressed="true"]');
+    const { saved, digest } = await savedAndEnded(page);
+    const { violations, ...rest } = run(saved);
+    assert.equal(rest.digest, digest);
+    assert.match(saved, /\[obstacles\]\nclearance_m = 0.15\nwalls = /);
+    assert.equal(violations, 0);
   }));
 
 test("without scripts it is an article", () =>

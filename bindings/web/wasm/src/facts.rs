@@ -25,6 +25,7 @@ pub(crate) fn controller(controller: Controller) -> Value {
         "name": row.name,
         "about": row.about,
         "ranks": row.ranks,
+        "obstacles": row.runs_among_obstacles(),
         "local": row.knows == Knows::Local,
         "guarantees": row.guarantees,
         "keeps_degrees": row.promises.contains(&Law::Degree) && row.counted != Counted::All,

@@ -1,10 +1,8 @@
 //! Everything about one graph: the verdict, the table of (r, s), a witness.
 
-use core::ops::ControlFlow;
-
-use closeranks_graph::analysis::{Analysis, analyze};
+use closeranks_graph::analysis::{Analysis, analyze_with};
 use closeranks_graph::connectivity::node_connectivity;
-use closeranks_graph::effort::{Effort, Progress};
+use closeranks_graph::effort::{Effort, Meter};
 use closeranks_graph::formats::Named;
 use closeranks_graph::graph::Graph;
 use closeranks_graph::verdict::{Certificate, Interval};
@@ -21,13 +19,9 @@ pub(super) fn graph(graph: &Graph) -> String {
     format!("{heard} {least} to {most}, connectivity {}", node_connectivity(graph))
 }
 
-/// The whole answer; intervals where `look` stopped the search.
-pub(super) fn everything(
-    named: &Named,
-    limit: &str,
-    look: &mut dyn FnMut(&Progress) -> ControlFlow<()>,
-) -> Answer {
-    let analysis = analyze(&named.graph, &Effort::UNLIMITED, look);
+/// The whole answer; intervals where `meter` stopped the search.
+pub(super) fn everything(named: &Named, limit: &str, meter: &mut Meter<'_>) -> Answer {
+    let analysis = analyze_with(&named.graph, &Effort::UNLIMITED, meter);
     let sentence = verdict(&analysis, limit);
     let answer = Answer {
         holds: analysis.is_exact(),

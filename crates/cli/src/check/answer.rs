@@ -1,5 +1,6 @@
 //! What every answer has.
 
+use closeranks_graph::agreement::Split;
 use closeranks_graph::definition::Witness;
 use closeranks_graph::evidence::Claim;
 use closeranks_graph::formats::{Named, Reading};
@@ -60,6 +61,11 @@ impl Answer {
     /// With the sets of a witness.
     pub(super) fn with_witness(mut self, named: &Named, witness: &Witness) -> Self {
         self.why.push(words::witness(named, witness));
+        let split = Split::of(&named.graph, witness);
+        self.why.push(words::split(named, &split));
+        if let Value::Object(numbers) = &mut self.numbers {
+            numbers.insert("agreement".to_owned(), words::split_value(named, &split));
+        }
         self.claim = Some(certificate::refuted(witness));
         self.sets = [witness.first, witness.second, witness.exempt];
         self.labels = ["one side", "the other side", "may lie"];

@@ -3,6 +3,7 @@
 mod analysis;
 mod answer;
 mod certificate;
+mod hops;
 mod input;
 mod mend;
 mod network;
@@ -24,6 +25,7 @@ use closeranks_sim::consensus::Rule;
 use crate::folder::Folder;
 use crate::output;
 use crate::progress::Watch;
+use crate::threads::Threads;
 use answer::Answer;
 use input::{Input, Source};
 use task::Task;
@@ -51,6 +53,9 @@ no direction; --directed gives them one. Parallel links count once and loops not
     closeranks check team.edges --leaders 1,2 --r 3 # do all follow robots 1 and 2?
     closeranks check matrix.csv --directed --transpose   # row u, column v: u hears v
     closeranks check team.edges --rule two-hop --F 1     # what a rule of consensus needs; also of a run: --rule sw-msr --window 5
+    closeranks check team.edges --hops 2 --F 1           # robots pass on what they were told: two hops
+    closeranks check team.edges --effort 1000000         # stop after so many sets: the same answer on every machine
+    closeranks check out/run.parquet --window 5 --F 1    # all links of five rounds together: jointly 3-robust?
     closeranks check many.g6 --which 3           # the third graph of a file with several
     closeranks check out/run.parquet             # a recorded run: robustness at every consensus round
     closeranks check flight.csv --radius 3 --F 1 # positions of others, CSV or Parquet: time_s or tick, robot, x_m, y_m[, z_m]
@@ -61,7 +66,8 @@ liars around each robot, and what is neither proved by ranks nor ruled out by de
 
 What the words mean, with pictures: docs/robustness.md.
 
---json prints {n, directed, r_max, f_max, s_max: {\"1\": ..}, proved, witness: {r, s, S1, S2, exempt}, read: {format,
+--json prints {n, directed, r_max, f_max, s_max: {\"1\": ..}, proved, witness: {r, s, S1, S2, exempt}, agreement: {groups, between,
+liars}, read: {format,
 told_by: \"content\" | \"ending\" | \"request\", robots, links, directed, notes: [..]}}. Robots have the
 names of the file, as numbers if all are numbers. A number that was not settled within --time-limit is [least, most],
 and `proved` is then \"bounds\" instead of \"exactly\". An answer to a question is
@@ -146,9 +152,12 @@ pub(crate) struct Check {
     /// Ask what this rule of consensus needs of the graph (docs/comparison.md); with --F, bp-msr with --leaders too.
     #[arg(long, value_name = "RULE", value_parser = rule::named(), conflicts_with_all = ["r", "s", "local", "additions"])]
     rule: Option<Rule>,
-    /// Of a recorded run, with --rule sw-msr: how many rounds are looked at together.
-    #[arg(long, value_name = "K", requires = "rule", value_parser = clap::value_parser!(u16).range(1..=1000))]
+    /// Of a recorded run: how many rounds are looked at together, for --rule sw-msr, which is meant if no rule is given.
+    #[arg(long, value_name = "K", value_parser = clap::value_parser!(u16).range(1..=1000))]
     window: Option<u16>,
+    /// Robots pass on what they were told, over so many links: robustness with L hops (docs/robustness.md).
+    #[arg(long, value_name = "L", value_parser = clap::value_parser!(u8).range(1..=127), conflicts_with_all = ["leaders", "local", "rule", "additions"])]
+    hops: Option<u8>,
     /// Which edges to add, as few as can be, until --F or --r and --s hold.
     #[arg(long)]
     additions: bool,
@@ -158,9 +167,15 @@ pub(crate) struct Check {
     /// Of recorded positions, how far robots hear each other, m; needed where the file has no scenario.
     #[arg(long, value_name = "METRES", value_parser = radius)]
     radius: Option<f64>,
-    /// Stop after so many seconds and say what is proved by then.
-    #[arg(long, value_name = "SECONDS", default_value_t = 60.0, value_parser = seconds)]
-    time_limit: f64,
+    /// Stop after so many seconds of processor time a thread and say what is proved by then; 60 if neither this nor --effort is given.
+    #[arg(long, value_name = "SECONDS", value_parser = seconds)]
+    time_limit: Option<f64>,
+    /// Stop after so many sets and say what is proved by then: the same on every machine.
+    #[arg(long, value_name = "SETS", value_parser = clap::value_parser!(u64).range(1..))]
+    effort: Option<u64>,
+    /// Threads of long searches; as many as there are processors if left out. The answer is the same for any number.
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
+    threads: Option<u16>,
     /// Folder for a picture (SVG, PNG) and a page.
     #[arg(short, long, value_name = "DIR")]
     output: Option<PathBuf>,
@@ -185,6 +200,32 @@ fn seconds(text: &str) -> Result<f64, String> {
     number.ok_or_else(|| "allowed is 0 to 1e9 seconds".to_owned())
 }
 
+impl Check {
+    /// The clock of this question.
+    fn watch(&self) -> Watch {
+        let seconds = self.time_limit.unwrap_or(if self.effort.is_some() { f64::INFINITY } else { 60.0 });
+        Watch::new(seconds, self.threads().count(), self.quiet)
+    }
+
+    fn threads(&self) -> Threads {
+        self.threads.map_or_else(Threads::all, |threads| Threads::of(usize::from(threads)))
+    }
+
+    /// How many sets may be looked at.
+    fn sets(&self) -> u64 {
+        self.effort.unwrap_or(u64::MAX)
+    }
+
+    /// Where the search ends, in words, after "within".
+    fn limit(&self) -> String {
+        match (self.effort, self.time_limit) {
+            (Some(sets), None) => format!("{sets} sets"),
+            (Some(sets), Some(seconds)) => format!("{sets} sets or {seconds} s"),
+            (None, seconds) => format!("{} s", seconds.unwrap_or(60.0)),
+        }
+    }
+}
+
 /// Answers; false when the answer is no or was not found within the time limit.
 pub(crate) fn check(arguments: &Check) -> Result<bool> {
     let folder = arguments.output.as_deref().map(Folder::new).transpose()?;
@@ -205,7 +246,7 @@ fn graph(arguments: &Check, input: &Input, folder: Option<Folder>) -> Result<boo
     if arguments.window.is_some() {
         bail!("--window is for recorded runs; a graph is the same in every round");
     }
-    let mut watch = Watch::new(arguments.time_limit, arguments.quiet);
+    let mut watch = arguments.watch();
     let task = Task::new(&input.reading.named, arguments)?;
     let answer = task.answer(&mut watch).with_reading(&input.reading);
     watch.finish();

@@ -55,6 +55,8 @@ fn refuse_exact(arguments: &Check, input: &NetworkInput) -> Result<()> {
         ("--leaders", !arguments.leaders.is_empty()),
         ("--additions", arguments.additions),
         ("--output", arguments.output.is_some()),
+        ("--hops", arguments.hops.is_some()),
+        ("--window", arguments.window.is_some()),
         ("--every", arguments.every.is_some()),
         ("--radius", arguments.radius.is_some()),
     ];

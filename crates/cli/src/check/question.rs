@@ -146,7 +146,7 @@ enum Known {
     Open,
 }
 
-/// Bounds first: (2F+1)-robust is enough. Else every F-local set.
+/// (2F+1)-robustness is enough, (F+1,F+1)-robustness is necessary; of what lies between every F-local set.
 fn local_witness(named: &Named, faults: usize, meter: &mut Meter<'_>) -> Known {
     let mut robustness = Robustness::new(&named.graph, &Effort::UNLIMITED);
     if let Verdict::Robust(_) = robustness.decide(2 * faults + 1, 1, meter) {
@@ -154,6 +154,11 @@ fn local_witness(named: &Named, faults: usize, meter: &mut Meter<'_>) -> Known {
     }
     if let Some(order) = ranks::order(&Network::from(&named.graph), faults) {
         return Known::Yes("ranks", Some(Claim::Ranks(order)));
+    }
+    // Liars that are few in all are few in every neighbourhood.
+    if let Verdict::NotRobust(witness) = robustness.decide(faults + 1, faults + 1, meter) {
+        let (malicious, first, second) = (witness.exempt, witness.first, witness.second);
+        return Known::No(LocalWitness { f: faults, malicious, first, second });
     }
     match local::witness(&named.graph, faults, meter) {
         Ok(None) => Known::Yes("trying every set of liars", None),

@@ -14,6 +14,7 @@ use closeranks_report::png::{SCALE_200_DPI, png};
 use closeranks_report::recording::Recording;
 use closeranks_report::robustness::{Point, Survey, robustness};
 use closeranks_report::table::number;
+use closeranks_sim::consensus::Rule;
 use closeranks_sim::parse;
 use closeranks_sweep::PROGRAM;
 use serde_json::{Value, json};
@@ -83,24 +84,30 @@ pub(super) fn check(
 ) -> Result<bool> {
     let exact =
         arguments.r.is_some() || arguments.local || arguments.additions || !arguments.leaders.is_empty();
-    if exact || arguments.certificate.is_some() {
+    if exact || arguments.certificate.is_some() || arguments.hops.is_some() {
         bail!(
-            "`{name}` is a recorded run: allowed with it are --F, --radius, --every, --time-limit, --json and -o"
+            "`{name}` is a recorded run: allowed with it are --F, --radius, --every, --window, --time-limit, --effort, --json and -o"
         );
     }
     let setting = Setting::of(recording, name, arguments)?;
-    let mut watch = Watch::new(arguments.time_limit, arguments.quiet);
+    let mut watch = arguments.watch();
     let every = arguments.every.map_or(setting.every, |every| every as usize);
     let faults = arguments.faults.map(u16::from).or(setting.faults);
-    if let Some(rule) = arguments.rule {
+    let joint = arguments.window.map(|_| Rule::SwMsr);
+    if let Some(rule) = arguments.rule.or(joint) {
         let (window, faults) = (arguments.window.map_or(5, usize::from), usize::from(faults.unwrap_or(0)));
-        let answer =
-            rule::recorded(recording, (rule, faults), (setting.radius_m, every, window), &mut watch)?;
+        let answer = rule::recorded(
+            recording,
+            (rule, faults),
+            (setting.radius_m, every, window),
+            arguments.sets(),
+            &mut watch,
+        )?;
         watch.finish();
         super::tell(arguments, &answer, "");
         return Ok(answer.holds);
     }
-    let rounds = rounds(recording, &setting, every, &mut watch)?;
+    let rounds = rounds(recording, &setting, (every, arguments.sets()), &mut watch)?;
     watch.finish();
     let answer = answer(recording, &setting, faults, &rounds, arguments);
     if let Some(folder) = folder {
@@ -111,14 +118,19 @@ pub(super) fn check(
 }
 
 /// Every `every`-th tick; a graph that did not change is not asked again.
-fn rounds(recording: &Recording, setting: &Setting, every: usize, watch: &mut Watch) -> Result<Vec<Round>> {
+fn rounds(
+    recording: &Recording,
+    setting: &Setting,
+    (every, sets): (usize, u64),
+    watch: &mut Watch,
+) -> Result<Vec<Round>> {
     let mut rounds: Vec<Round> = Vec::new();
     let mut before: Option<Graph> = None;
     for tick in (0..recording.ticks()).step_by(every) {
         let graph = geometric(recording.at(tick), setting.radius_m)?;
         let (r_max, f_max) = match rounds.last() {
             Some(last) if before.as_ref() == Some(&graph) => (last.r_max, last.f_max),
-            _ => largest(&graph, watch),
+            _ => largest(&graph, sets, watch),
         };
         let (time_s, degree_min) = (setting.time_s(recording, tick), graph.degree_min());
         rounds.push(Round { tick, time_s, r_max, f_max, degree_min });
@@ -127,9 +139,10 @@ fn rounds(recording: &Recording, setting: &Setting, every: usize, watch: &mut Wa
     Ok(rounds)
 }
 
-fn largest(graph: &Graph, watch: &mut Watch) -> (Interval, Interval) {
+/// `sets` for each graph.
+fn largest(graph: &Graph, sets: u64, watch: &mut Watch) -> (Interval, Interval) {
     let mut look = |progress: &Progress| watch.look(progress);
-    let mut meter = Meter::new(u64::MAX, &mut look);
+    let mut meter = Meter::new(sets, &mut look);
     let mut robustness = Robustness::new(graph, &Effort::UNLIMITED);
     (robustness.r_max(&mut meter), robustness.f_max(&mut meter))
 }
@@ -166,7 +179,7 @@ fn answer(
         when(least_r)
     );
     let sentence = words::capital(&sentence);
-    let open = "Some rounds were not settled within the time limit: their proved least numbers are counted.";
+    let open = "Some rounds were not settled within the limit: their proved least numbers are counted.";
     Answer {
         holds: exact && (arguments.faults.is_none() || survived == rounds.len()),
         sentence,

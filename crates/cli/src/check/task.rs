@@ -4,16 +4,21 @@ use anyhow::{Result, bail};
 use closeranks_graph::effort::{Meter, Progress};
 use closeranks_graph::formats::Named;
 use closeranks_graph::graph::set::NodeSet;
+use closeranks_graph::hops::HopQuestion;
 use closeranks_sim::consensus::Rule;
 
 use super::answer::Answer;
-use super::{Check, analysis, mend, question, rule, words};
+use super::{Check, analysis, hops, mend, question, rule, words};
 use crate::progress::Watch;
+use crate::threads::Threads;
 
 /// A question about a graph.
 pub(super) struct Task<'a> {
     pub(super) named: &'a Named,
     kind: Kind,
+    limit: String,
+    sets: u64,
+    threads: Threads,
 }
 
 enum Kind {
@@ -23,6 +28,8 @@ enum Kind {
     Leaders { leaders: NodeSet, r: Option<usize> },
     Local { faults: Option<usize> },
     Additions { r: usize, s: usize },
+    Hops(HopQuestion),
+    MostOverHops(usize),
 }
 
 impl<'a> Task<'a> {
@@ -43,6 +50,10 @@ impl<'a> Task<'a> {
             Kind::Leaders { leaders, r: r.or(faults.map(|faults| 2 * faults + 1)) }
         } else if arguments.local {
             Kind::Local { faults }
+        } else if let Some(hops) = arguments.hops.map(usize::from) {
+            // The theorem asks (F + 1, F + 1) of paths that F liars may be on; with --r alone F is r - 1 too.
+            let question = |(r, s)| HopQuestion { hops, r, s, liars: r - 1 };
+            aim.map_or(Kind::MostOverHops(hops), |aim| Kind::Hops(question(aim)))
         } else {
             match (arguments.additions, aim) {
                 (false, None) => Kind::Everything,
@@ -51,20 +62,20 @@ impl<'a> Task<'a> {
                 (true, None) => bail!("--additions to what end? Allowed is with --F, or with --r and --s"),
             }
         };
-        Ok(Self { named, kind })
+        Ok(Self {
+            named,
+            kind,
+            limit: arguments.limit(),
+            sets: arguments.sets(),
+            threads: arguments.threads(),
+        })
     }
 
     /// The answer, or what is known of it when `watch` says that the time is up.
     pub(super) fn answer(&self, watch: &mut Watch) -> Answer {
-        let limit = format!("{} s", watch.limit_s());
         let mut look = |progress: &Progress| watch.look(progress);
-        let answer = match &self.kind {
-            Kind::Everything => analysis::everything(self.named, &limit, &mut look),
-            kind => {
-                let mut meter = Meter::new(u64::MAX, &mut look);
-                self.one(kind, &limit, &mut meter)
-            }
-        };
+        let mut meter = Meter::new(self.sets, &mut look).with_workers(&self.threads);
+        let answer = self.one(&self.kind, &self.limit, &mut meter);
         let caption =
             if answer.caption.is_empty() { answer.sentence.clone() } else { answer.caption.clone() };
         Answer { graph: analysis::graph(&self.named.graph), caption, ..answer }
@@ -73,7 +84,7 @@ impl<'a> Task<'a> {
     fn one(&self, kind: &Kind, limit: &str, meter: &mut Meter<'_>) -> Answer {
         let named = self.named;
         match kind {
-            Kind::Everything => Answer::default(),
+            Kind::Everything => analysis::everything(named, limit, meter),
             Kind::Rule { rule, faults, leaders } => {
                 rule::answer(named, (*rule, *faults), *leaders, limit, meter)
             }
@@ -81,6 +92,8 @@ impl<'a> Task<'a> {
             Kind::Leaders { leaders, r } => question::leaders(named, *leaders, *r),
             Kind::Local { faults: Some(faults) } => question::local(named, *faults, limit, meter),
             Kind::Local { faults: None } => question::local_largest(named, limit, meter),
+            Kind::Hops(question) => hops::one(named, *question, &hops::asked(*question), limit, meter),
+            Kind::MostOverHops(hops) => hops::largest(named, *hops, limit, meter),
             Kind::Additions { r, s } => mend::additions(named, (*r, *s), limit, meter),
         }
     }

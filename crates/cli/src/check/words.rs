@@ -1,5 +1,6 @@
 //! Sets, witnesses and proofs in words, with the names of the file.
 
+use closeranks_graph::agreement::Split;
 use closeranks_graph::definition::Witness;
 use closeranks_graph::formats::{Format, Named, NetworkReading, Note, Reading, ToldBy};
 use closeranks_graph::graph::set::NodeSet;
@@ -144,6 +145,36 @@ pub(super) fn witness(named: &Named, witness: &Witness) -> String {
         }
     };
     format!("{sides}{liars}{end}")
+}
+
+/// Who keeps which value if the liars of a witness play it.
+pub(super) fn split(named: &Named, split: &Split) -> String {
+    let group = |set: NodeSet, value: &str| match set.len() {
+        1 => format!("{} keeps {value}", robots(named, set)),
+        _ => format!("{} agree on {value}", robots(named, set)),
+    };
+    let groups = [group(split.first, "one value"), group(split.second, "another")];
+    let between = match split.between.len() {
+        0 => String::new(),
+        1 => format!(
+            " {} hears both sides and may end anywhere between.",
+            capital(&robots(named, split.between))
+        ),
+        _ => format!(
+            " {} hear both sides and may end anywhere between.",
+            capital(&robots(named, split.between))
+        ),
+    };
+    format!("Who would still agree: {}.{between}", groups.join(", "))
+}
+
+/// The same for machines.
+pub(super) fn split_value(named: &Named, split: &Split) -> Value {
+    json!({
+        "groups": [values(named, split.first), values(named, split.second)],
+        "between": values(named, split.between),
+        "liars": values(named, split.liars),
+    })
 }
 
 /// What `members` of `set` hear outside of it.

@@ -4,6 +4,7 @@ pub mod fixed;
 mod generator;
 pub mod large;
 pub mod random;
+pub mod symmetric;
 
 use core::fmt;
 

@@ -1,54 +1,81 @@
 //! Growing the first set, then the second one in what is left.
 
-use super::Orbits;
-use super::peel::Needs;
+use super::board::Board;
 use super::side::Side;
 use crate::effort::{Meter, Stopped};
-use crate::graph::Graph;
 use crate::graph::word::Word;
 
 /// Two disjoint sets.
-type Pair<W> = (W, W);
+pub(super) type Pair<W> = (W, W);
 
-/// One question (r, ·) about one graph.
-pub(super) struct Search<'m, 'a, W> {
-    needs: Needs<W>,
-    meter: &'m mut Meter<'a>,
-    graph: &'m Graph,
-    orbits: &'m Orbits,
+/// One question (r, ·) about one graph, or a part of one.
+pub(super) struct Search<'b, 'm, 'a, W> {
+    pub(super) board: &'b Board<'b, W>,
+    pub(super) meter: &'m mut Meter<'a>,
 }
 
 /// Where a side is grown and what is left beside it.
 #[derive(Clone, Copy)]
-struct Room<W> {
+pub(super) struct Room<W> {
     /// Exempt members that both sets may have together.
-    effort: i32,
+    pub(super) effort: i32,
     /// Exempt members that the set itself may have.
-    own: i32,
+    pub(super) own: i32,
     /// Exempt members that the other set needs at least.
-    other: i32,
+    pub(super) other: i32,
     /// The nodes of the search; the other set is looked for among those that are not members.
-    field: W,
+    pub(super) field: W,
     /// Whether there is another set still to be found.
-    pair: bool,
+    pub(super) pair: bool,
 }
 
-impl<'m, 'a, W: Word> Search<'m, 'a, W> {
-    pub(super) fn new(graph: &'m Graph, r: usize, orbits: &'m Orbits, meter: &'m mut Meter<'a>) -> Self {
-        Self { needs: Needs::new(graph, r), meter, graph, orbits }
+/// What can be said of a side after all conclusions.
+pub(super) enum Step<W> {
+    /// No set is left.
+    Dead,
+    /// The first set is found, and the other may have so many exempt members.
+    Found { first: W, effort: i32, room: Room<W> },
+    /// A node is taken or not.
+    Open(Choice<W>),
+}
+
+/// A node that is taken or not, and what it is taken for.
+#[derive(Clone, Copy)]
+pub(super) struct Choice<W> {
+    side: Side<W>,
+    pub(super) room: Room<W>,
+    node: usize,
+    /// Taken as a member; else it is one, and is taken as a content one.
+    member: bool,
+}
+
+impl<W: Word> Choice<W> {
+    /// What is known if the node is taken.
+    pub(super) fn taken(&self) -> Side<W> {
+        let (side, one) = (self.side, W::one(self.node));
+        if self.member {
+            Side { members: side.members | one, ..side }
+        } else {
+            Side { content: side.content | one, ..side }
+        }
     }
 
-    /// Two disjoint sets, each with a content member, with at most `effort` exempt members together.
-    ///
-    /// S₁ is sought with no more exempt members than S₂, so with effort/2 or fewer; and if none may be exempt, with no more
-    /// members, so with n/2 or fewer.
-    pub(super) fn pair(&mut self, effort: i32) -> Result<Option<Pair<W>>, Stopped> {
-        self.roots(Room { effort, own: effort / 2, other: 0, field: self.needs.all, pair: true })
+    /// What is known if neither the node is taken nor any of those that look like it, after `spent` nodes of search without it.
+    pub(super) fn left(&self, board: &Board<'_, W>, spent: u64) -> Side<W> {
+        let side = self.side;
+        let alike = board.alike(&side, self.room.field, self.node, spent);
+        if self.member {
+            Side { allowed: side.allowed.without(alike), able: side.able.without(alike), ..side }
+        } else {
+            Side { able: side.able.without(alike), ..side }
+        }
     }
+}
 
+impl<W: Word> Search<'_, '_, '_, W> {
     /// A set within `field` with a content member and at most `effort` exempt ones.
     fn single(&mut self, field: W, effort: i32) -> Result<Option<W>, Stopped> {
-        let core = self.needs.core(field);
+        let core = self.board.needs.core(field);
         if !core.is_none() {
             return Ok(Some(core));
         }
@@ -60,30 +87,72 @@ impl<'m, 'a, W: Word> Search<'m, 'a, W> {
     }
 
     /// Tries every node as a content member of the set, and rules it out as one afterwards.
-    fn roots(&mut self, room: Room<W>) -> Result<Option<Pair<W>>, Stopped> {
+    pub(super) fn roots(&mut self, room: Room<W>) -> Result<Option<Pair<W>>, Stopped> {
         let mut able = room.field;
-        let mut allowed = room.field;
-        let before = self.meter.nodes();
-        loop {
-            able = self.needs.peel(allowed, able, W::NONE, room.own);
-            if room.own == 0 {
-                allowed = able;
-            }
-            let Some(root) = self.best_root(allowed, able, room.own) else {
-                return Ok(None);
-            };
-            let start = W::one(root);
-            let found = self.extend(Side { members: start, content: start, allowed, able }, room)?;
+        while let Some((root, side)) = self.board.root(able, room) {
+            let before = self.meter.nodes();
+            let found = self.extend(side, room)?;
             if found.is_some() {
                 return Ok(found);
             }
-            able = able.without(start);
-            if room.pair {
-                // If no pair of sets has the root content in S₁, none has its image under a symmetry there.
-                let orbit = self.orbits.of(self.graph, root, self.meter.nodes() - before);
-                able = able.without(W::from_bits(orbit.bits()));
+            able = self.board.without_root(&side, room, root, self.meter.nodes() - before);
+        }
+        Ok(None)
+    }
+
+    /// Searches everything that follows from `side`, the node that it is counted.
+    pub(super) fn extend(&mut self, side: Side<W>, room: Room<W>) -> Result<Option<Pair<W>>, Stopped> {
+        self.meter.spend(1)?;
+        match self.board.step(side, room) {
+            Step::Dead => Ok(None),
+            Step::Found { first, effort, room } => self.finish(first, effort, room),
+            Step::Open(choice) => {
+                let before = self.meter.nodes();
+                let found = self.extend(choice.taken(), choice.room)?;
+                if found.is_some() {
+                    return Ok(found);
+                }
+                let left = choice.left(self.board, self.meter.nodes() - before);
+                self.extend(left, choice.room)
             }
         }
+    }
+
+    /// The first set is found: any set around it has no fewer exempt members and leaves less to the other.
+    pub(super) fn finish(
+        &mut self,
+        first: W,
+        effort: i32,
+        room: Room<W>,
+    ) -> Result<Option<Pair<W>>, Stopped> {
+        if !room.pair {
+            return Ok(Some((first, W::NONE)));
+        }
+        let second = self.single(room.field.without(first), effort)?;
+        Ok(second.map(|second| (first, second)))
+    }
+}
+
+/// What follows from what is known, without a search.
+impl<W: Word> Board<'_, W> {
+    /// The node to begin with if of `field` only `able` can be content, and what is known with it; `None` if nobody can be.
+    pub(super) fn root(&self, able: W, room: Room<W>) -> Option<(usize, Side<W>)> {
+        // Without exempt members whoever is not able is not allowed: `able` has shrunk to itself before.
+        let mut able = able;
+        let mut allowed = if room.own == 0 { able } else { room.field };
+        able = self.needs.peel(allowed, able, W::NONE, room.own);
+        if room.own == 0 {
+            allowed = able;
+        }
+        let root = self.best_root(allowed, able, room.own)?;
+        let start = W::one(root);
+        Some((root, Side { members: start, content: start, allowed, able }))
+    }
+
+    /// Who can still be content once nothing was found with `root`, nor therefore with any that look like it.
+    pub(super) fn without_root(&self, side: &Side<W>, room: Room<W>, root: usize, spent: u64) -> W {
+        let before = Side { members: W::NONE, content: W::NONE, ..*side };
+        side.able.without(self.alike(&before, room.field, root, spent))
     }
 
     /// The node without which the fewest others can be content.
@@ -92,25 +161,25 @@ impl<'m, 'a, W: Word> Search<'m, 'a, W> {
         able.nodes().min_by_key(|&node| (rest(node), -self.needs.heard_in(node, able)))
     }
 
-    fn extend(&mut self, side: Side<W>, mut room: Room<W>) -> Result<Option<Pair<W>>, Stopped> {
-        self.meter.spend(1)?;
+    /// All that follows from `side`.
+    pub(super) fn step(&self, side: Side<W>, mut room: Room<W>) -> Step<W> {
         let mut size = self.size(side, &mut room);
         let Some(mut side) = side.conclude(&self.needs, room.own.min(room.effort - room.other), size) else {
-            return Ok(None);
+            return Step::Dead;
         };
         if room.pair {
             size = self.size(side, &mut room);
             match side.conclude(&self.needs, room.own.min(room.effort - room.other), size) {
                 Some(better) => side = better,
-                None => return Ok(None),
+                None => return Step::Dead,
             }
         }
         let exempt = side.exempt();
         let done = self.needs.peel(side.members, side.members & side.able, exempt, 0);
         if !done.is_none() {
-            return self.finish(done | exempt, room.effort - exempt.count(), room);
+            return Step::Found { first: done | exempt, effort: room.effort - exempt.count(), room };
         }
-        self.branch(side, room)
+        self.choice(side, room).map_or(Step::Dead, Step::Open)
     }
 
     /// The most members that the set can have, and in `room` what the other set costs at least.
@@ -134,49 +203,21 @@ impl<'m, 'a, W: Word> Search<'m, 'a, W> {
         if room.effort == 0 { rest.min(field / 2).min(second.count()) } else { rest }
     }
 
-    /// The first set is found: any set around it has no fewer exempt members and leaves less to the other.
-    fn finish(&mut self, first: W, effort: i32, room: Room<W>) -> Result<Option<Pair<W>>, Stopped> {
-        if !room.pair {
-            return Ok(Some((first, W::NONE)));
-        }
-        let second = self.single(room.field.without(first), effort)?;
-        Ok(second.map(|second| (first, second)))
-    }
-
-    fn branch(&mut self, side: Side<W>, room: Room<W>) -> Result<Option<Pair<W>>, Stopped> {
+    fn choice(&self, side: Side<W>, room: Room<W>) -> Option<Choice<W>> {
         if let Some(node) = side.discontent(&self.needs, side.content) {
-            return self.branch_on_neighbor(side, room, node);
+            let node = self.neighbor(&side, node)?;
+            return Some(Choice { side, room, node, member: true });
         }
-        let undecided = side.members & side.able;
-        let Some(node) = side.discontent(&self.needs, undecided) else {
-            return Ok(None);
-        };
-        let one = W::one(node);
-        let found = self.extend(Side { content: side.content | one, ..side }, room)?;
-        if found.is_some() {
-            return Ok(found);
-        }
-        self.extend(Side { able: side.able.without(one), ..side }, room)
+        let node = side.discontent(&self.needs, side.members & side.able)?;
+        Some(Choice { side, room, node, member: false })
     }
 
-    fn branch_on_neighbor(
-        &mut self,
-        side: Side<W>,
-        room: Room<W>,
-        node: usize,
-    ) -> Result<Option<Pair<W>>, Stopped> {
+    /// The neighbour of `node` to take or not.
+    fn neighbor(&self, side: &Side<W>, node: usize) -> Option<usize> {
         let open = self.needs.heard[node] & side.allowed.without(side.members);
         let worth = |neighbor: &usize| {
             4 * self.needs.heard_in(*neighbor, side.members) - self.needs.heard_in(*neighbor, side.allowed)
         };
-        let Some(neighbor) = open.nodes().max_by_key(worth) else {
-            return Ok(None);
-        };
-        let one = W::one(neighbor);
-        let found = self.extend(Side { members: side.members | one, ..side }, room)?;
-        if found.is_some() {
-            return Ok(found);
-        }
-        self.extend(Side { allowed: side.allowed.without(one), able: side.able.without(one), ..side }, room)
+        open.nodes().max_by_key(worth)
     }
 }

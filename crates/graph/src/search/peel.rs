@@ -11,7 +11,6 @@ pub(crate) struct Needs<W> {
     pub(crate) heard: Vec<W>,
     /// need(v) = d(v) − r + 1, of which at most 0 means always content.
     pub(crate) need: Vec<i32>,
-    pub(crate) all: W,
 }
 
 impl<W: Word> Needs<W> {
@@ -20,7 +19,6 @@ impl<W: Word> Needs<W> {
         Self {
             heard: nodes.clone().map(|node| W::from_bits(graph.in_neighbors(node).bits())).collect(),
             need: nodes.map(|node| count(graph.in_degree(node)) - count(r) + 1).collect(),
-            all: W::from_bits(graph.nodes().bits()),
         }
     }
 

@@ -22,6 +22,12 @@ impl<W: Word> Side<W> {
         self.members.without(self.able)
     }
 
+    /// What is known of a node, as a number below 16.
+    pub(super) fn color(&self, node: W) -> usize {
+        let sets = [self.members, self.content, self.allowed, self.able];
+        sets.iter().fold(0, |color, set| 2 * color + usize::from(node.is_within(*set)))
+    }
+
     /// Draws every conclusion, for at most `effort` exempt members and at most `size` members in all.
     /// `None` if no such S is left.
     pub(super) fn conclude(mut self, needs: &Needs<W>, effort: i32, size: i32) -> Option<Self> {

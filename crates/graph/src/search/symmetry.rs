@@ -41,6 +41,56 @@ pub fn orbits(graph: &Graph) -> Vec<NodeSet> {
     orbits
 }
 
+/// All nodes that automorphisms take `node` to which keep the colour of every node, as far as they were found with `tries` tries.
+///
+/// What cannot be done with `node` while what is known is told by colours cannot be done with any of these.
+#[must_use]
+pub fn orbit(graph: &Graph, colors: &[usize], node: usize, mut tries: usize) -> NodeSet {
+    let mut orbit = NodeSet::from_iter([node]);
+    let Some((classes, _)) = refine(graph, colors.to_vec(), colors.to_vec()) else {
+        return orbit;
+    };
+    let mut images: Vec<Vec<usize>> = Vec::new();
+    for other in 0..graph.node_count() {
+        if classes[other] != classes[node] || orbit.contains(other) {
+            continue;
+        }
+        if let Some(image) = automorphism(graph, &classes, (node, other), &mut tries) {
+            images.push(image);
+            orbit = closed(orbit, &images);
+        }
+    }
+    orbit
+}
+
+/// What `images` make of `set`, again and again.
+fn closed(mut set: NodeSet, images: &[Vec<usize>]) -> NodeSet {
+    loop {
+        let moved = images.iter().flat_map(|image| set.iter().map(|node| image[node])).collect();
+        let more = set.union(moved);
+        if more == set {
+            return set;
+        }
+        set = more;
+    }
+}
+
+/// For each node those that it may trade places with alone: they hear the same others and tell the same others.
+#[must_use]
+pub fn twins(graph: &Graph) -> Vec<NodeSet> {
+    let nodes = 0..graph.node_count();
+    let told: Vec<NodeSet> = nodes.clone().map(|node| graph.out_neighbors(node)).collect();
+    let others = |set: NodeSet, pair: NodeSet| set.difference(pair);
+    let alike = |one: usize, other: usize| {
+        let pair = NodeSet::from_iter([one, other]);
+        let both = graph.has_edge(one, other) == graph.has_edge(other, one);
+        let heard = [one, other].map(|node| others(graph.in_neighbors(node), pair));
+        let told = [one, other].map(|node| others(told[node], pair));
+        both && heard[0] == heard[1] && told[0] == told[1]
+    };
+    nodes.clone().map(|one| nodes.clone().filter(|other| alike(one, *other)).collect()).collect()
+}
+
 fn join(orbits: &mut [NodeSet], image: &[usize]) {
     for (node, &target) in image.iter().enumerate() {
         let joined = orbits[node].union(orbits[target]);
@@ -140,6 +190,32 @@ mod tests {
 
     fn sizes(graph: &Graph) -> Vec<usize> {
         orbits(graph).into_iter().map(NodeSet::len).collect()
+    }
+
+    #[test]
+    fn orbits_that_keep_colors() {
+        let of = |graph: &Graph, colors: &[usize], node| orbit(graph, colors, node, 400).len();
+        let petersen = fixed::petersen().unwrap();
+        assert_eq!(of(&petersen, &[0; 10], 3), 10);
+        // With node 0 fixed its three neighbours look alike, and so do the six others.
+        let mut colors = [0; 10];
+        colors[0] = 1;
+        assert_eq!([0, 1, 2].map(|node| of(&petersen, &colors, node)), [1, 3, 6]);
+        assert_eq!(of(&fixed::path(5).unwrap(), &[0, 0, 0, 0, 1], 0), 1);
+        assert_eq!(of(&petersen, &[0; 10], 0), 10);
+        assert_eq!(orbit(&petersen, &[0; 10], 0, 0).len(), 1, "no tries, no automorphism");
+    }
+
+    #[test]
+    fn twins_trade_places() {
+        let sizes = |graph: &Graph| twins(graph).into_iter().map(NodeSet::len).collect::<Vec<_>>();
+        assert_eq!(sizes(&fixed::complete(4).unwrap()), [4; 4]);
+        assert_eq!(sizes(&fixed::bipartite(2, 3).unwrap()), [2, 2, 3, 3, 3]);
+        assert_eq!(sizes(&fixed::star(4).unwrap()), [1, 3, 3, 3]);
+        assert_eq!(sizes(&fixed::petersen().unwrap()), [1; 10]);
+        // Both hear node 0, but only one of them tells it anything.
+        assert_eq!(sizes(&Graph::directed(3, &[(0, 1), (0, 2), (1, 0)]).unwrap()), [1; 3]);
+        assert_eq!(sizes(&Graph::directed(2, &[(0, 1)]).unwrap()), [1; 2]);
     }
 
     #[test]

@@ -4,6 +4,7 @@ pub mod network;
 pub mod robustness;
 
 mod animation;
+mod comparison;
 mod distance;
 pub(crate) mod formation;
 mod overview;
@@ -19,6 +20,7 @@ use closeranks_sim::output::record::Record;
 use closeranks_sim::scenario::Scenario;
 
 pub use self::animation::animation;
+pub use self::comparison::comparison;
 pub use self::overview::overview;
 pub use self::paper::{figure1, figure2, figure3};
 pub use self::swarm::{MANY, swarm};

@@ -34,19 +34,23 @@ pub fn overview(case: Case<'_>) -> String {
     let first = rows.len();
     rows[first - 1].legend = formation.len();
     rows.push(Row { title_lines: 1, legend: way.len(), ..plane });
-    rows.push(Row { title_lines: 1, height: 180.0, legend: series.len(), ..plane });
+    let quantities: Vec<Quantity> =
+        core::iter::once(Quantity::Barrier).chain(Quantity::values(&[case])).collect();
+    rows.extend(quantities.chunks(2).map(|_| Row { title_lines: 1, height: 180.0, legend: 0, ..plane }));
+    let last = rows.len() - 1;
+    rows[last].legend = series.len();
     let grid = Grid { columns: 2, width, gap: OWN_GAP, rows };
     let mut svg = grid.document(&format!("Formations, paths, barriers and values of the run {}", case.title));
     for (row, moments) in moments.iter().enumerate() {
         draw_formations(&mut svg, &grid, row, moments, &look, if row == 0 { &above } else { &[] });
     }
     draw_way(&mut svg, &grid, first, case, &look, &below);
-    for (column, quantity) in [Quantity::Barrier, Quantity::Value].into_iter().enumerate() {
-        let axes = series_axes(&grid, [column, first + 1], &[case], quantity);
-        let decoration = time_decoration(&below[2 + column], quantity.label(), true, true);
+    for (place, quantity) in quantities.into_iter().enumerate() {
+        let axes = series_axes(&grid, [place % 2, first + 1 + place / 2], &[case], quantity);
+        let decoration = time_decoration(&below[2 + place.min(1)], quantity.label(&[case]), true, true);
         draw_series(&mut svg, &axes, &case, quantity, &decoration);
     }
-    for (row, entries) in [(first - 1, &formation), (first, &way), (first + 1, &series)] {
+    for (row, entries) in [(first - 1, &formation), (first, &way), (last, &series)] {
         legend::draw(&mut svg, entries, grid.legend(row));
     }
     svg.finish()

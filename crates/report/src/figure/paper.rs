@@ -43,7 +43,8 @@ pub fn figure1(cases: &[Case<'_>]) -> String {
     svg.finish()
 }
 
-/// Barriers and values over time, the paper's fig:sim_result: h_i of each case in the upper row, y_i in the lower.
+/// Barriers and values over time, the paper's fig:sim_result: h_i of each case in the upper row, y_i in the lower, each number of it in
+/// a row of its own.
 ///
 /// Time in s, h_i and y_i dimensionless; a row shares its limits. Normal robots are solid blue, malicious ones dashed
 /// orange, their values thin and behind; the number of a robot stands at the end of its h. Where values agree early, an inset
@@ -59,15 +60,17 @@ pub fn figure2(cases: &[Case<'_>]) -> String {
     let lower = fold(&titles, titles.len(), width);
     let entries = legend::folded(&legend::SERIES, legend_room(columns, width, SHARED_GAP));
     let row = Row { title_lines: lines(&upper), height: 165.0, axis: false, legend: 0 };
-    let rows = vec![row, Row { axis: true, legend: entries.len(), ..row }];
+    let quantities: Vec<Quantity> =
+        core::iter::once(Quantity::Barrier).chain(Quantity::values(cases)).collect();
+    let last = quantities.len() - 1;
+    let mut rows = vec![row; quantities.len()];
+    rows[last] = Row { axis: true, legend: entries.len(), ..row };
     let grid = Grid { columns, width, gap: SHARED_GAP, rows };
     let mut svg = grid.document("Degree barriers and consensus values of all robots over time");
-    for (row, (quantity, titles)) in
-        [(Quantity::Barrier, &upper), (Quantity::Value, &lower)].into_iter().enumerate()
-    {
-        draw_row(&mut svg, &grid, row, cases, quantity, titles);
+    for (row, quantity) in quantities.into_iter().enumerate() {
+        draw_row(&mut svg, &grid, row, cases, quantity, if row == 0 { &upper } else { &lower });
     }
-    legend::draw(&mut svg, &entries, grid.legend(1));
+    legend::draw(&mut svg, &entries, grid.legend(last));
     svg.finish()
 }
 
@@ -82,7 +85,7 @@ fn draw_row(
     for (column, case) in cases.iter().enumerate() {
         let axes = series_axes(grid, [column, row], cases, quantity);
         let below = grid.rows[row].axis;
-        let decoration = time_decoration(&titles[column], quantity.label(), below, column == 0);
+        let decoration = time_decoration(&titles[column], quantity.label(cases), below, column == 0);
         draw_series(svg, &axes, case, quantity, &decoration);
     }
 }

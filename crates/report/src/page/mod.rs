@@ -1,6 +1,7 @@
 //! What a page or a terminal shows: tables, claims, sentences, numbers, and one self-contained HTML page.
 
 pub mod claims;
+pub mod comparison;
 pub mod content;
 pub mod html;
 pub mod numbers;

@@ -99,10 +99,11 @@ impl Consensus {
         self.combine == Combine::SafePoint || self.rule.row().keeps_interval
     }
 
-    /// True if the theorem about how fast values come closer is about it.
+    /// True if a theorem says how fast values come closer: `w-msr` and `trimmed-mean`, number by number (docs/theory, sec:other-rules,
+    /// which also says why not the others).
     #[must_use]
     pub fn contracts(&self) -> bool {
-        self.rule == Rule::WMsr && self.dimension == 1
+        self.combine == Combine::Coordinates && matches!(self.rule, Rule::WMsr | Rule::TrimmedMean)
     }
 }
 

@@ -20,7 +20,7 @@ mod shared;
 use closeranks_core::settings;
 
 use row::of_others;
-pub use row::{Amid, Answer, Counted, Inside, Knows, Make, Parameters, Row, TeamView, Velocities};
+pub use row::{Amid, Answer, Counted, Inside, Knows, Make, Parameters, Row, TeamView, Tuning, Velocities};
 
 use crate::law::Law;
 
@@ -72,6 +72,8 @@ controllers! {
             name: "budget",
             about: "ours, from what is sensed alone: a guarantee in discrete time that no message can touch",
             knows: Knows::Local,
+            needs: "senses",
+            tuning: Tuning::USUAL,
             guarantees: true,
             ranks: true,
             uses_phi: false,
@@ -84,15 +86,19 @@ controllers! {
         },
         /// The paper's composed constraint for all robots at once ([`central_composed`]).
         CentralComposed: of_others("central-composed", "the paper's constraint before it is split: one row for the whole team",
+            "everything", Tuning::USUAL,
             |of| Global::CentralComposed(central_composed::CentralComposed::new(of.composed))),
         /// Robustness by percolation ([`central_robustness`]).
         CentralRobustness: of_others("central-robustness", "robustness kept by bootstrap percolation from a core",
+            "everything", Tuning::rate(5.0),
             |_| Global::CentralRobustness(central_robustness::CentralRobustness::default())),
         /// The paper's (eq:split, seq:qp).
         Composed: Row {
             name: "composed",
             about: "the paper's, as printed",
             knows: Knows::Local,
+            needs: "senses and messages",
+            tuning: Tuning::USUAL,
             guarantees: false,
             ranks: false,
             uses_phi: true,
@@ -105,18 +111,23 @@ controllers! {
         },
         /// The links of the start ([`fixed_topology`]).
         FixedTopology: of_others("fixed-topology", "the links of the start are kept",
+            "positions at far ends", Tuning::rate(5.0),
             |_| Global::FixedTopology(fixed_topology::FixedTopology::default())),
         /// Node connectivity ([`k_connectivity`]).
         KConnectivity: of_others("k-connectivity", "a sparse subgraph is kept that 2F robots cannot cut",
+            "everything", Tuning::rate(5.0),
             |_| Global::KConnectivity(k_connectivity::KConnectivity::default())),
         /// Algebraic connectivity ([`lambda2`]).
         Lambda2: of_others("lambda2", "algebraic connectivity is kept above 4F",
+            "everything", Tuning::rate(5.0),
             |_| Global::Lambda2(lambda2::Lambda2::default())),
         /// Ours without weights (docs/links.md).
         Links: Row {
             name: "links",
             about: "ours, without weights: robots agree on the links that they keep",
             knows: Knows::Local,
+            needs: "senses and messages",
+            tuning: Tuning::USUAL,
             guarantees: true,
             ranks: true,
             uses_phi: false,
@@ -129,12 +140,15 @@ controllers! {
         },
         /// The least of all barriers ([`min_composition`]).
         MinComposition: of_others("min-composition", "the least of all degrees and distances is kept",
+            "everything", Tuning::rate(5.0),
             |_| Global::MinComposition(min_composition::MinComposition::default())),
         /// None: the desired velocity, cut to the box. What the paper's robots would do unfiltered.
         None: Row {
             name: "none",
             about: "the desired velocity, cut to the input box",
             knows: Knows::Local,
+            needs: "nothing",
+            tuning: Tuning::USUAL,
             guarantees: false,
             ranks: false,
             uses_phi: false,
@@ -147,12 +161,15 @@ controllers! {
         },
         /// Collision avoidance alone ([`orca`]).
         Orca: of_others("orca", "collision avoidance alone, by reciprocal half-planes",
+            "positions, velocities", Tuning::horizon(2.0),
             |_| Global::Orca(orca::Orca::default())),
         /// The F′ nearest links of each robot ([`p_choose_r`]).
         PChooseR: of_others("p-choose-r", "each robot keeps its F' shortest links, whichever these are",
+            "positions in range", Tuning::rate(5.0),
             |_| Global::PChooseR(p_choose_r::PChooseR::default())),
         /// Every link that there is ([`pairwise`]).
         Pairwise: of_others("pairwise", "every link is kept, each robot does half of it",
+            "positions in range", Tuning::rate(5.0),
             |_| Global::Pairwise(pairwise::Pairwise::default())),
     }
     global {

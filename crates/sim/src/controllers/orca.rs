@@ -18,9 +18,6 @@ use closeranks_core::num::{Vector, add_scaled, dot, length, sqrt, subtract};
 use crate::controllers::shared::half_spaces::HalfSpaces;
 use crate::controllers::{Answer, TeamView, Velocities};
 
-/// τ, s: collisions later than this are not avoided yet.
-const HORIZON_S: f64 = 2.0;
-
 /// The controller, with scratch for the constraints of one robot.
 #[derive(Clone, Debug, Default)]
 pub struct Orca {
@@ -61,7 +58,8 @@ fn way_out<const D: usize>(p: &Vector<D>, v: &Vector<D>, view: &TeamView<'_, D>)
     let settings = view.params.settings();
     let radius_m = settings.limits.distance_min_m;
     let (distance_m2, gap_m2) = (dot(p, p), dot(p, p) - radius_m * radius_m);
-    let horizon_s = if gap_m2 > 0.0 { HORIZON_S } else { settings.clock.level_period.as_secs_f64() };
+    let horizon_s =
+        if gap_m2 > 0.0 { view.tuning.horizon_s } else { settings.clock.level_period.as_secs_f64() };
     let from_ball = add_scaled(v, -1.0 / horizon_s, p);
     let back = dot(&from_ball, p);
     if gap_m2 <= 0.0 || (back < 0.0 && back * back > radius_m * radius_m * dot(&from_ball, &from_ball)) {
@@ -96,7 +94,7 @@ fn aside<const D: usize>(p: &Vector<D>) -> Vector<D> {
 mod tests {
     use super::*;
     use crate::attack::ValueAttack;
-    use crate::controllers::Controller;
+    use crate::controllers::{Controller, Tuning};
     use crate::law::Law;
     use crate::scenario::Scenario;
     use crate::scenario::desired::Desired;
@@ -123,9 +121,11 @@ mod tests {
     fn the_way_out_ends_where_robots_just_miss_each_other() {
         let scenario = scenario(2, Start::Inside, Desired::Hold);
         let params = scenario.params::<2>().unwrap();
-        let view = TeamView { params: &params, positions_m: &[], velocities_m_s: &[], desired_m_s: &[] };
+        let tuning = Tuning::horizon(2.0);
+        let view =
+            TeamView { params: &params, positions_m: &[], velocities_m_s: &[], desired_m_s: &[], tuning };
         let nearest = |p: &Vector<2>, v: &Vector<2>| {
-            let time_s = (dot(p, v) / dot(v, v)).clamp(0.0, HORIZON_S);
+            let time_s = (dot(p, v) / dot(v, v)).clamp(0.0, Tuning::USUAL.horizon_s);
             length(&add_scaled(p, -time_s, v))
         };
         for (p, v) in [

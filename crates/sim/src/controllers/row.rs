@@ -19,6 +19,35 @@ pub struct TeamView<'a, const D: usize> {
     pub velocities_m_s: &'a [Vector<D>],
     /// u_{i,des}, m/s.
     pub desired_m_s: &'a [Vector<D>],
+    /// How hard barriers are kept, and how far ahead is looked.
+    pub tuning: Tuning,
+}
+
+/// The two numbers that controllers of others leave to whoever uses them. Those of the table were chosen by a rule
+/// (docs/comparison.md).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Tuning {
+    /// α of barriers, 1/s.
+    pub rate_1_s: f64,
+    /// `orca`: τ, s; collisions later than this are not avoided yet.
+    pub horizon_s: f64,
+}
+
+impl Tuning {
+    /// A rate; the horizon is the usual one.
+    #[must_use]
+    pub const fn rate(rate_1_s: f64) -> Self {
+        Self { rate_1_s, ..Self::USUAL }
+    }
+
+    /// A horizon; the rate is the usual one.
+    #[must_use]
+    pub const fn horizon(horizon_s: f64) -> Self {
+        Self { horizon_s, ..Self::USUAL }
+    }
+
+    /// What controllers have that use neither.
+    pub const USUAL: Self = Self { rate_1_s: 5.0, horizon_s: 2.0 };
 }
 
 /// What such a controller answers for one robot.
@@ -105,6 +134,10 @@ pub struct Row {
     pub about: &'static str,
     /// How much it needs to know.
     pub knows: Knows,
+    /// What that is, in a few words.
+    pub needs: &'static str,
+    /// What a scenario uses that names nothing else.
+    pub tuning: Tuning,
     /// Whether it guarantees in discrete time what it promises. Robots then watch what that rests on: their clocks, and
     /// whether they are where their moves should have taken them.
     pub guarantees: bool,
@@ -139,12 +172,16 @@ impl Row {
 pub(crate) const fn of_others(
     name: &'static str,
     about: &'static str,
+    needs: &'static str,
+    tuning: Tuning,
     make: fn(&Parameters) -> Global,
 ) -> Row {
     Row {
         name,
         about,
         knows: Knows::Global,
+        needs,
+        tuning,
         guarantees: false,
         ranks: false,
         uses_phi: false,

@@ -25,8 +25,8 @@ use crate::law::{Law, Verdicts, Violation};
 use crate::monitors::carry::Carry;
 pub use crate::monitors::extremes::Extremes;
 use crate::monitors::extremes::lower;
-use crate::monitors::heard::Heard;
 pub use crate::monitors::heard::Void;
+use crate::monitors::heard::{Heard, Met};
 use crate::monitors::numbers::{Numbers, Outside};
 use crate::monitors::rule::Rule;
 use crate::monitors::truth::Truth;
@@ -77,8 +77,8 @@ impl<const D: usize> Monitors<D> {
             values: Values::new(&rule),
             verdicts: Verdicts::default(),
             heard: Heard::new(scenario, &rule),
+            numbers: Numbers::new(&scenario.consensus, &rule),
             rule,
-            numbers: Numbers::new(&scenario.consensus),
             consensus: scenario.consensus.clone(),
             collisions: Vec::new(),
             extremes: Extremes::new(),
@@ -243,7 +243,7 @@ impl<const D: usize> Monitors<D> {
         let spread = self.values.end_round(tick, &frame.values, &self.malicious, met, |law, violation| {
             verdicts.broke(law, violation, few_lie && law.is_kept_by(consensus));
         });
-        let spread = spread.max(self.watch_numbers(tick, frame));
+        let spread = spread.max(self.watch_numbers(tick, frame, met));
         if spread < 1.0 && self.extremes.rounds_to_agree.is_none() {
             self.extremes.rounds_to_agree = Some(tick / self.ticks_per_round);
         }
@@ -251,12 +251,12 @@ impl<const D: usize> Monitors<D> {
     }
 
     /// Numbers beyond the first; their largest spread, 0 if there are none.
-    fn watch_numbers(&mut self, tick: u32, frame: &Frame<D>) -> f64 {
+    fn watch_numbers(&mut self, tick: u32, frame: &Frame<D>, met: Met) -> f64 {
         let mut broken = Vec::new();
-        let spread = self.numbers.watch(frame, &self.malicious, &mut |outside| broken.push(outside));
-        for Outside { robot, seen, demanded } in broken {
-            let robots = [u16::try_from(robot + 1).unwrap_or(u16::MAX), 0];
-            self.broke(Law::Interval, Violation { tick, robots, seen, demanded });
+        let spread = self.numbers.watch(frame, &self.malicious, met, &mut |outside| broken.push(outside));
+        for Outside { law, robot, seen, demanded } in broken {
+            let robots = [u16::try_from(robot).unwrap_or(u16::MAX), 0];
+            self.broke(law, Violation { tick, robots, seen, demanded });
         }
         spread
     }

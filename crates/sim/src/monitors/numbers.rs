@@ -1,29 +1,40 @@
-//! Values of several numbers: normal ones stay in the box, or in the hull, of those that normal robots started with.
+//! Values of several numbers: normal ones stay in the box, or in the hull, of those that normal robots started with, and each number
+//! comes closer by itself.
 
 use core::cmp::Ordering;
+use std::sync::Arc;
 
 use closeranks_core::num::sqrt;
 
 use crate::consensus::orientation::{Point, orientation};
 use crate::consensus::{Combine, Consensus};
 use crate::frame::Frame;
+use crate::law::Law;
+use crate::monitors::agreement::Agreement;
+use crate::monitors::heard::Met;
+use crate::monitors::rule::Rule;
 
 /// A safe point is rounded by less than this share of the size of the values.
 const ROUNDING: f64 = 1e-9;
 
 /// What is known of the start.
-#[derive(Clone, Debug, Default)]
+#[derive(Clone, Debug)]
 pub(crate) struct Numbers {
+    rule: Arc<Rule>,
     hull: bool,
     /// Interval of each number beyond the first.
     boxes: Vec<[f64; 2]>,
+    /// How each of them comes closer.
+    agreements: Vec<Agreement>,
     /// Corners of the hull of normal values, counterclockwise.
     corners: Vec<Point>,
 }
 
-/// A value that is where it must not be.
+/// A value that is where it must not be, or values that did not come closer.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Outside {
+    pub(crate) law: Law,
+    /// From 1; 0 for all.
     pub(crate) robot: usize,
     pub(crate) seen: f64,
     pub(crate) demanded: f64,
@@ -31,15 +42,22 @@ pub(crate) struct Outside {
 
 impl Numbers {
     /// For values of `consensus`.
-    pub(crate) fn new(consensus: &Consensus) -> Self {
-        Self { hull: consensus.combine == Combine::SafePoint, ..Self::default() }
+    pub(crate) fn new(consensus: &Consensus, rule: &Arc<Rule>) -> Self {
+        Self {
+            rule: Arc::clone(rule),
+            hull: consensus.combine == Combine::SafePoint,
+            boxes: Vec::new(),
+            agreements: Vec::new(),
+            corners: Vec::new(),
+        }
     }
 
-    /// Looks at a round: the largest spread of a number beyond the first, and calls `outside` with every value outside.
+    /// Looks at a round that came to `met`: the largest spread of a number beyond the first, and calls `outside` with all that is broken.
     pub(crate) fn watch<const D: usize>(
         &mut self,
         frame: &Frame<D>,
         malicious: &[bool],
+        met: Met,
         outside: &mut dyn FnMut(Outside),
     ) -> f64 {
         let normal = || (0..malicious.len()).filter(|robot| !malicious[*robot]);
@@ -50,13 +68,20 @@ impl Numbers {
             });
             if self.boxes.len() <= place {
                 self.boxes.push(ends);
+                self.agreements.push(Agreement::new(&self.rule));
             }
             let [low, high] = self.boxes[place];
             for robot in normal().filter(|robot| !(low..=high).contains(&values[*robot])) {
                 let demanded = if values[robot] < low { low } else { high };
-                outside(Outside { robot, seen: values[robot], demanded });
+                outside(Outside { law: Law::Interval, robot: robot + 1, seen: values[robot], demanded });
             }
-            spread = spread.max(ends[1] - ends[0]);
+            let (seen, magnitude) = ((ends[1] - ends[0]).max(0.0), low.abs().max(high.abs()));
+            if let Some(demanded) = self.agreements[place].end_round(seen, magnitude, met)
+                && seen > demanded
+            {
+                outside(Outside { law: Law::Agreement, robot: 0, seen, demanded });
+            }
+            spread = spread.max(seen);
         }
         if self.hull {
             self.watch_hull(frame, &mut normal(), outside);
@@ -81,7 +106,7 @@ impl Numbers {
         for (robot, point) in robots.into_iter().zip(&points) {
             let (seen, demanded) = (beyond(&self.corners, point), ROUNDING * scale);
             if seen > demanded {
-                outside(Outside { robot, seen, demanded });
+                outside(Outside { law: Law::Interval, robot: robot + 1, seen, demanded });
             }
         }
     }
@@ -132,6 +157,27 @@ fn away(a: &Point, b: &Point, point: &Point) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::scenario::Scenario;
+
+    /// Enough was heard, the first number is not looked at here, and the second stays as far apart as it was.
+    #[test]
+    fn a_second_number_that_does_not_come_closer_is_noticed() {
+        let scenario = Scenario::default();
+        let rule = Arc::new(Rule::new(&scenario, &scenario.params::<2>().unwrap()));
+        let mut numbers = Numbers::new(&scenario.consensus, &rule);
+        let mut frame = Frame::<2>::new(vec![[0.0; 2]; 3], vec![0.0; 3]);
+        let mut broken = |second: [f64; 3], suffices: bool| {
+            frame.more_values = vec![second.to_vec()];
+            let (met, mut laws) = (Met { suffices, is_void: false, most_heard: 7 }, Vec::new());
+            numbers.watch(&frame, &[false, false, true], met, &mut |outside| laws.push(outside.law));
+            laws
+        };
+        assert_eq!(broken([0.0, 10.0, 99.0], true), []);
+        assert_eq!(broken([4.0, 6.0, 99.0], true), []);
+        assert_eq!(broken([4.0, 6.0, -99.0], true), [Law::Agreement]);
+        assert_eq!(broken([3.0, 7.0, 0.0], false), [], "too little was heard in this round");
+        assert_eq!(broken([2.0, 8.0, 0.0], true), [Law::Agreement]);
+    }
 
     #[test]
     fn distances_from_a_hull() {

@@ -5,7 +5,7 @@ use closeranks_core::robot::neighbor::{Member, RobotId};
 use closeranks_core::settings::Team;
 use closeranks_core::settings::params::Params;
 
-use crate::scenario::Scenario;
+use crate::scenario::{Rule as Consensus, Scenario};
 
 /// The rule of a team.
 #[derive(Clone, Debug)]
@@ -15,6 +15,8 @@ pub(crate) struct Rule {
     ranks: Option<(Vec<u16>, u16)>,
     /// Malicious robots may move as they like, so that normal neighbours alone are kept.
     free: bool,
+    /// F values are discarded at either end of all that were told, whatever the own one is.
+    trims: bool,
 }
 
 impl Rule {
@@ -27,6 +29,7 @@ impl Rule {
             team: scenario.team,
             ranks: ranks.map(|(core, ranks)| (ranks, u16::try_from(core).unwrap_or(u16::MAX))),
             free: !params.controller().is_obeyed(),
+            trims: scenario.consensus.rule == Consensus::TrimmedMean,
         }
     }
 
@@ -93,6 +96,7 @@ impl Rule {
     //= theory thm:contraction
     //= theory thm:two-faced
     //= theory thm:ranks
+    //= theory sec:other-rules
     pub(crate) fn hears_enough(
         &self,
         robot: usize,
@@ -101,6 +105,9 @@ impl Rule {
         liars: u16,
     ) -> bool {
         let faults = self.team.faults;
+        if self.trims && (self.ranks.is_some() || all <= 2 * faults) {
+            return false;
+        }
         match self.among(robot) {
             Some(robots) => {
                 (one_voice && all >= faults + robots / 2)

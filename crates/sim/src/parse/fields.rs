@@ -145,6 +145,7 @@ fn controller(reader: &mut Reader, section: &mut Section<'_>, scenario: &mut Sce
     let assumed = reader.word(section, "assume", &assumptions);
     set(&mut scenario.budget.assume, assumed);
     set(&mut scenario.links.assume, assumed);
+    scenario.tuning = ["rate_1_s", "orca_horizon_s"].map(|name| reader.number(section, name, POSITIVE));
     let limits = &mut scenario.limits;
     let speed = format!("a finite number (m/s), {ANY}");
     set(&mut limits.input_min_m_s, reader.list(section, "input_min_m_s", &speed, inside));

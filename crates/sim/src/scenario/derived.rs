@@ -10,7 +10,7 @@ use closeranks_core::settings::field::Parts;
 use closeranks_core::settings::params::{Params, ParamsError, Settings};
 use closeranks_core::settings::{self, ComposedSettings};
 
-use crate::controllers::Parameters;
+use crate::controllers::{Parameters, Tuning};
 use crate::scenario::ranks::{Keeps, Ranking, RanksError};
 use crate::scenario::{Limits, Scenario};
 
@@ -65,6 +65,13 @@ impl Scenario {
     /// Parameters of all controllers.
     pub(crate) fn parameters(&self) -> Parameters {
         Parameters { composed: self.composed, budget: self.budget, links: self.links }
+    }
+
+    /// The numbers that controllers of others use: what the scenario says, or else what the table does.
+    pub(crate) fn tuning(&self) -> Tuning {
+        let Tuning { rate_1_s, horizon_s } = self.controller.row().tuning;
+        let [rate, horizon] = self.tuning;
+        Tuning { rate_1_s: rate.unwrap_or(rate_1_s), horizon_s: horizon.unwrap_or(horizon_s) }
     }
 
     /// Every number of the settings, for the table of [`settings::field`], whatever the controller.

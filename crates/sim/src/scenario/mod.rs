@@ -58,6 +58,8 @@ pub struct Scenario {
     pub budget: BudgetSettings,
     /// Parameters of `links`.
     pub links: LinksSettings,
+    /// Controllers of others: α of their barriers, 1/s, and the horizon of `orca`, s, if they are not to be those of the table.
+    pub tuning: [Option<f64>; 2],
     /// When things happen, and how old they may be: the tick τ₁, its multiple τ₂, and ages.
     pub clock: Clock,
     /// Stated bounds of errors.
@@ -142,6 +144,7 @@ impl Default for Scenario {
             composed: ComposedSettings::default(),
             budget: BudgetSettings::default(),
             links: LinksSettings::default(),
+            tuning: [None; 2],
             clock: Clock::default(),
             errors: Errors::default(),
             start: Start::Inside,

@@ -254,7 +254,13 @@ impl<const D: usize> World<D> {
         let nothing = Answer { velocity_m_s: [0.0; D], outcome: Outcome::Free };
         self.answers.resize(positions_m.len(), nothing);
         global.velocities(
-            &TeamView { params: &self.params, positions_m, velocities_m_s, desired_m_s },
+            &TeamView {
+                params: &self.params,
+                positions_m,
+                velocities_m_s,
+                desired_m_s,
+                tuning: self.scenario.tuning(),
+            },
             &mut self.answers,
         );
         for (asked, answer) in asked_m_s.iter_mut().zip(&self.answers) {

@@ -1,6 +1,7 @@
 // Act 4: the sandbox. Everything that the page knows, for one team, to share as a link or as a scenario file.
 
 import { pack } from "../model/link";
+import { LAYOUTS, obstaclesOf, withObstacles } from "../model/obstacles";
 import { change, lieOf, LIES, replace, withRanks, withRobots } from "../model/scenario";
 import type { Simulator } from "../model/simulator";
 import { Stage } from "../model/stage";
@@ -39,7 +40,7 @@ const STARTS: [string, string][] = [
 
 const RANKS: [string, string][] = [
   ["all", "everybody for everybody, as in the paper"],
-  ["ranks", "ranks (under links): those nearer to the start's middle"],
+  ["ranks", "ranks: those nearer to the start's middle"],
 ];
 
 /** The team with another F. Ranks, if it has them, go by it. */
@@ -85,8 +86,11 @@ function choices(stage: Stage, simulator: Simulator): HTMLElement[] {
   const of = (table: Table, name: string, field: string, otherwise: number) => number(part(table, name)[field], otherwise);
   const set = (name: string, field: string) => (value: number) => void stage.touch((table) => change(table, name, { [field]: value }));
   const controller = menu("Filter", simulator.controllers.map((one) => [one.name, `${one.name}: ${one.about}`]), "budget", (kind) => {
-    const ranks = simulator.controllers.find((one) => one.name === kind)?.ranks === true;
-    stage.touch((table) => change(ranks ? table : withRanks(table, false), "controller", { kind }));
+    const row = simulator.controllers.find((one) => one.name === kind);
+    stage.touch((table, moment) => {
+      const counted = row?.ranks ? table : withRanks(table, false);
+      return change(row?.obstacles ? counted : withObstacles(counted, moment, "none"), "controller", { kind });
+    });
   });
   const lie = menu("Liars tell", LIES.map((one) => [one.id, `${one.name}: ${one.about}`]), "value", (id) => {
     const attack = LIES.find((one) => one.id === id)?.attack ?? {};
@@ -103,6 +107,7 @@ function choices(stage: Stage, simulator: Simulator): HTMLElement[] {
   const faults = slider("Prepared for F liars", { min: 0, max: 5, step: 1, value: 2 }, String, (count) => stage.touch((table) => prepared(table, count)));
   const rule = menu("Robots agree by", simulator.rules.map((one) => [one.name, `${one.name}: ${one.condition}`]), "w-msr", (name) => stage.touch((table) => change(table, "consensus", { rule: name })));
   const ranks = menu("Who counts", RANKS, "all", (kind) => stage.touch((table) => withRanks(table, kind === "ranks")));
+  const obstacles = menu("In the way", LAYOUTS, "none", (layout) => stage.touch((table, moment) => withObstacles(table, moment, layout)));
   const loss = slider("Messages lost", { min: 0, max: 0.95, step: 0.05, value: 0 }, (share) => `${Math.round(100 * share)} %`, set("network", "loss"));
   const delay = slider("Messages late by up to", { min: 0, max: 0.3, step: 0.02, value: 0 }, (time) => `${time.toFixed(2)} s`, set("network", "delay_max_s"));
   const gain = slider("Gain α of composed", { min: 0.05, max: 2, step: 0.05, value: 0.1 }, (alpha) => `${alpha.toFixed(2)} /s`, set("controller", "alpha"));
@@ -117,15 +122,18 @@ function choices(stage: Stage, simulator: Simulator): HTMLElement[] {
     rule.select.value = String(part(table, "consensus")["rule"] ?? "w-msr");
     ranks.select.value = moment.facts.ranks ? "ranks" : "all";
     ranks.select.disabled = !moment.facts.controller.ranks;
+    obstacles.select.disabled = !moment.facts.controller.obstacles;
     robots.show(moment.robots);
     faults.input.max = String(Math.min(10, Math.floor((moment.robots - 1) / 2)));
     faults.show(moment.facts.faults);
+    const { discs, walls } = obstaclesOf(table);
+    obstacles.select.value = discs.length > 0 ? "discs" : walls.length > 2 ? "room" : walls.length > 0 ? "gap" : "none";
     loss.show(of(table, "network", "loss", 0));
     delay.show(of(table, "network", "delay_max_s", 0));
     gain.show(of(table, "controller", "alpha", 0.1));
     speed.show(times);
   });
-  const more = h("details", { class: "more" }, h("summary", {}, "More: team, ranks, agreement, network, gain, speed"), robots.element, faults.element, ranks.element, rule.element, loss.element, delay.element, gain.element, speed.element);
+  const more = h("details", { class: "more" }, h("summary", {}, "More: team, ranks, agreement, obstacles, network, gain, speed"), robots.element, faults.element, ranks.element, rule.element, obstacles.element, loss.element, delay.element, gain.element, speed.element);
   return [controller.element, lie.element, motion.element, start.element, fresh, more];
 }
 

@@ -15,6 +15,8 @@ export interface Controller {
   keeps_degrees: boolean;
   /** Whether a team of it may have ranks. */
   ranks: boolean;
+  /** Whether it is run where there are obstacles. */
+  obstacles: boolean;
   promises: string[];
 }
 

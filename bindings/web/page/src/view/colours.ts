@@ -6,6 +6,7 @@ export const LINE = "#c9ced3";
 export const LINK = "#9aa7b3";
 export const LIAR = "#d55e00";
 export const SHORT = "#a3005c";
+export const STONE = "#7d7468";
 export const TEAM = "#0072b2";
 
 /** From low to high: dark blue, grey, yellow (as in the map cividis, which is read alike with any colour vision). */

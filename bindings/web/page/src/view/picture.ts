@@ -1,8 +1,9 @@
 // The team, drawn on a canvas: links below, robots above. Robots are buttons too (hands.ts); here is only what is seen.
 
 import type { Moment } from "../model/moment";
+import { obstaclesOf } from "../model/obstacles";
 import type { State } from "../model/scene";
-import { INK, LIAR, LINE, LINK, SHORT, SOFT, valueColour } from "./colours";
+import { INK, LIAR, LINE, LINK, SHORT, SOFT, STONE, valueColour } from "./colours";
 
 export const RADIUS_PX = 15;
 
@@ -65,9 +66,10 @@ export function toMetres(frame: Frame, x: number, y: number): [number, number] {
 /** Teams of more robots have more links than a processor draws sixty times a second. */
 export const CROWD = 20;
 
-/** Draws what lies under the robots of a moment: who is linked, and how far the chosen one reaches. */
+/** Draws what lies under the robots of a moment: obstacles, who is linked, and how far the chosen one reaches. */
 export function drawLinks(context: CanvasRenderingContext2D, frame: Frame, moment: Moment, state: State): void {
   context.clearRect(0, 0, frame.width, frame.height);
+  obstacles(context, frame, moment);
   range(context, frame, moment, state.chosen);
   links(context, frame, moment, state.chosen);
 }
@@ -87,6 +89,27 @@ export function drawRobots(context: CanvasRenderingContext2D, frame: Frame, mome
 /** Radius of a robot, px: smaller where many stand close together. */
 export function robotSize(frame: Frame, moment: Moment): number {
   return Math.max(7, Math.min(RADIUS_PX, 0.22 * frame.pixels_per_m, 120 / Math.sqrt(moment.robots)));
+}
+
+function obstacles(context: CanvasRenderingContext2D, frame: Frame, moment: Moment): void {
+  const { discs, walls } = obstaclesOf(moment.table);
+  context.fillStyle = STONE;
+  context.strokeStyle = STONE;
+  context.lineWidth = 4;
+  context.beginPath();
+  for (const [x_m, y_m, radius_m] of discs) {
+    const [x, y] = toPixels(frame, x_m, y_m);
+    const radius = radius_m * frame.pixels_per_m;
+    context.moveTo(x + radius, y);
+    context.arc(x, y, radius, 0, 2 * Math.PI);
+  }
+  context.fill();
+  context.beginPath();
+  for (const [x_m, y_m, to_x_m, to_y_m] of walls) {
+    context.moveTo(...toPixels(frame, x_m, y_m));
+    context.lineTo(...toPixels(frame, to_x_m, to_y_m));
+  }
+  context.stroke();
 }
 
 function range(context: CanvasRenderingContext2D, frame: Frame, moment: Moment, robot: number): void {

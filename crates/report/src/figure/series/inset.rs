@@ -11,17 +11,17 @@ const AGREED: f64 = 0.02;
 /// An inset is drawn if they do so within this part of the run.
 const EARLY: f64 = 0.25;
 
-/// The place of the inset and what it shows, if normal values agree early; `axes` are those of the whole panel.
+/// The place of the inset and what it shows, if normal `values` agree early; `axes` are those of the whole panel.
 #[must_use]
-pub(crate) fn axes(whole: &Axes, record: &Record) -> Option<Axes> {
-    let agreed = agreed(record)?;
+pub(crate) fn axes(whole: &Axes, record: &Record, values: &[f64]) -> Option<Axes> {
+    let agreed = agreed(record, values)?;
     let end_s = record.time_s(agreed) * 1.6;
     if agreed == 0 || end_s > EARLY * whole.x.max {
         return None;
     }
     let ticks = (0..=record.last_tick()).take_while(|tick| record.time_s(*tick) <= end_s);
-    let shown = Range::of(ticks.flat_map(|tick| normal(record, tick)));
-    let last = normal(record, record.last_tick()).next()?;
+    let shown = Range::of(ticks.flat_map(|tick| normal(record, values, tick)));
+    let last = normal(record, values, record.last_tick()).next()?;
     let settled = whole.at_cut([0.0, last])[1];
     let Place { left, top, width, height } = whole.place;
     // Away from the line that goes on to the end.
@@ -34,22 +34,22 @@ pub(crate) fn axes(whole: &Axes, record: &Record) -> Option<Axes> {
 }
 
 /// The first tick from which normal values stay together.
-fn agreed(record: &Record) -> Option<usize> {
-    let first = spread(record, 0);
-    let apart = (0..=record.last_tick()).rev().find(|tick| spread(record, *tick) > AGREED * first)?;
+fn agreed(record: &Record, values: &[f64]) -> Option<usize> {
+    let first = spread(record, values, 0);
+    let apart = (0..=record.last_tick()).rev().find(|tick| spread(record, values, *tick) > AGREED * first)?;
     (apart < record.last_tick()).then_some(apart + 1)
 }
 
 /// Greatest less least normal value.
-fn spread(record: &Record, tick: usize) -> f64 {
-    let ends = normal(record, tick)
+fn spread(record: &Record, values: &[f64], tick: usize) -> f64 {
+    let ends = normal(record, values, tick)
         .fold([f64::INFINITY, f64::NEG_INFINITY], |[least, most], value| [least.min(value), most.max(value)]);
     ends[1] - ends[0]
 }
 
-fn normal(record: &Record, tick: usize) -> impl Iterator<Item = f64> + '_ {
+fn normal<'a>(record: &'a Record, values: &'a [f64], tick: usize) -> impl Iterator<Item = f64> + 'a {
     let robots = record.malicious.iter().enumerate().filter(|(_, malicious)| !**malicious);
-    robots.filter_map(move |(index, _)| record.value.get(record.row(tick, index)).copied())
+    robots.filter_map(move |(index, _)| values.get(record.row(tick, index)).copied())
 }
 
 /// Covers what is behind the inset, its numbers too.

@@ -28,25 +28,56 @@ const NUMBERED: u16 = 99;
 pub(crate) enum Quantity {
     /// h_i (eq:h_i), dimensionless: must stay at or above 0.
     Barrier,
-    /// y_i: held between rounds, so drawn in steps.
-    Value,
+    /// y_i, or a further number of it, counted from 0: held between rounds, so drawn in steps.
+    Value(usize),
 }
 
+/// The label of each number of a value of several.
+const NUMBERS: [&[Piece<'static>]; 3] = [
+    &[Piece::Plain("first number of "), Piece::Italic("y"), Piece::Subscript("i")],
+    &[Piece::Plain("second number of "), Piece::Italic("y"), Piece::Subscript("i")],
+    &[Piece::Plain("third number of "), Piece::Italic("y"), Piece::Subscript("i")],
+];
+
 impl Quantity {
-    /// Its name beside an axis.
+    /// Every number of the values of `cases`.
+    pub(crate) fn values(cases: &[Case<'_>]) -> impl Iterator<Item = Self> + use<> {
+        let more = cases.iter().map(|case| case.record.more_values_told.len()).max().unwrap_or(0);
+        (0..=more).map(Self::Value)
+    }
+
+    /// Its name beside an axis, where values of `cases` are shown.
     #[must_use]
-    pub(crate) fn label(self) -> &'static [Piece<'static>] {
+    pub(crate) fn label(self, cases: &[Case<'_>]) -> &'static [Piece<'static>] {
         match self {
             Self::Barrier => &[Piece::Plain("barrier "), Piece::Italic("h"), Piece::Subscript("i")],
-            Self::Value => &[Piece::Plain("value "), Piece::Italic("y"), Piece::Subscript("i")],
+            Self::Value(place) if Self::values(cases).nth(1).is_some() => {
+                NUMBERS.get(place).copied().unwrap_or_default()
+            }
+            Self::Value(_) => &[Piece::Plain("value "), Piece::Italic("y"), Piece::Subscript("i")],
         }
     }
 
+    /// The numbers of all robots tick by tick; none if the record has no such quantity.
     fn column(self, record: &Record) -> &[f64] {
         match self {
             Self::Barrier => &record.h,
-            Self::Value => &record.value_told,
+            Self::Value(0) => &record.value_told,
+            Self::Value(place) => record.more_values_told.get(place - 1).map_or(&[], Vec::as_slice),
         }
+    }
+
+    /// As [`Self::column`], but what robots hold instead of what they tell.
+    fn held(self, record: &Record) -> &[f64] {
+        match self {
+            Self::Barrier => &[],
+            Self::Value(0) => &record.value,
+            Self::Value(place) => record.more_values.get(place - 1).map_or(&[], Vec::as_slice),
+        }
+    }
+
+    fn is_value(self) -> bool {
+        self != Self::Barrier
     }
 
     /// What has to be shown of all `cases`.
@@ -58,7 +89,7 @@ impl Quantity {
         let normal = of(Some(false));
         let all = match self {
             Self::Barrier => of(None).with(Range { min: -0.5, max: 0.5 }),
-            Self::Value => normal.with(of(Some(true)).within(normal.padded(normal.width()))),
+            Self::Value(_) => normal.with(of(Some(true)).within(normal.padded(normal.width()))),
         };
         all.padded(0.05 * all.width())
     }
@@ -75,7 +106,7 @@ impl Quantity {
         if self == Self::Barrier {
             draw_shade(svg, axes);
         }
-        let order = [self == Self::Value, self != Self::Value];
+        let order = [self.is_value(), !self.is_value()];
         for malicious in order {
             svg.begin(&self.lines_group(malicious, record.robots));
             for (index, _) in record.malicious.iter().enumerate().filter(|(_, kind)| **kind == malicious) {
@@ -85,7 +116,7 @@ impl Quantity {
         }
         match self {
             Self::Barrier => draw_zero(svg, axes),
-            Self::Value => self.draw_inset(svg, axes, record),
+            Self::Value(_) => self.draw_inset(svg, axes, record),
         }
     }
 
@@ -108,7 +139,7 @@ impl Quantity {
 
     /// The time in which normal values come to agree, drawn larger.
     fn draw_inset(self, svg: &mut Svg, axes: &Axes, record: &Record) {
-        let Some(inset) = inset::axes(axes, record) else { return };
+        let Some(inset) = inset::axes(axes, record, self.held(record)) else { return };
         inset::clear(svg, &inset);
         svg.begin(&self.lines_group(false, record.robots));
         for (index, _) in record.malicious.iter().enumerate().filter(|(_, malicious)| !**malicious) {
@@ -124,7 +155,7 @@ impl Quantity {
         match (malicious, self) {
             (false, _) => group.number("stroke-width", if robots > CROWD { 0.4 } else { 0.9 }),
             (true, Self::Barrier) => malicious_style(group, 1.3),
-            (true, Self::Value) => malicious_style(group, 0.6).number("stroke-opacity", 0.4),
+            (true, Self::Value(_)) => malicious_style(group, 0.6).number("stroke-opacity", 0.4),
         }
     }
 
@@ -132,7 +163,7 @@ impl Quantity {
         let points = self.points(axes, record, index);
         let mut path = PathData::default();
         for part in points.split(|point| !point[0].is_finite()) {
-            let part = if self == Self::Value { steps(part) } else { part.to_vec() };
+            let part = if self.is_value() { steps(part) } else { part.to_vec() };
             for (place, point) in thin(&part, COLUMN).into_iter().enumerate() {
                 if place == 0 { path.start(point) } else { path.continue_to(point) }
             }

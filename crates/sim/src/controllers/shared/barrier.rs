@@ -15,9 +15,6 @@ use closeranks_core::num::{Vector, add_scaled, dot, subtract};
 use crate::controllers::shared::half_spaces::HalfSpaces;
 use crate::controllers::{Answer, TeamView};
 
-/// α, 1/s: the same for all controllers of others that use barriers.
-pub(in crate::controllers) const RATE_1_S: f64 = 5.0;
-
 /// A function h of positions, with its gradient for each robot that it is about.
 #[derive(Clone, Debug, PartialEq)]
 pub(in crate::controllers) struct Barrier<const D: usize> {
@@ -71,17 +68,20 @@ impl<const D: usize> Barrier<D> {
 #[derive(Clone, Debug, Default)]
 pub(in crate::controllers) struct Shares {
     robots: Vec<HalfSpaces>,
+    /// α, 1/s.
+    rate_1_s: f64,
 }
 
 impl Shares {
     /// Begins a tick: nothing is bounded but that all pairs in range stay apart.
     pub(in crate::controllers) fn begin<const D: usize>(&mut self, view: &TeamView<'_, D>) {
+        self.rate_1_s = view.tuning.rate_1_s;
         self.robots.resize_with(view.positions_m.len(), HalfSpaces::default);
         self.robots.iter_mut().for_each(HalfSpaces::clear);
         for pair in pairs_in_range(view) {
             let apart = Barrier::apart(view, pair);
             for (robot, gradient) in &apart.gradients {
-                self.robots[*robot].push_first(gradient, -0.5 * RATE_1_S * apart.h);
+                self.robots[*robot].push_first(gradient, -0.5 * self.rate_1_s * apart.h);
             }
         }
     }
@@ -96,7 +96,7 @@ impl Shares {
         #[expect(clippy::cast_precision_loss, reason = "far below 2^53")]
         let robots = barrier.gradients.len() as f64;
         for (robot, gradient) in &barrier.gradients {
-            self.robots[*robot].push(gradient, -RATE_1_S * value / robots);
+            self.robots[*robot].push(gradient, -self.rate_1_s * value / robots);
         }
     }
 
@@ -116,7 +116,7 @@ impl Shares {
 /// What a pair may lose of R² − Δ² because velocities are held for a tick, m².
 fn sampling_m2<const D: usize>(view: &TeamView<'_, D>) -> f64 {
     let (move_m, hold_s) = (view.params.reach().longest_m(), view.params.hold_s());
-    4.0 * move_m * move_m / (RATE_1_S * hold_s).min(1.0)
+    4.0 * move_m * move_m / (view.tuning.rate_1_s * hold_s).min(1.0)
 }
 
 /// All pairs of different robots in range of each other, the lower number first.

@@ -2,7 +2,7 @@
 
 use crate::attack::ValueAttack;
 use crate::controllers::shared::barrier::Barrier;
-use crate::controllers::{Controller, TeamView};
+use crate::controllers::{Controller, TeamView, Tuning};
 use crate::scenario::Scenario;
 use crate::scenario::desired::Desired;
 use crate::world::{Options, World};
@@ -38,7 +38,8 @@ pub(in crate::controllers) fn view<'a>(
     params: &'a Params<2>,
     positions_m: &'a [Vector<2>],
 ) -> TeamView<'a, 2> {
-    TeamView { params, positions_m, velocities_m_s: positions_m, desired_m_s: positions_m }
+    let tuning = Tuning::USUAL;
+    TeamView { params, positions_m, velocities_m_s: positions_m, desired_m_s: positions_m, tuning }
 }
 
 /// Compares the gradients of a barrier with differences of its value.

@@ -1,0 +1,87 @@
+//! Where exact answers end: `cargo run --release -p closeranks-graph --example limits -- [NODES] [FAMILY ...]`.
+//!
+//! For each family and size it prints r_max and F_max, and how many nodes of the search tree each took. NODES is where a question is given
+//! up (20 million if left out); the count is the same on every machine and for every number of threads, the seconds are not.
+#![allow(clippy::print_stdout, clippy::unwrap_used, reason = "an example")]
+
+use core::ops::ControlFlow;
+use std::env;
+use std::time::Instant;
+
+use closeranks_graph::decide::Robustness;
+use closeranks_graph::effort::{Effort, Meter, Progress};
+use closeranks_graph::graph::Graph;
+use closeranks_graph::makers::{fixed, random, symmetric};
+use closeranks_graph::verdict::Interval;
+
+type Family = (&'static str, Vec<Graph>);
+
+fn main() {
+    let arguments: Vec<String> = env::args().skip(1).collect();
+    let nodes = arguments.first().map_or(20_000_000, |nodes| nodes.parse().unwrap());
+    println!("family,n,question,answer,nodes,seconds");
+    for (family, graphs) in families() {
+        if arguments.len() > 1 && !arguments[1..].iter().any(|name| name == family) {
+            continue;
+        }
+        for graph in graphs {
+            let open = [("r_max", r_max as Ask), ("F_max", f_max)].map(|(question, ask)| {
+                let (answer, spent, seconds) = ask_within(&graph, nodes, ask);
+                let answer = match answer.exactly() {
+                    Some(number) => number.to_string(),
+                    None => format!("{} to {}", answer.least, answer.most),
+                };
+                println!("{family},{},{question},{answer},{spent},{seconds:.2}", graph.node_count());
+                spent >= nodes
+            });
+            if open == [true, true] {
+                break;
+            }
+        }
+    }
+}
+
+type Ask = fn(&mut Robustness<'_>, &mut Meter<'_>) -> Interval;
+
+fn r_max(robustness: &mut Robustness<'_>, meter: &mut Meter<'_>) -> Interval {
+    robustness.r_max(meter)
+}
+
+fn f_max(robustness: &mut Robustness<'_>, meter: &mut Meter<'_>) -> Interval {
+    robustness.f_max(meter)
+}
+
+fn ask_within(graph: &Graph, nodes: u64, ask: Ask) -> (Interval, u64, f64) {
+    #[expect(clippy::disallowed_methods, reason = "the time taken is printed")]
+    let start = Instant::now();
+    let mut go_on = |_: &Progress| ControlFlow::Continue(());
+    let mut meter = Meter::new(nodes, &mut go_on);
+    let mut robustness = Robustness::new(graph, &Effort { nodes, table_bytes: 0 });
+    let answer = ask(&mut robustness, &mut meter);
+    (answer, meter.nodes(), start.elapsed().as_secs_f64())
+}
+
+fn families() -> Vec<Family> {
+    let of = |sizes: &[usize], make: &dyn Fn(usize) -> Graph| sizes.iter().map(|n| make(*n)).collect();
+    vec![
+        (
+            "multipartite",
+            [(5, 6), (6, 6), (6, 7), (8, 6), (6, 10)]
+                .map(|(p, s)| symmetric::multipartite(p, s).unwrap())
+                .to_vec(),
+        ),
+        ("bipartite", of(&[40, 50, 60], &|n| fixed::bipartite(n / 2, n / 2).unwrap())),
+        ("rook-complement", of(&[5, 6, 7], &|n| symmetric::rook_complement(n, n).unwrap())),
+        ("kneser", of(&[8, 9, 10, 11], &|n| symmetric::kneser(n, 2).unwrap())),
+        ("paley", of(&[29, 37, 41, 53], &|n| symmetric::paley(n).unwrap())),
+        (
+            "er-0.8",
+            of(&[26, 28, 30, 32, 34, 36, 38, 40, 42], &|n| random::erdos_renyi(n, 0.8, false, 1).unwrap()),
+        ),
+        (
+            "er-0.5",
+            of(&[32, 36, 38, 40, 42, 44, 46, 48], &|n| random::erdos_renyi(n, 0.5, false, 1).unwrap()),
+        ),
+        ("regular-half", of(&[26, 28, 32, 36, 40, 44], &|n| random::regular(n, n / 2, 1).unwrap())),
+    ]
+}

@@ -1,0 +1,59 @@
+//! What all parts of a search share: the graph, what its nodes need, and which of them look alike.
+
+use alloc::vec::Vec;
+
+use super::peel::Needs;
+use super::side::Side;
+use super::symmetry;
+use crate::graph::Graph;
+use crate::graph::word::Word;
+
+/// Tries for automorphisms that keep what is known, at most.
+const TRIES: usize = 400;
+
+/// One question (r, ·) about one graph.
+pub(super) struct Board<'g, W> {
+    pub(super) graph: &'g Graph,
+    pub(super) needs: Needs<W>,
+    symmetry: Option<Symmetry<W>>,
+}
+
+/// Whom a node may trade places with, and how long a search must have been before more symmetries are looked for.
+struct Symmetry<W> {
+    twins: Vec<W>,
+    patience: u64,
+}
+
+impl<'g, W: Word> Board<'g, W> {
+    /// Of no symmetry.
+    pub(super) fn plain(graph: &'g Graph, r: usize) -> Self {
+        Self { graph, needs: Needs::new(graph, r), symmetry: None }
+    }
+
+    /// With twins, and after searches of `patience` nodes with whatever symmetry is found.
+    pub(super) fn with_symmetry(graph: &'g Graph, r: usize, patience: u64) -> Self {
+        let twins = symmetry::twins(graph).into_iter().map(|set| W::from_bits(set.bits())).collect();
+        Self { symmetry: Some(Symmetry { twins, patience }), ..Self::plain(graph, r) }
+    }
+
+    /// The node and all found to which automorphisms take it that keep everything that is known: `side` and `field`.
+    ///
+    /// If no sets are a witness with `node` taken, none are with one of these taken, by the same automorphism. The search without
+    /// `node` has cost `spent` nodes, and looking for automorphisms costs less.
+    //= theory sec:symmetry
+    pub(super) fn alike(&self, side: &Side<W>, field: W, node: usize, spent: u64) -> W {
+        let one = W::one(node);
+        let Some(Symmetry { twins, patience }) = &self.symmetry else { return one };
+        if spent >= *patience {
+            let color =
+                |node: usize| side.color(W::one(node)) + 16 * usize::from(W::one(node).is_within(field));
+            let colors: Vec<usize> = (0..self.graph.node_count()).map(color).collect();
+            let tries = usize::try_from(spent / 32).unwrap_or(TRIES).min(TRIES).max(1);
+            return W::from_bits(symmetry::orbit(self.graph, &colors, node, tries).bits());
+        }
+        let color = side.color(one);
+        let alike = twins[node].nodes().map(W::one).filter(|other| side.color(*other) == color);
+        let alike = alike.filter(|other| other.is_within(field) == one.is_within(field));
+        alike.fold(one, |all, other| all | other)
+    }
+}
