@@ -104,9 +104,8 @@ fn phi_is_a_matter_of_the_papers_controller() {
             assert_eq!(number.is_number(), is_there, "{controller}: {number}");
         }
     }
-    let (_, told) = ran("duration_s = 0.1\n", "compare a.toml");
-    let dashes = told.lines().find(|line| line.starts_with("budget  ") && line.contains("  -  ")).unwrap();
-    assert_eq!(dashes.split_whitespace().filter(|cell| *cell == "-").count(), 2, "{told}");
+    let (_, told) = ran("duration_s = 0.1\n", "compare a.toml --controllers budget,none");
+    assert!(!told.contains("phi"), "{told}");
 }
 
 /// Tables used to be 130 columns wide.
@@ -115,6 +114,7 @@ fn tables_fit_80_columns() {
     for arguments in ["run a.toml", "compare a.toml --controllers composed,budget,none"] {
         let (_, told) = ran("duration_s = 0.1\n", arguments);
         let rules = told.lines().filter(|line| line.starts_with("---")).map(str::len);
-        assert!(rules.clone().count() == 2 && rules.max() <= Some(80), "{told}");
+        assert!(rules.clone().count() >= 2 && rules.max() <= Some(80), "{told}");
+        assert!(!told.contains("\n\n-"), "every block has heads\n{told}");
     }
 }

@@ -82,8 +82,12 @@ impl Lines {
         let columns: Vec<usize> = columns.filter(|column| *column < self.widths.len()).collect();
         let mut out = String::new();
         for (index, line) in self.cells.iter().enumerate() {
-            out.push_str(self.line(line, &columns).trim_end());
-            out.push('\n');
+            let told = self.line(line, &columns);
+            // Heads of one line have an empty second one where another block has units.
+            if index >= self.heads || !told.trim_end().is_empty() {
+                out.push_str(told.trim_end());
+                out.push('\n');
+            }
             if index + 1 == self.heads {
                 let gaps = GAP * columns.len().saturating_sub(1);
                 let width = columns.iter().map(|column| self.widths[*column]).sum::<usize>() + gaps;
@@ -152,6 +156,12 @@ mod tests {
             "name     degree\n          least\n---------------\nnominal       7\nx            10\n"
         );
         assert_eq!(text(&table(&[], &[])), "");
+        let wide = ["degree\nleast", "words"].map(|head| format!("{head}{}", " ".repeat(60)));
+        let told = text(&table(&["name", &wide[0], &wide[1]], &[&["x", "10", "senses"]]));
+        assert!(
+            told.ends_with("senses\n") && told.lines().all(|line| line.is_empty() == line.trim().is_empty())
+        );
+        assert!(!told.contains("\n\n-"), "{told}");
         assert_eq!(text(&table(&["alone"], &[&["x"]])), "alone\n-----\nx\n");
     }
 
