@@ -6,6 +6,7 @@ use closeranks_core::num::Vector;
 use closeranks_core::settings::params::Params;
 
 use crate::frame::Frame;
+use crate::geometry::around::Around;
 use crate::geometry::near::Near;
 use crate::geometry::squared_distance;
 use crate::scenario::Scenario;
@@ -16,14 +17,20 @@ pub(crate) struct Phi {
     composed: Composed,
     terms: Vec<f64>,
     sums: Vec<Sum<0, f64>>,
-    radius_m2: f64,
+    radius_m: f64,
+    around: Around,
 }
 
 impl Phi {
     /// For the robots of `scenario`.
     pub(crate) fn new(scenario: &Scenario) -> Self {
-        let radius_m2 = scenario.link.radius_m * scenario.link.radius_m;
-        Self { composed: scenario.composition(), terms: Vec::new(), sums: Vec::new(), radius_m2 }
+        Self {
+            composed: scenario.composition(),
+            terms: Vec::new(),
+            sums: Vec::new(),
+            radius_m: scenario.link.radius_m,
+            around: Around::default(),
+        }
     }
 
     /// φ_i of every robot, from the `levels` of all and all distances. `links` are robots with their neighbours of lower numbers.
@@ -49,25 +56,24 @@ impl Phi {
                 }
             }
         }
-        for (robot, place) in phis.iter_mut().enumerate() {
-            let phi = self.sums[robot].phi(&composed);
-            *place = if phi.is_finite() { phi } else { self.careful(robot, levels, positions_m) };
+        for (place, sum) in phis.iter_mut().zip(&self.sums) {
+            *place = sum.phi(&composed);
+        }
+        if phis.iter().all(|phi| phi.is_finite()) {
+            return;
+        }
+        self.around.look(positions_m, self.radius_m);
+        for (robot, phi) in phis.iter_mut().enumerate().filter(|(_, phi)| !phi.is_finite()) {
+            *phi = self.careful(robot, levels, positions_m);
         }
     }
 
     /// φ_i of a robot whose plain sums overflowed.
     fn careful<const D: usize>(&self, robot: usize, levels: &[f64], positions_m: &[Vector<D>]) -> f64 {
         let own = &positions_m[robot];
-        let others = positions_m.iter().zip(levels).enumerate().filter(|(other, _)| *other != robot);
-        let near = others.filter_map(|(_, (position, level))| {
-            let distance_m2 = squared_distance(own, position);
-            (self.radius_m2 - distance_m2 >= 0.0).then_some((distance_m2, *level))
-        });
-        self.composed.phi(
-            levels[robot],
-            near.clone().map(|(_, level)| level),
-            near.map(|(distance, _)| distance),
-        )
+        let near = self.around.of(robot).iter().map(|other| usize::from(*other));
+        let distances_m2 = near.clone().map(|other| squared_distance(own, &positions_m[other]));
+        self.composed.phi(levels[robot], near.map(|other| levels[other]), distances_m2)
     }
 }
 
