@@ -3,6 +3,7 @@
 # `make.sh campaign FOLDER` takes campaign-laws.png over from the folder of a finished sweep (docs/reliability.md has the command): it
 # is about the commit that is named there, so it does not become stale. The program is built, or taken from $CLOSERANKS.
 # robustness-performance.svg shows measured times: crates/graph/benches/compare/compare.py draws it.
+# swarm.png is overview.png of `closeranks run scenarios/swarm.toml -o swarm`, made smaller: it takes too long to be made here.
 # swarm-cost.svg shows counted instructions: crates/sim/benches/swarm.py draws it.
 set -euo pipefail
 cd "$(dirname "$0")/../.."
