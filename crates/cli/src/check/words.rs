@@ -168,7 +168,7 @@ pub(super) fn split(named: &Named, split: &Split) -> String {
     format!("Who would still agree: {}.{between}", groups.join(", "))
 }
 
-/// The same for machines.
+/// Who would still agree, as a value of `--json`.
 pub(super) fn split_value(named: &Named, split: &Split) -> Value {
     json!({
         "groups": [values(named, split.first), values(named, split.second)],

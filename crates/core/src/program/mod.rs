@@ -37,7 +37,7 @@ impl<const D: usize> InputBox<D> {
         Self { min_m_s, max_m_s, speed_max_m_s: f64::INFINITY }
     }
 
-    /// The same with this greatest speed, m/s.
+    /// Limits the speed too, whatever its direction, to `speed_max_m_s`.
     #[must_use]
     pub const fn within(self, speed_max_m_s: f64) -> Self {
         Self { speed_max_m_s, ..self }

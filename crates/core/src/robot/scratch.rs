@@ -32,7 +32,7 @@ pub struct Needs {
 }
 
 impl Needs {
-    /// The same with rows for up to `obstacles` within reach of one move. In a tick in which more of them are, and the rows for
+    /// Adds rows for up to `obstacles` that are within reach of one move. In a tick in which more of them are, and the rows for
     /// neighbours leave no room, the robot stands still, which is always allowed.
     #[must_use]
     pub fn among<const D: usize>(self, obstacles: usize) -> Self {
@@ -43,7 +43,7 @@ impl Needs {
 }
 
 impl<'memory, const D: usize> Scratch<'memory, D> {
-    /// The same for a robot among the obstacles of `map`, in the frame of the robot. Whoever knows of many hands over those near it:
+    /// Lends the obstacles of `map` too, in the frame of the robot. Whoever knows of many hands over those near it:
     /// in a tick only those matter that the longest move could take nearer than allowed.
     #[must_use]
     pub fn among(self, map: &'memory [Obstacle<D>]) -> Self {

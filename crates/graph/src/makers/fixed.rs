@@ -112,7 +112,8 @@ pub fn tight(node_count: usize, f: usize) -> Result<Graph, MakerError> {
     })
 }
 
-fn joined(node_count: usize, is_edge: impl Fn(usize, usize) -> bool) -> Result<Graph, MakerError> {
+/// The graph in which `less < greater` are joined where `is_edge(less, greater)`.
+pub(super) fn joined(node_count: usize, is_edge: impl Fn(usize, usize) -> bool) -> Result<Graph, MakerError> {
     let mut graph = Graph::empty(node_count, false)?;
     for greater in 1..node_count {
         for less in (0..greater).filter(|&less| is_edge(less, greater)) {

@@ -2,6 +2,7 @@
 
 use alloc::vec::Vec;
 
+use super::fixed::joined;
 use super::{MakerError, require};
 use crate::graph::Graph;
 use crate::graph::set::NODE_LIMIT;
@@ -34,16 +35,6 @@ pub fn paley(prime: usize) -> Result<Graph, MakerError> {
     require(is_prime && prime % 4 == 1 && prime <= NODE_LIMIT, "prime", "a prime 4k + 1 up to 113")?;
     let squares: Vec<usize> = (1..prime).map(|number| number * number % prime).collect();
     joined(prime, |one, other| squares.contains(&(other - one)))
-}
-
-fn joined(node_count: usize, is_edge: impl Fn(usize, usize) -> bool) -> Result<Graph, MakerError> {
-    let mut graph = Graph::empty(node_count, false)?;
-    for greater in 1..node_count {
-        for less in (0..greater).filter(|&less| is_edge(less, greater)) {
-            graph.add_edge(less, greater)?;
-        }
-    }
-    Ok(graph)
 }
 
 #[cfg(test)]

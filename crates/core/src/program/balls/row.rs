@@ -48,7 +48,7 @@ impl<const D: usize> Row<D> {
         Self { normal, curvature: 0.0, bound: larger(bound_m, 0.0) }
     }
 
-    /// The same row for steps from `to`, where it holds: `n·(to + w) + c |to + w|² ≤ b` as a row of w.
+    /// This row as one for steps w from the point `to`, at which it must hold: `n·(to + w) + c |to + w|² ≤ b`.
     pub(crate) fn shifted(&self, to: &Vector<D>) -> Self {
         Self::new(self.gradient(to), self.curvature, self.bound - self.value(to))
     }
