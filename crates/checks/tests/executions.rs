@@ -1,6 +1,6 @@
 //! docs/reliability.md says how often each target was tried, as fuzz/executions.txt counts it.
 //!
-//! After new runs of `examples/fuzz.rs` the table is made again by
+//! After new runs of `examples/fuzz.rs`, here or in crates/node, the table is made again by
 //!
 //! ```sh
 //! MAKE=1 cargo test -p closeranks-checks --test executions
@@ -26,6 +26,13 @@ fn about(target: &str) -> &'static str {
         "scenario" => "scenarios in TOML, with sweeps",
         "graph" => "graphs, in the format that is found",
         "recording" => "recordings in Parquet",
+        "node_envelope" => "envelopes of `closeranks-node`, before the signature",
+        "node_report" => "reports of `closeranks-node`",
+        "node_look" => "what a plant shows a robot",
+        "node_proof" => "proofs of two faces",
+        "ros_pose" => "`geometry_msgs/PoseStamped`",
+        "ros_odometry" => "`nav_msgs/Odometry`",
+        "ros_twist" => "`geometry_msgs/Twist` and `TwistStamped`",
         _ => "graphs in one format",
     }
 }
