@@ -29,6 +29,11 @@ pub(crate) trait Robots<const D: usize>: Send + Sync {
         false
     }
 
+    /// True if `robot` reckons with one that is absent.
+    fn reckons_with_any(&self, _robot: usize, _absent: &[bool]) -> bool {
+        false
+    }
+
     /// Where robot `index` counts itself in this tick, if it keeps a reference of its own.
     fn counted(&self, _index: usize) -> Option<Counted<D>> {
         None
@@ -59,6 +64,10 @@ where
         let neighbors = self.running(robot).into_iter().flat_map(Robot::neighbors);
         senders.extend(neighbors.filter(|slot| slot.told_value().is_some()).map(|slot| slot.id().0 - 1));
         true
+    }
+
+    fn reckons_with_any(&self, robot: usize, absent: &[bool]) -> bool {
+        self.reckons_with_any(robot, absent)
     }
 
     fn counted(&self, index: usize) -> Option<Counted<D>> {
