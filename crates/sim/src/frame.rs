@@ -78,7 +78,7 @@ pub struct Frame<const D: usize> {
 pub struct Presence {
     /// Robots that are not there.
     pub absent: Vec<bool>,
-    /// Those of them of which nobody was told that they left.
+    /// Robots that left silently: others may reckon with them where they are not, also after they came again.
     pub unannounced: Vec<bool>,
     /// Robots that came in this tick, and begin anew.
     pub arrived: Vec<bool>,

@@ -8,6 +8,7 @@ use closeranks_sim::output::attendance::{Attendance, Refused};
 use closeranks_sim::output::summary::Summary;
 use closeranks_sim::parse;
 use closeranks_sim::scenario::Scenario;
+use closeranks_sim::scenario::desired::Desired;
 use closeranks_sim::sweep::Plan;
 use closeranks_sim::world::{Engine, Options, World, initial_values, run};
 
@@ -32,7 +33,7 @@ fn summary(scenario: &Scenario) -> Summary {
 }
 
 /// The world at a tick.
-fn at(scenario: &Scenario, tick: u32) -> World<2> {
+fn at_tick(scenario: &Scenario, tick: u32) -> World<2> {
     let mut world = World::<2>::new(scenario, Options::default()).unwrap();
     while world.ticks_done() <= tick {
         world.step();
@@ -58,7 +59,7 @@ fn a_shift_changes_and_everything_holds() {
 fn who_is_absent_has_no_body_and_no_voice() {
     for controller in ["budget", "links", "composed", "none"] {
         let world =
-            at(&resting(controller, "{ robot = 4, from_s = 1.0, to_s = 2.0, at_m = [0.0, 1.4] }"), 60);
+            at_tick(&resting(controller, "{ robot = 4, from_s = 1.0, to_s = 2.0, at_m = [0.0, 1.4] }"), 60);
         let frame = world.frame();
         assert!(frame.positions_m[3].iter().all(|x| x.is_nan()), "{controller}");
         assert_eq!((frame.degrees[3], frame.down[3], frame.velocities_m_s[3]), (0, true, [0.0; 2]));
@@ -70,7 +71,7 @@ fn who_is_absent_has_no_body_and_no_voice() {
         assert_eq!(frame.links, 28);
         let snapshot = world.snapshot().unwrap();
         assert!(snapshot.h(3).is_nan() && snapshot.value[3].is_nan() && snapshot.told(3).is_nan());
-        let there = at(world.scenario(), 101);
+        let there = at_tick(world.scenario(), 101);
         assert_eq!(there.frame().degrees[3], 8, "{controller}");
     }
 }
@@ -88,25 +89,33 @@ fn both_engines_give_the_same_bits() {
     }
 }
 
-/// One that comes where it has too few neighbours says that it promises nothing, comes nearer, and then promises.
+/// Where it has enough neighbours a robot that comes promises at once; else it says that it does not, and all others go on promising.
 //= theory sec:arrivals type=test
 #[test]
 fn who_comes_begins_anew_and_promises_when_it_is_connected() {
-    let scenario = resting("budget", "{ robot = 7, to_s = 0.5, at_m = [3.2, 0.0] }");
-    let world = at(&scenario, 25);
-    let frame = world.frame();
-    assert_eq!(frame.positions_m[6], [3.2, 0.0]);
-    assert_eq!(
-        (frame.outcomes[6], frame.modes[6]),
-        (Outcome::Recovering, Mode::Degraded(Reason::OutsideSafeSet))
-    );
-    assert_eq!(frame.held[6], initial_values(&scenario).unwrap()[6]);
-    assert!(frame.modes.iter().enumerate().all(|(robot, mode)| robot == 6 || *mode == Mode::Guaranteed));
-    let world = at(&scenario, 150);
-    assert_eq!(world.frame().modes[6], Mode::Guaranteed);
-    assert!(
-        world.monitors().verdicts().iter().all(|verdict| verdict.covered == 0 || verdict.law.is_about_phi())
-    );
+    for (at, connected) in [("[2.6, 0.0]", true), ("[3.2, 0.0]", false)] {
+        let scenario = resting("budget", &format!("{{ robot = 7, to_s = 0.5, at_m = {at} }}"));
+        let world = at_tick(&scenario, 25);
+        let frame = world.frame();
+        assert!(frame.presence.arrived[6] && frame.held[6] == initial_values(&scenario).unwrap()[6]);
+        let expected = match connected {
+            true => (Outcome::Free, Mode::Guaranteed),
+            false => (Outcome::Recovering, Mode::Degraded(Reason::Degree)),
+        };
+        assert_eq!((frame.outcomes[6], frame.modes[6]), expected);
+        let others = frame.modes.iter().enumerate().filter(|(robot, _)| *robot != 6);
+        assert!(others.into_iter().all(|(_, mode)| *mode == Mode::Guaranteed));
+    }
+}
+
+/// Under `links` one that comes at the rim and wishes to gather is counted on soon.
+//= theory sec:arrivals type=test
+#[test]
+fn who_comes_at_the_rim_is_taken_in_by_links() {
+    let absent = "{ robot = 7, to_s = 0.5, at_m = [3.2, 0.0] }";
+    let scenario = Scenario { desired: Desired::Gather, ..resting("links", absent) };
+    let modes = [25, 140].map(|tick| at_tick(&scenario, tick).frame().modes[6]);
+    assert_eq!(modes, [Mode::Degraded(Reason::Uncounted), Mode::Guaranteed]);
 }
 
 #[test]
@@ -118,7 +127,7 @@ fn who_finds_its_place_taken_waits_and_says_why() {
     assert!((distance_m - 0.1).abs() < 0.01 && needed_m == 0.3);
     let drawn = resting("budget", "{ robot = 7, from_s = 0.5, to_s = 1.0 }");
     assert_eq!(summary(&drawn).attendance, Attendance { left: 1, arrived: 1, refused: 0, first: None });
-    assert_eq!(at(&drawn, 120).frame().positions_m, at(&drawn, 120).frame().positions_m);
+    assert_eq!(at_tick(&drawn, 120).frame().positions_m, at_tick(&drawn, 120).frame().positions_m);
 }
 
 /// A robot that leaves takes its link along and nothing else: at most half of q1 of anybody's h.
@@ -127,7 +136,7 @@ fn who_finds_its_place_taken_waits_and_says_why() {
 fn a_departure_takes_no_more_than_one_weight() {
     let scenario = resting("budget", "{ robot = 4, from_s = 1.0 }, { robot = 6, from_s = 1.0 }");
     let most = 0.5 * scenario.link_shape().unwrap().q1;
-    let [before, after] = [49, 50].map(|tick| at(&scenario, tick).frame().h.clone());
+    let [before, after] = [49, 50].map(|tick| at_tick(&scenario, tick).frame().h.clone());
     for robot in (0..9).filter(|robot| ![3, 5].contains(robot)) {
         let fell = before[robot] - after[robot];
         assert!(fell > 1.0 && fell <= 2.0 * most + 1e-9, "robot {} lost {fell}", robot + 1);
@@ -145,7 +154,7 @@ fn too_many_departures_are_held_against_nobody() {
         let summary = summary(&scenario);
         assert!(summary.broken(Law::Degree) > 0, "{controller}");
         assert_eq!(summary.violations(&scenario).count(), 0, "{controller}");
-        let world = at(&scenario, 148);
+        let world = at_tick(&scenario, 148);
         let left = 0..4;
         assert!(left.into_iter().all(|robot| world.frame().modes[robot] != Mode::Guaranteed), "{controller}");
     }
@@ -159,7 +168,6 @@ fn a_silent_departure_breaks_an_assumption_for_as_long_as_it_is_not_noticed() {
             controller,
             "{ robot = 4, from_s = 1.0, to_s = 2.9, at_m = [0.0, 1.4], leaves = \"silently\" }",
         );
-        let broken: Vec<u32> = (0..145).filter(|tick| tick % 8 == 2).collect();
         let mut world = World::<2>::new(&scenario, Options::default()).unwrap();
         let mut ghosts = Vec::new();
         for tick in 0..145 {
@@ -167,7 +175,7 @@ fn a_silent_departure_breaks_an_assumption_for_as_long_as_it_is_not_noticed() {
             ghosts.extend(frame.assumptions.broken.then_some(tick));
         }
         assert_eq!(ghosts.first(), Some(&50), "{controller}");
-        assert!(ghosts.len() > 10 && *ghosts.last().unwrap() < 144, "{controller}: {ghosts:?} {broken:?}");
+        assert!(ghosts.len() > 10 && *ghosts.last().unwrap() < 144, "{controller}: {ghosts:?}");
         assert_eq!(world.finish().summary.violations(&scenario).count(), 0, "{controller}");
     }
 }
@@ -209,7 +217,7 @@ fn what_cannot_be_run_is_refused_with_its_place() {
 fn nothing_that_is_promised_is_broken_in_drawn_teams() {
     let plan = Plan::read(CAMPAIGN).unwrap();
     let mut arrived = 0;
-    for number in 0..24 {
+    for number in 0..6 {
         let drawn = plan.draw(7, number).unwrap();
         for (scenario, _) in drawn.scenarios.iter().filter(|(one, _)| one.controller.row().guarantees) {
             let summary = summary(scenario);
@@ -218,5 +226,5 @@ fn nothing_that_is_promised_is_broken_in_drawn_teams() {
             arrived += summary.attendance.arrived;
         }
     }
-    assert!(arrived > 20, "{arrived}");
+    assert!(arrived > 4, "{arrived}");
 }

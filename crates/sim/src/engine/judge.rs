@@ -61,8 +61,8 @@ impl Judge {
                 misplaced |= off;
                 off || edges.sight.overlooks(index)
             });
-            // Nobody can know of a robot that left silently that it is not there.
-            *wrong |= silent.is_some_and(|silent| robots.reckons_with_any(index, silent));
+            // Nobody can know of a robot that left silently that it is not where it was.
+            *wrong |= silent.is_some_and(|silent| robots.reckons_unseen(index, silent));
         }
         for (index, unsensed) in frame.assumptions.unsensed.iter_mut().enumerate() {
             *unsensed = edges.is_some_and(|edges| edges.sight.misses(index));

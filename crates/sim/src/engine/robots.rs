@@ -29,8 +29,8 @@ pub(crate) trait Robots<const D: usize>: Send + Sync {
         false
     }
 
-    /// True if `robot` reckons with one that is absent.
-    fn reckons_with_any(&self, _robot: usize, _absent: &[bool]) -> bool {
+    /// True if `robot` reckons with one of `these` that it does not sense.
+    fn reckons_unseen(&self, _robot: usize, _these: &[bool]) -> bool {
         false
     }
 
@@ -66,8 +66,8 @@ where
         true
     }
 
-    fn reckons_with_any(&self, robot: usize, absent: &[bool]) -> bool {
-        self.reckons_with_any(robot, absent)
+    fn reckons_unseen(&self, robot: usize, these: &[bool]) -> bool {
+        self.reckons_unseen(robot, these)
     }
 
     fn counted(&self, index: usize) -> Option<Counted<D>> {

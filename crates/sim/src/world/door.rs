@@ -118,7 +118,7 @@ impl<const D: usize> Door<D> {
             Ok(place_m) => {
                 frame.positions_m[index] = place_m;
                 bodies.place(index, &place_m);
-                (frame.presence.absent[index], frame.presence.unannounced[index]) = (false, false);
+                frame.presence.absent[index] = false;
                 frame.presence.arrived[index] = true;
                 frame.presence.changed = true;
                 self.attendance.arrived += 1;

@@ -182,11 +182,11 @@ impl<const D: usize, T: Transport> Fleet<D, T> {
         }
     }
 
-    /// True if the robot `index` reckons with one that is absent.
+    /// True if the robot `index` reckons with one of `these` that it does not sense.
     #[must_use]
-    pub fn reckons_with_any(&self, index: usize, absent: &[bool]) -> bool {
+    pub fn reckons_unseen(&self, index: usize, these: &[bool]) -> bool {
         let slots = self.running(index).into_iter().flat_map(Robot::neighbors);
-        slots.into_iter().any(|slot| absent[usize::from(slot.id().0) - 1])
+        slots.into_iter().any(|slot| these[usize::from(slot.id().0) - 1] && !slot.is_sensed())
     }
 
     fn sense(&mut self, frame: &Frame<D>) {
