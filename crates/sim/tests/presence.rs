@@ -98,9 +98,10 @@ fn who_comes_begins_anew_and_promises_when_it_is_connected() {
         let world = at_tick(&scenario, 25);
         let frame = world.frame();
         assert!(frame.presence.arrived[6] && frame.held[6] == initial_values(&scenario).unwrap()[6]);
-        let expected = match connected {
-            true => (Outcome::Free, Mode::Guaranteed),
-            false => (Outcome::Recovering, Mode::Degraded(Reason::Degree)),
+        let expected = if connected {
+            (Outcome::Free, Mode::Guaranteed)
+        } else {
+            (Outcome::Recovering, Mode::Degraded(Reason::Degree))
         };
         assert_eq!((frame.outcomes[6], frame.modes[6]), expected);
         let others = frame.modes.iter().enumerate().filter(|(robot, _)| *robot != 6);

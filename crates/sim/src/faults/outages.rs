@@ -139,7 +139,7 @@ mod tests {
             let crash = Some(Spell { robot: 2, from_s: 0.02, to_s });
             let mut downtime = Downtime::new(Outages { crash, forgets: true, ..Outages::default() }, 1, 11);
             let births = (0..400).filter(|tick| {
-                downtime.begin_tick(f64::from(*tick) * tick_s);
+                downtime.begin_tick(f64::from(*tick) * tick_s, &Presence::full(11));
                 downtime.reborn(1)
             });
             assert_eq!(births.count(), 1, "{tick_s} s, {to_s} s");
