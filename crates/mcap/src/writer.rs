@@ -45,7 +45,7 @@ impl<W: Write + Seek> RunWriter<W> {
     /// word for a robot that is not there.
     pub fn new(scenario: &Scenario, metadata: &Metadata<'_>, command: &str, sink: W) -> io::Result<Self> {
         if !scenario.absences.is_empty() {
-            let why = "`team.absent`: messages of ROS 2 have no word for robots that come and go; record FILE.parquet";
+            let why = "`team.absent`: messages of ROS 2 have no word for robots that come and go";
             return Err(io::Error::new(io::ErrorKind::Unsupported, why));
         }
         let tick_ns = u64::try_from(scenario.clock.level_period.as_nanos()).unwrap_or(u64::MAX);

@@ -4,7 +4,7 @@ use closeranks_core::num::Vector;
 use closeranks_core::settings::range::{Allowed, MAGNITUDE_MAX};
 use toml::de::DeValue;
 
-use crate::controllers::{Controller, Knows};
+use crate::controllers::Controller;
 use crate::faults::Spell;
 use crate::parse::common::{ANY, NOT_NEGATIVE, set, small};
 use crate::parse::reader::{Reader, Section};
@@ -79,8 +79,8 @@ impl Absence {
             let found = format!("robot {} leaves at {} s, while it is away", one.robot, next.from_s);
             return reader.refuse(field, found, format!("later than {} s", one.to_s));
         }
-        if scenario.controller.row().knows == Knows::Global {
-            let local = Controller::ALL.iter().filter(|of| of.row().knows != Knows::Global);
+        if !scenario.controller.row().runs_with_absent() {
+            let local = Controller::ALL.iter().filter(|of| of.row().runs_with_absent());
             let names: Vec<_> = local.map(|of| of.name()).collect();
             let found = format!(
                 "under controller \"{}\", which looks at all of the roster",
