@@ -204,6 +204,7 @@ pub(super) fn proof(certificate: Certificate) -> String {
         Certificate::Nothing => "the definition, which asks nothing here".to_owned(),
         Certificate::Degrees { degree_min } => format!("its least degree, {degree_min}"),
         Certificate::Pairs => "pairs: no two robots can hold out in disjoint sets".to_owned(),
+        Certificate::Eigenvalues => "eigenvalues: two such sets have more robots than there are".to_owned(),
         Certificate::Search { nodes } => format!("exhaustive search of {}", count(nodes, "set")),
         Certificate::Table { subsets } => format!("a table of all {subsets} subsets"),
         Certificate::Shifted { steps } => format!("the answer for r + {steps}"),
