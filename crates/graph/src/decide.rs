@@ -166,16 +166,15 @@ impl<'g> Robustness<'g> {
         let affordable = table::bytes(graph.node_count()) <= self.table_bytes;
         let patience = if affordable { LEAST_PATIENCE + table::cost(graph.node_count()) } else { u64::MAX };
         let short = meter.within(patience.min(PLAIN), |meter| search::plain(graph, r, s, meter))?;
-        let found = match short {
-            Some(found) => Some(found),
-            None => {
-                let spectrum = self.ask_spectrum();
-                if s <= self.ledger.least(r) {
-                    return Ok(());
-                }
-                let left = patience.saturating_sub(PLAIN);
-                meter.within(left, |meter| search::informed(graph, r, s, spectrum, ALIKE, meter))?
+        let found = if short.is_some() {
+            short
+        } else {
+            let spectrum = self.ask_spectrum();
+            if s <= self.ledger.least(r) {
+                return Ok(());
             }
+            let left = patience.saturating_sub(PLAIN);
+            meter.within(left, |meter| search::informed(graph, r, s, spectrum, ALIKE, meter))?
         };
         match found {
             Some(Some(witness)) => self.ledger.note_witness(r, witness.first, witness.second),

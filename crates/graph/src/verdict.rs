@@ -90,7 +90,9 @@ impl Certificate {
     /// What this says about the r that is `steps` lower.
     pub(crate) fn shifted(self, steps: usize) -> Self {
         match self {
-            Self::Eigenvalues | Self::Search { .. } | Self::Table { .. } if steps > 0 => Self::Shifted { steps },
+            Self::Eigenvalues | Self::Search { .. } | Self::Table { .. } if steps > 0 => {
+                Self::Shifted { steps }
+            }
             other => other,
         }
     }

@@ -178,7 +178,7 @@ pub(super) fn split_value(named: &Named, split: &Split) -> Value {
 }
 
 /// What `members` of `set` hear outside of it.
-fn hears(named: &Named, set: NodeSet, members: NodeSet) -> String {
+pub(super) fn hears(named: &Named, set: NodeSet, members: NodeSet) -> String {
     let outside = |node: usize| named.graph.in_neighbors(node).difference(set).len();
     let most = members.iter().map(outside).max().unwrap_or(0);
     let verb = if members.len() == 1 { "hears" } else { "hear" };

@@ -57,7 +57,8 @@ impl Sizes {
     #[must_use]
     pub fn s_least(&self) -> usize {
         let fits = |exempt: usize| {
-            let sizes = (0..=exempt).map(|first| self.least(first).saturating_add(self.least(exempt - first)));
+            let sizes =
+                (0..=exempt).map(|first| self.least(first).saturating_add(self.least(exempt - first)));
             sizes.min().is_some_and(|size| size <= self.nodes)
         };
         (0..self.nodes).find(|&exempt| fits(exempt)).unwrap_or(self.nodes)
