@@ -185,8 +185,8 @@ fn questions_are_answered_by_sentence_and_exit_code() {
 #[test]
 fn what_is_not_settled_in_time_is_said_to_be_open() {
     let graph = make(&["erdos-renyi", "60", "0.7", "--seed", "2"]);
-    let (told, code) = check(&graph, &["--F", "12", "--time-limit", "0.05"]);
-    assert!(told.starts_with("Undecided within 0.05 s: whether it is (13,13)-robust"), "{told}");
+    let (told, code) = check(&graph, &["--F", "16", "--time-limit", "0.05"]);
+    assert!(told.starts_with("Undecided within 0.05 s: whether it is (17,17)-robust"), "{told}");
     assert_eq!(code, Some(1));
     let (told, code) = check(&graph, &["--json", "--time-limit", "0.05"]);
     let found: Value = serde_json::from_str(&told).unwrap();
