@@ -33,8 +33,6 @@ pub(super) struct Builder {
     beyond: Option<usize>,
     links: Links,
     one_way: bool,
-    each_end: bool,
-    parallel_expected: bool,
     loops: usize,
     /// The node and the line of the first.
     first_loop: Option<(usize, usize)>,
@@ -52,8 +50,6 @@ impl Builder {
             beyond: None,
             links: Links::default(),
             one_way: false,
-            each_end: false,
-            parallel_expected: false,
             loops: 0,
             first_loop: None,
             notes: Vec::new(),
@@ -62,7 +58,7 @@ impl Builder {
 
     /// For lists in which each end may name the other: a link u — v is not parallel to v — u.
     pub(super) fn told_from_both_ends(mut self) -> Self {
-        self.each_end = true;
+        self.links.each_end = true;
         self
     }
 
@@ -148,12 +144,12 @@ impl Builder {
             return;
         }
         self.one_way |= !both;
-        self.links.push((from, to), line, both, self.parallel_expected);
+        self.links.push((from, to), line, both);
     }
 
     /// Parallel links are no news from now on, as in a DOT graph that says `strict`.
     pub(super) fn expect_parallel(&mut self) {
-        self.parallel_expected = true;
+        self.links.expected = true;
     }
 
     /// Refuses two names that are one number, such as `1` and `01`.
@@ -216,7 +212,7 @@ impl Builder {
         let small = |node: usize| u32::try_from(rank[node]).unwrap_or(u32::MAX);
         let pairs = self.links.pairs().map(|(from, to)| (small(from as usize), small(to as usize))).collect();
         let network = Network::of_heard(order.len(), directed, pairs);
-        let told = self.links.told(self.each_end);
+        let told = self.links.told();
         let repeat = self.repeat(told.first);
         let names = order.iter().map(|&index| core::mem::take(&mut self.names[index])).collect();
         let mut notes = self.notes;

@@ -61,7 +61,8 @@ mod tests {
 
     #[test]
     fn every_name_has_its_own_number() {
-        let names = ["0", "00", "7", "07", "+7", "7.0", "", "a", "9999999", "10000000", "8388607", "8388608", "7 "];
+        let names =
+            ["0", "00", "7", "07", "+7", "7.0", "", "a", "9999999", "10000000", "8388607", "8388608", "7 "];
         let mut index = Index::default();
         for (number, name) in names.iter().enumerate() {
             assert_eq!(index.get(name), None, "{name:?}");

@@ -16,7 +16,13 @@ struct Link {
 
 /// Links in the order of a text.
 #[derive(Default)]
-pub(super) struct Links(Vec<Link>);
+pub(super) struct Links {
+    all: Vec<Link>,
+    /// Either end may name the other: u - v after v - u is not told again.
+    pub(super) each_end: bool,
+    /// Links from now on are no news when they are told again.
+    pub(super) expected: bool,
+}
 
 /// What links come to.
 #[derive(Default)]
@@ -30,28 +36,30 @@ pub(super) struct Told {
 }
 
 impl Links {
-    /// One link more; `expected` if it is no news when it is told again.
-    pub(super) fn push(&mut self, (from, to): (usize, usize), line: usize, both: bool, expected: bool) {
+    /// One link more.
+    pub(super) fn push(&mut self, (from, to): (usize, usize), line: usize, both: bool) {
         let small = |number: usize| u32::try_from(number).unwrap_or(u32::MAX);
-        self.0.push(Link { from: small(from), to: small(to), line: small(line), both, expected });
+        let (from, to, line, expected) = (small(from), small(to), small(line), self.expected);
+        self.all.push(Link { from, to, line, both, expected });
     }
 
     /// All pairs `(from, to)`, in both directions where both hear, some of them more than once.
     pub(super) fn pairs(&self) -> impl Iterator<Item = (u32, u32)> + '_ {
         let back = |link: &Link| link.both.then_some((link.to, link.from));
-        self.0.iter().flat_map(move |link| [Some((link.from, link.to)), back(link)]).flatten()
+        self.all.iter().flat_map(move |link| [Some((link.from, link.to)), back(link)]).flatten()
     }
 
-    /// Which are told again. If either end may name the other (`each_end`), u - v after v - u is not.
-    pub(super) fn told(&self, each_end: bool) -> Told {
-        let mut order: Vec<(u32, u32, u32)> = (0_u32..).zip(&self.0).map(|(place, link)| link.key(place)).collect();
+    /// Which are told again.
+    pub(super) fn told(&self) -> Told {
+        let mut order: Vec<(u32, u32, u32)> =
+            (0_u32..).zip(&self.all).map(|(place, link)| link.key(place)).collect();
         order.sort_unstable();
         let (mut told, mut first) = (Told::default(), None);
         for pair in order.chunk_by(|one, next| (one.0, one.1) == (next.0, next.1)) {
             let mut seen = Seen::default();
             for &(.., place) in pair {
-                let link = &self.0[place as usize];
-                if seen.is_new(link, each_end) {
+                let link = &self.all[place as usize];
+                if seen.is_new(link, self.each_end) {
                     told.both_ways += usize::from(link.both);
                 } else if !link.expected {
                     told.parallel += 1;
@@ -59,7 +67,7 @@ impl Links {
                 }
             }
         }
-        told.first = first.map(|place| self.0[place as usize].told());
+        told.first = first.map(|place| self.all[place as usize].told());
         told
     }
 }

@@ -36,8 +36,7 @@ pub(super) fn read_lines(
     let separator = Separator::of(said);
     let first = said.first().map(|&line| separator.words(line)).unwrap_or_default();
     let others = || said.iter().skip(1).map(move |&line| separator.words(line));
-    let columns =
-        if rules.single_names || !rules.header { None } else { header::find(&first, others) };
+    let columns = if rules.single_names || !rules.header { None } else { header::find(&first, others) };
     if let (Some(columns), Some(line)) = (columns, said.first()) {
         builder.note(Note::Header { line: line.number, text: shortened(line.text) });
         let used = 2 + usize::from(columns.kind.is_some()) + usize::from(columns.weight.is_some());
