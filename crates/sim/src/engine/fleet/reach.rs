@@ -87,7 +87,6 @@ impl Reach {
 
 #[cfg(test)]
 mod tests {
-    use super::*;
     use closeranks_core::robot::neighbor::Slot;
 
     use crate::attack::liars::Liars;
