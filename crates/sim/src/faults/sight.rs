@@ -95,7 +95,7 @@ impl<const D: usize> Sight<D> {
 
     /// Nobody knows any more where the robot `index` was.
     pub fn dismiss(&mut self, index: usize) {
-        self.last.iter_mut().skip(index).step_by(self.robots).for_each(|last| *last = None);
+        self.last.iter_mut().for_each(|last| last.retain(|(known, _)| usize::from(*known) != index));
     }
 
     /// Whether `observer`, at `own`, senses the robot `index`, which is within R or not. Where it does, [`note`](Self::note) is
