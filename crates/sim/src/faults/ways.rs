@@ -127,7 +127,7 @@ mod tests {
             let mut random = Random::new(3, Stream::Network);
             let mut ways = Ways::new(robots, 0.2, [0.05, 0.15], &mut random);
             let (mut blocked, mut changes) = (0, 0);
-            let mut before = vec![true; 99];
+            let mut before = [true; 99];
             for tick in 0..400 {
                 ways.begin_tick(&mut random);
                 for receiver in 1..100 {
