@@ -366,7 +366,7 @@ fn every_example_of_the_help_makes_a_graph() {
         assert!(!make(&arguments.collect::<Vec<&str>>()).is_empty(), "{example}");
         count += 1;
     }
-    assert_eq!(count, 23, "{help}");
+    assert_eq!(count, 26, "{help}");
 }
 
 /// What a certificate says is what was answered, and the program that wrote it is not needed to check it.
