@@ -16,6 +16,7 @@ use crate::attack::liars::Liars;
 use crate::engine::bench::{Bench, Decided};
 use crate::engine::consensus::Consensus;
 use crate::engine::dense::{DENSE_MAX, Dense};
+use crate::engine::lanes::Lent;
 use crate::engine::links::{Linked, Links};
 use crate::engine::marks::{Marks, counting};
 use crate::engine::phi::Phi;
@@ -126,6 +127,14 @@ impl<const D: usize, C: AtOnce<D> + Copy> Team<D, C> {
             phi.fill(self.robots.links.by_second(), &frame.told, &frame.positions_m, &mut frame.phis);
         }
         self.tick = self.tick.saturating_add(1);
+    }
+
+    /// Lends what computing the team side by side with others takes: a small one without ranks and obstacles, under a controller
+    /// that is computed so.
+    pub(crate) fn lend(&mut self) -> Option<Lent<'_>> {
+        let Self { robots, consensus, tick, .. } = self;
+        let can = robots.params.controller().in_lanes().is_some() && robots.map.is_empty();
+        (can && robots.sees.is_some()).then_some(Lent { consensus, roster: &robots.roster, tick })
     }
 
     /// Decides for every robot, a piece of the team for each worker.
