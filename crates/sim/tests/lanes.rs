@@ -24,7 +24,7 @@ const OPTIONS: Options = Options {
 };
 
 fn short(name: &str) -> Scenario {
-    Scenario { name: name.into(), duration_s: 0.6, start: random(1.3, 0.4), ..Scenario::default() }
+    Scenario { name: name.into(), duration_s: 0.3, start: random(1.3, 0.4), ..Scenario::default() }
 }
 
 fn random(half_side_m: f64, distance_min_m: f64) -> Start {
@@ -129,7 +129,7 @@ fn lies_that_change_motions_plants_and_splits() {
     assert!(same_bits(&Scenario { composed: own, attack: LevelAttack::Bias(3.5).into(), ..short("own") }, 8));
     assert!(same_bits(&Scenario { plant: Plant::Lag { lag_s: 0.05 }, ..short("lag") }, 8));
     let clock = Clock { level_period: Duration::from_millis(20), ..short("slow").clock };
-    assert!(same_bits(&Scenario { clock, duration_s: 2.0, ..short("slow") }, 8));
+    assert!(same_bits(&Scenario { clock, duration_s: 1.2, ..short("slow") }, 8));
 }
 
 /// What lanes are not for goes one by one, with the same answers.

@@ -42,6 +42,22 @@ impl Block {
         Ok(Self { worlds, lanes })
     }
 
+    /// A world for each of any number of seeds: in blocks where they are computed side by side, else each on its own, so that they can be
+    /// spread over cores.
+    pub fn of_all(scenario: &Scenario, seeds: &[u64], options: Options) -> Result<Vec<Self>, RunError> {
+        let mut blocks = Vec::new();
+        for seeds in seeds.chunks(Self::MOST) {
+            let block = Self::new(scenario, seeds, options)?;
+            if block.is_in_lanes() {
+                blocks.push(block);
+            } else {
+                let apart = block.worlds.into_iter().map(|world| Self { worlds: vec![world], lanes: None });
+                blocks.extend(apart);
+            }
+        }
+        Ok(blocks)
+    }
+
     /// The worlds in order of their seeds.
     #[must_use]
     pub fn worlds(&self) -> &[AnyWorld] {

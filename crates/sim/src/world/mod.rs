@@ -235,6 +235,7 @@ impl<const D: usize> World<D> {
 
     /// Lets all robots decide.
     fn compute(&mut self) {
+        self.frame.collisions = None;
         self.robots.step(&mut self.frame, &mut self.liars, self.workers.as_ref());
     }
 

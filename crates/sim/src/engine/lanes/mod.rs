@@ -49,6 +49,8 @@ pub(crate) struct Lanes<const D: usize> {
     /// Second end after second end.
     pairs: Vec<PairInLanes>,
     sums: Vec<SumsInLanes<D>>,
+    /// The sum of the collision terms of all links.
+    collisions: Lane,
     memory: Memory<D>,
 }
 
@@ -65,6 +67,7 @@ impl<const D: usize> Lanes<D> {
             told: vec![[0.0; LANES]; robots],
             pairs: vec![PairInLanes::NONE; robots * robots.saturating_sub(1) / 2],
             sums: vec![SumsInLanes::new(&[0.0; LANES]); robots],
+            collisions: [0.0; LANES],
             memory: Memory::new(params, robots),
         })
     }
@@ -97,7 +100,8 @@ impl<const D: usize> Lanes<D> {
     /// Makes all pairs, and from them levels and degrees.
     //= paper eq:connectivity
     fn weigh(&mut self) {
-        let Self { controller, positions_m, levels, degrees, pairs, .. } = self;
+        let Self { controller, positions_m, levels, degrees, pairs, collisions, .. } = self;
+        *collisions = [0.0; LANES];
         levels.fill([0.0; LANES]);
         degrees.fill([0.0; LANES]);
         let mut pairs = pairs.iter_mut();
@@ -107,7 +111,7 @@ impl<const D: usize> Lanes<D> {
             let firsts = levels.iter_mut().zip(degrees).zip(&positions_m[..second]);
             for (((level, degree), first_m), pair) in firsts.zip(&mut pairs) {
                 controller.pair_in_lanes(first_m, &positions_m[second], pair);
-                add_link(pair, level, own_level, degree, own_degree);
+                add_link(pair, level, own_level, degree, own_degree, collisions);
             }
         }
     }
@@ -125,7 +129,7 @@ impl<const D: usize> Lanes<D> {
             frame.told[robot] = liars.level(robot, level);
             self.told[robot][lane] = frame.told[robot];
         }
-        frame.links = links / 2;
+        (frame.links, frame.collisions) = (links / 2, Some(self.collisions[lane]));
         if team.consensus.is_due(*team.tick) {
             let linked = |robot, other| robot != other && self.linked(lane, robot, other);
             team.consensus.hold(frame, liars, linked);
@@ -183,7 +187,7 @@ fn in_lanes<const D: usize>(worlds: &[InLane<'_, D>], of: impl Fn(&InLane<'_, D>
     lanes
 }
 
-/// Adds a link, or nothing where there is none, to levels and degrees of both ends.
+/// Adds a link, or nothing where there is none, to levels and degrees of both ends, and to the sum of all.
 #[inline(never)]
 fn add_link(
     pair: &PairInLanes,
@@ -191,9 +195,11 @@ fn add_link(
     second_level: &mut Lane,
     first_degree: &mut Lane,
     second_degree: &mut Lane,
+    collisions: &mut Lane,
 ) {
     for k in 0..LANES {
-        let (_, linked) = pair.collision(k);
+        let (collision, linked) = pair.collision(k);
+        collisions[k] += collision;
         let one = if linked { 1.0 } else { 0.0 };
         first_level[k] += pair.weights[k];
         second_level[k] += pair.weights[k];

@@ -87,6 +87,10 @@ impl<const D: usize> Distances<D> {
         before: Option<&Before<D>>,
         verdicts: &mut Verdicts,
     ) {
+        if self.all_are_far(near_m2, truth) {
+            self.least_m2 = self.least_m2.min(truth.least_m2);
+            return;
+        }
         let positions_m2 = truth.pairs.positions_m2();
         let mut least_m2 = self.least_m2;
         truth.pairs.each(|place, robots| {
@@ -100,6 +104,14 @@ impl<const D: usize> Distances<D> {
             }
         });
         self.least_m2 = least_m2;
+    }
+
+    /// True if nobody need be looked at: all pairs are there, robots are at their references, and of no pair anything need be left but
+    /// the least distance, to which none is near.
+    fn all_are_far(&self, near_m2: f64, truth: &Truth) -> bool {
+        let least_m = self.kept.distance_min_m;
+        let far = truth.least_m2 >= near_m2 && truth.least_m2 >= least_m * least_m;
+        far && self.kept.gamma_c == 1.0 && !truth.pairs.is_sparse() && truth.pairs.is_of_positions()
     }
 
     /// A pair that is farther apart than the root of this, m², was not too near since the tick before.
@@ -173,6 +185,12 @@ impl<const D: usize> Distances<D> {
     /// What is safe now, or was and must still be, must be so at the next tick. `inside` is false while nothing is promised.
     pub(crate) fn carry(&mut self, truth: &Truth, before: &Before<D>, inside: bool, moves: bool) {
         let limit_m2 = limit_m2(self.kept.distance_min_m, truth);
+        if moves && inside && truth.least_m2 >= limit_m2 {
+            self.apart.clear();
+            self.apart.resize(truth.pairs.references_m2().len(), true);
+            self.far_apart = true;
+            return;
+        }
         let mut scratch = core::mem::take(&mut self.scratch);
         scratch.clear();
         scratch.extend(truth.pairs.references_m2().iter().enumerate().map(|(place, pair_m2)| {
