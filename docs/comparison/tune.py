@@ -17,9 +17,9 @@ import sys
 import tempfile
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
-RATES = [0.5, 1.0, 2.0, 5.0, 10.0, 20.0]
+RATES = [0.05, 0.1, 0.2, 0.5, 1.0, 2.0, 5.0, 10.0, 20.0, 50.0]
 HORIZONS = [0.25, 0.5, 1.0, 2.0, 4.0, 8.0]
-ALPHAS = [0.02, 0.05, 0.1, 0.2, 0.5, 1.0]
+ALPHAS = [0.005, 0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1.0]
 # What is chosen for each controller, and its usual value.
 CHOICES = {
     "central-composed": ("alpha", ALPHAS, 0.1),

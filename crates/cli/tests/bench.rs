@@ -20,7 +20,7 @@ fn scores_are_the_same_in_every_run_and_breaking_something_does_not_pay() {
     let first = bench(&[&arguments[..], &["-o", out.to_str().unwrap()]].concat());
     assert!(first.status.success(), "{}", String::from_utf8_lossy(&first.stderr));
     let numbers: Value = serde_json::from_slice(&first.stdout).unwrap();
-    assert_eq!(numbers["bench"], 1);
+    assert_eq!(numbers["bench"], 2);
     for case in ["task", "slow", "lossy", "faces", "noise", "lag", "crowd"] {
         let [links, none] = ["links", "none"].map(|name| &numbers["controllers"][name][case]);
         assert!(links["width_m"].as_f64().unwrap() > 1.5 && links["kept"] == 1, "{case}: {links}");

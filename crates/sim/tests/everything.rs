@@ -92,7 +92,7 @@ fn the_two_numbers_of_others_are_read_and_used() {
         run(&scenario, Options::default(), &mut |_| ()).expect("a run").summary.gyration_m
     };
     for (kind, usual, other) in [
-        ("min-composition", "rate_1_s = 5.0", "rate_1_s = 0.5"),
+        ("min-composition", "rate_1_s = 0.05", "rate_1_s = 5.0"),
         ("orca", "orca_horizon_s = 2.0", "orca_horizon_s = 0.25"),
     ] {
         assert_eq!(end(&text(kind, "")), end(&text(kind, usual)));

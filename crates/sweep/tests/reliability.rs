@@ -38,7 +38,10 @@ fn every_shard_is_there_once_with_all_its_controllers() {
     assert_eq!(seeds.len(), seen.len(), "no seed counts twice: the same seed draws the same runs");
     for (shard, of) in seen {
         let names: Vec<&str> = of.iter().map(|one| one.controller.as_str()).collect();
-        assert_eq!(names, ["budget", "composed", "links"], "{shard:?}");
+        assert!(
+            [&["budget", "composed", "links"][..], &["budget", "links"]].contains(&&names[..]),
+            "{shard:?}"
+        );
         assert!(of.iter().all(|one| one.runs == of[0].runs), "{shard:?}");
     }
 }

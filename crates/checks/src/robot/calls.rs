@@ -154,8 +154,9 @@ impl<'memory, const D: usize> Play<'memory, D> {
 
     fn tick(&mut self, source: &mut Source<'_>) {
         let desired = core::array::from_fn(|_| source.number());
+        let before = self.robot.neighbors().len();
         let output = self.robot.tick(desired, &mut self.scratch);
-        self.check_answer(&desired, &output);
+        self.check_answer(&desired, before, &output);
         self.sensed = false;
     }
 

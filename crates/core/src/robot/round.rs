@@ -64,11 +64,13 @@ impl<const D: usize, S: Slots<D>> Robot<D, S> {
         let mut low_ties = round.below.saturating_sub(values(slots, |value, edge| value < edge, round.low));
         let mut high_ties = round.above.saturating_sub(values(slots, |value, edge| value > edge, round.high));
         for slot in slots {
-            let Some(value) = taken(slot) else { continue };
-            slot.discarded = value < round.low
-                || value > round.high
-                || (value == round.low && take_one(&mut low_ties))
-                || (value == round.high && take_one(&mut high_ties));
+            // Who has not told a value, or whose value does not count any more, is silent.
+            slot.discarded = taken(slot).is_some_and(|value| {
+                value < round.low
+                    || value > round.high
+                    || (value == round.low && take_one(&mut low_ties))
+                    || (value == round.high && take_one(&mut high_ties))
+            });
         }
     }
 }

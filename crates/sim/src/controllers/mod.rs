@@ -90,7 +90,7 @@ controllers! {
             |of| Global::CentralComposed(central_composed::CentralComposed::new(of.composed))),
         /// Robustness by percolation ([`central_robustness`]).
         CentralRobustness: of_others("central-robustness", "robustness kept by bootstrap percolation from a core",
-            "everything", Tuning::rate(5.0),
+            "everything", Tuning::rate(1.0),
             |_| Global::CentralRobustness(central_robustness::CentralRobustness::default())),
         /// The paper's (eq:split, seq:qp).
         Composed: Row {
@@ -111,15 +111,15 @@ controllers! {
         },
         /// The links of the start ([`fixed_topology`]).
         FixedTopology: of_others("fixed-topology", "the links of the start are kept",
-            "positions at far ends", Tuning::rate(5.0),
+            "positions at far ends", Tuning::rate(2.0),
             |_| Global::FixedTopology(fixed_topology::FixedTopology::default())),
         /// Node connectivity ([`k_connectivity`]).
         KConnectivity: of_others("k-connectivity", "a sparse subgraph is kept that 2F robots cannot cut",
-            "everything", Tuning::rate(5.0),
+            "everything", Tuning::rate(0.2),
             |_| Global::KConnectivity(k_connectivity::KConnectivity::default())),
         /// Algebraic connectivity ([`lambda2`]).
         Lambda2: of_others("lambda2", "algebraic connectivity is kept above 4F",
-            "everything", Tuning::rate(5.0),
+            "everything", Tuning::rate(1.0),
             |_| Global::Lambda2(lambda2::Lambda2::default())),
         /// Ours without weights (docs/links.md).
         Links: Row {
@@ -140,7 +140,7 @@ controllers! {
         },
         /// The least of all barriers ([`min_composition`]).
         MinComposition: of_others("min-composition", "the least of all degrees and distances is kept",
-            "everything", Tuning::rate(5.0),
+            "everything", Tuning::rate(0.05),
             |_| Global::MinComposition(min_composition::MinComposition::default())),
         /// None: the desired velocity, cut to the box. What the paper's robots would do unfiltered.
         None: Row {
@@ -165,11 +165,11 @@ controllers! {
             |_| Global::Orca(orca::Orca::default())),
         /// The F′ nearest links of each robot ([`p_choose_r`]).
         PChooseR: of_others("p-choose-r", "each robot keeps its F' shortest links, whichever these are",
-            "positions in range", Tuning::rate(5.0),
+            "positions in range", Tuning::rate(2.0),
             |_| Global::PChooseR(p_choose_r::PChooseR::default())),
         /// Every link that there is ([`pairwise`]).
         Pairwise: of_others("pairwise", "every link is kept, each robot does half of it",
-            "positions in range", Tuning::rate(5.0),
+            "positions in range", Tuning::rate(2.0),
             |_| Global::Pairwise(pairwise::Pairwise::default())),
     }
     global {

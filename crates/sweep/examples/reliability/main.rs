@@ -2,7 +2,7 @@
 //!
 //! Of a sweep that is not finished it counts the blocks that are.
 //! Writes `runs.csv`, `laws.csv` and `values.csv` of `DOCS/reliability` and the tables in `DOCS/reliability.md`. Lines of
-//! `runs.csv` about other seeds or commits stay; laws and values are those of the folders alone, which must be of one commit.
+//! `runs.csv` about other seeds or commits stay; laws and values are those of the folders alone.
 
 #[expect(dead_code, reason = "the test of docs uses all of it")]
 mod tables;
@@ -11,7 +11,7 @@ use std::fs::{self, File};
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
-use anyhow::{Context as _, Result, anyhow, bail};
+use anyhow::{Context as _, Result, anyhow};
 use closeranks_report::sweep::file::{metadata, read};
 use closeranks_report::sweep::rows::Rows;
 use closeranks_report::sweep::tally::{Tally, promises};
@@ -40,13 +40,9 @@ fn usage() -> ExitCode {
 }
 
 fn write(docs: &Path, folders: &[String]) -> Result<()> {
-    let (mut tally, mut commits, mut new) = (None, Vec::new(), Vec::new());
+    let (mut tally, mut new) = (None, Vec::new());
     for folder in folders {
-        new.extend(shard(&files(Path::new(folder))?, &mut tally, &mut commits)?);
-    }
-    commits.dedup();
-    if commits.len() > 1 {
-        bail!("folders of several commits: {commits:?}; laws and values are counted for one");
+        new.extend(shard(&files(Path::new(folder))?, &mut tally)?);
     }
     let here = docs.join("reliability");
     let text = fs::read_to_string(here.join("runs.csv")).unwrap_or_else(|_| format!("{}\n", tables::RUNS));
@@ -85,7 +81,7 @@ fn files(folder: &Path) -> Result<Vec<PathBuf>> {
 }
 
 /// The lines of one sweep, whose rows go into `tally` too.
-fn shard(files: &[PathBuf], tally: &mut Option<Tally>, commits: &mut Vec<String>) -> Result<Vec<Shard>> {
+fn shard(files: &[PathBuf], tally: &mut Option<Tally>) -> Result<Vec<Shard>> {
     let file = files.first().context("a folder without rows")?;
     let open = |file: &Path| File::open(file).with_context(|| file.display().to_string());
     let pairs = metadata(open(file)?)?;
@@ -120,7 +116,6 @@ fn shard(files: &[PathBuf], tally: &mut Option<Tally>, commits: &mut Vec<String>
             }
         })?;
     }
-    commits.push(commit);
     Ok(shards.into_iter().filter(|shard| shard.runs > 0).collect())
 }
 

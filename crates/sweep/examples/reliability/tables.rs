@@ -157,7 +157,7 @@ pub(crate) fn laws_table(counts: &[Count]) -> String {
     out
 }
 
-/// Of every drawn value how many runs had it, and how many of them are violating.
+/// Of every drawn value how many runs had it, and how many of them are violating; where a controller had fewer runs, of how many.
 pub(crate) fn values_table(counts: &[Count]) -> String {
     let mut out =
         "| drawn | value | runs | `budget`, violating | `links`, violating | `composed`, violating |\n\
@@ -173,7 +173,12 @@ pub(crate) fn values_table(counts: &[Count]) -> String {
         let of = |name: &str| {
             let is_it =
                 |one: &&Count| one.of == count.of && one.value == count.value && one.controller == name;
-            counts.iter().find(is_it).map_or("-".to_owned(), |one| grouped(one.numbers[1]))
+            let cell = |[runs, violating]: [u64; 2]| {
+                let all =
+                    if runs == count.numbers[0] { String::new() } else { format!(" of {}", grouped(runs)) };
+                grouped(violating) + &all
+            };
+            counts.iter().find(is_it).map_or("-".to_owned(), |one| cell(one.numbers))
         };
         let head = if before == count.of { String::new() } else { format!("`{}`", count.of) };
         let cells = CONTROLLERS.map(of).join(" | ");
