@@ -32,7 +32,10 @@ pub(super) fn plain_row<const D: usize>(normal: &[f64; D], alpha: f64, phi: f64)
 /// True if all numbers are of a usual size.
 #[inline]
 pub(super) fn is_usual<const D: usize>(normal: &[f64; D], alpha: f64, phi: f64) -> bool {
-    let usual = |number: f64| (number.abs() >= USUAL_MIN) & (number.abs() <= USUAL_MAX);
+    let usual = |number: f64| {
+        let (least, most) = (number.abs() >= USUAL_MIN, number.abs() <= USUAL_MAX);
+        least & most
+    };
     normal.iter().fold(usual(phi) & usual(alpha), |all, component| all & usual(*component))
 }
 

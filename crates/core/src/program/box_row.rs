@@ -96,7 +96,9 @@ pub(crate) fn closest_mostly<const D: usize>(
     let foot = perpendicular(desired, row, dot(&row.normal, &row.normal));
     let mut active = true;
     for d in 0..D {
-        active &= (clipped[d] == desired[d]) & (input.min_m_s[d] <= foot[d]) & (foot[d] <= input.max_m_s[d]);
+        active &= clipped[d] == desired[d];
+        active &= input.min_m_s[d] <= foot[d];
+        active &= foot[d] <= input.max_m_s[d];
     }
     let velocity = core::array::from_fn(|d| if free { clipped[d] } else { foot[d] });
     (velocity, Mostly { free, found: free | active })

@@ -19,7 +19,6 @@ pub struct Block {
 }
 
 /// Lanes of whichever dimension.
-#[expect(clippy::large_enum_variant, reason = "there is one for many worlds")]
 enum AnyLanes {
     Plane(Lanes<2>),
     Space(Lanes<3>),

@@ -161,7 +161,8 @@ impl<const D: usize> ComposedController<D> {
             }
             phis[k] = phi;
             let Mostly { free: is_free, found: is_found } = mostly;
-            (free[k], found[k]) = (is_free, is_found & usual & (sums.terms[k] < TERM_LARGE));
+            let small = sums.terms[k] < TERM_LARGE;
+            (free[k], found[k]) = (is_free, is_found & usual & small);
         }
         let outcome = |k: usize| if free[k] { Outcome::Free } else { Outcome::Active };
         let outcomes = core::array::from_fn(|k| found[k].then(|| outcome(k)));
