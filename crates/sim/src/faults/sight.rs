@@ -90,6 +90,11 @@ impl<const D: usize> Sight<D> {
         self.last.get_mut(places).into_iter().flatten().for_each(|last| *last = None);
     }
 
+    /// Nobody knows any more where the robot `index` was.
+    pub fn dismiss(&mut self, index: usize) {
+        self.last.iter_mut().skip(index).step_by(self.robots).for_each(|last| *last = None);
+    }
+
     /// Whether `observer`, at `own`, senses the robot `index`, which is within R or not. Where it does, [`note`](Self::note) is
     /// to be called.
     pub fn senses(&mut self, (observer, own): (usize, &Vector<D>), index: usize, within: bool) -> bool {

@@ -9,6 +9,7 @@ use crate::attack::ListsAttack;
 use crate::consensus::Consensus;
 use crate::geometry::squared_distance;
 use crate::plant::Plant;
+use crate::scenario::absences::Absence;
 use crate::scenario::ranks::RanksError;
 use crate::scenario::start::{Start, StartError};
 use crate::scenario::{Controller, Limits, Scenario, Values};
@@ -27,6 +28,7 @@ pub(super) fn check(reader: &mut Reader, scenario: &Scenario) {
     values(reader, scenario);
     plant(reader, scenario);
     Consensus::check(reader, scenario);
+    Absence::check(reader, scenario);
     if !reader.is_clean() {
         return;
     }

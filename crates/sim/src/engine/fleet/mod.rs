@@ -158,9 +158,12 @@ impl<const D: usize, T: Transport> Fleet<D, T> {
             frame.heard.fill([0; 2]);
             frame.listened.fill([0; 2]);
         }
-        self.edges.begin_tick(self.tick, time_s, &frame.positions_m);
+        self.edges.begin_tick(self.tick, time_s, &frame.positions_m, &frame.presence);
         self.transport.begin_tick(self.tick);
         liars.begin_tick(self.tick);
+        if frame.presence.changed {
+            self.dismiss(&frame.presence.dismissed);
+        }
         for (index, robot) in self.robots.iter_mut().enumerate() {
             frame.down[index] = self.edges.downtime.down(index);
             if self.edges.downtime.reborn(index) {
@@ -169,6 +172,21 @@ impl<const D: usize, T: Transport> Fleet<D, T> {
                 self.edges.sight.forget(index);
             }
         }
+    }
+
+    /// Everybody is told that these robots have left.
+    fn dismiss(&mut self, dismissed: &[bool]) {
+        for index in (0..dismissed.len()).filter(|index| dismissed[*index]) {
+            self.robots.iter_mut().for_each(|robot| robot.dismiss(id(index)));
+            self.edges.sight.dismiss(index);
+        }
+    }
+
+    /// True if the robot `index` reckons with one of `these` that it does not sense.
+    #[must_use]
+    pub fn reckons_unseen(&self, index: usize, these: &[bool]) -> bool {
+        let slots = self.running(index).into_iter().flat_map(Robot::neighbors);
+        slots.into_iter().any(|slot| these[usize::from(slot.id().0) - 1] && !slot.is_sensed())
     }
 
     fn sense(&mut self, frame: &Frame<D>) {

@@ -170,13 +170,16 @@ impl<const D: usize> Distances<D> {
         }
     }
 
-    /// What is safe now, or was and must still be, must be so at the next tick. `inside` is false while nothing is promised.
-    pub(crate) fn carry(&mut self, truth: &Truth, before: &Before<D>, inside: bool, moves: bool) {
+    /// What is safe now, or was and must still be because robots `moved` by the rows, must be so at the next tick. `inside` is false while
+    /// nothing is promised.
+    pub(crate) fn carry(&mut self, truth: &Truth, moved: bool, inside: bool, moves: bool) {
         let limit_m2 = limit_m2(self.kept.distance_min_m, truth);
         let mut scratch = core::mem::take(&mut self.scratch);
         scratch.clear();
         scratch.extend(truth.pairs.references_m2().iter().enumerate().map(|(place, pair_m2)| {
-            moves && ((inside && *pair_m2 >= limit_m2) || (self.was_apart(place) && before.moves))
+            // The distance to a robot that is absent is NaN; whoever comes must be far enough away.
+            let apart = *pair_m2 >= limit_m2 || pair_m2.is_nan();
+            moves && ((inside && apart) || (self.was_apart(place) && moved))
         }));
         self.scratch = core::mem::replace(&mut self.apart, scratch);
         self.far_apart = moves && inside;
@@ -260,7 +263,7 @@ mod tests {
         });
         let mut pairs = Distances::new(scenario, params);
         let mut before = Before { moves: random.chance(0.9), ..Before::default() };
-        pairs.carry(&was, &before, true, before.moves);
+        pairs.carry(&was, before.moves, true, before.moves);
         (before.truth, before.positions_m) = (was, then.positions_m);
         let before = random.chance(0.9).then_some(&before);
         [pairs.near_m2(&now, before), f64::INFINITY].map(|near_m2| {
