@@ -66,6 +66,9 @@ cargo fmt --all --check
 step "lints"
 cargo clippy --workspace --all-targets --locked -- -D warnings
 
+step "the digest of the data set"
+(cd docs/data && sha256sum --quiet --check robustness.csv.sha256)
+
 step "tests (the README's command)"
 cargo test --workspace
 

@@ -130,6 +130,15 @@ def test_graphs_by_name_are_those_of_the_command_line(program: Path) -> None:
         "regular 12 5 --seed 3": cr.graphs.regular(12, 5, seed=3),
         "geometric 20 0.4 --seed 3": cr.graphs.geometric(20, 0.4, seed=3),
         "preferential 20 5 3 --seed 3": cr.graphs.preferential(20, 5, 3, seed=3),
+        "multipartite 3 4": cr.graphs.multipartite(3, 4),
+        "rook-complement 4 5": cr.graphs.rook_complement(4, 5),
+        "kneser 6 2": cr.graphs.kneser(6, 2),
+        "paley 13": cr.graphs.paley(13),
+        "merg 10": cr.graphs.merg(10),
+        "merg-f 10": cr.graphs.merg_f(10),
+        "ranked 30 2 --seed 3": cr.graphs.ranked(30, 2, seed=3),
+        "triangular 4 5": cr.graphs.triangular(4, 5),
+        "delaunay 30 --seed 3": cr.graphs.delaunay(30, seed=3),
     }
     assert {words.split()[0].replace("-", "_") for words in made} == set(cr.graphs.__all__)
     for words, ours in made.items():

@@ -7,7 +7,7 @@ use anyhow::{Context, Result, bail};
 use clap::{Args, Subcommand};
 use closeranks_graph::formats::{self, Named};
 use closeranks_graph::graph::Graph;
-use closeranks_graph::makers::{MakerError, fixed, large, random, symmetric};
+use closeranks_graph::makers::{MakerError, delaunay, fixed, large, minimal, random, symmetric};
 use closeranks_graph::network::Network;
 
 use crate::check::Format;
@@ -15,7 +15,7 @@ use crate::{invocation, output};
 
 /// Shown by `closeranks graph --help`.
 pub(crate) const HELP: &str = "\
-Examples, one for each maker; N is the number of nodes, at most 128, or four million for the last two:
+Examples, one for each maker; N is the number of nodes, at most 128, or four million for the last three:
 
     closeranks graph complete 7              all joined
     closeranks graph path 5                  in a row
@@ -38,8 +38,11 @@ Examples, one for each maker; N is the number of nodes, at most 128, or four mil
     closeranks graph rook-complement 6 6           fields of a board that share neither row nor column
     closeranks graph kneser 9 2                    pairs of 9 points, joined if disjoint
     closeranks graph paley 41                      numbers below a prime 4k + 1, joined if they differ by a square
+    closeranks graph merg 12                       the largest r that 12 nodes can have, on the fewest links
+    closeranks graph merg-f 12                     the largest F that 12 nodes can have, on the fewest links
     closeranks graph ranked 100000 2 --seed 3      survives 2 liars around each node, as sparse as its order allows
     closeranks graph triangular 40 50              rows and columns of a lattice of triangles
+    closeranks graph delaunay 1000 --seed 3        points in a square, each joined to those next to it in every direction
 
     closeranks graph tight 10 2 | closeranks check -
     closeranks graph petersen --format dot | dot -Tsvg > petersen.svg";
@@ -120,10 +123,16 @@ enum Maker {
     Kneser { points: NonZeroU8, chosen: u8 },
     /// Numbers below a PRIME of the form 4k + 1, joined if they differ by a square.
     Paley { prime: NonZeroU8 },
+    /// The largest r that NODES can have, on the fewest links.
+    Merg { nodes: NonZeroU8 },
+    /// The largest F that NODES can have, on the fewest links.
+    MergF { nodes: NonZeroU8 },
     /// 2F + 1 joined, each newcomer joins 2F + 1 of those before it: of any size.
     Ranked { nodes: u32, f: u16 },
     /// A lattice of triangles, of any size.
     Triangular { rows: u32, columns: u32 },
+    /// The Delaunay triangulation of points in a square, of any size.
+    Delaunay { nodes: u32 },
 }
 
 /// Writes the graph to standard output.
@@ -162,6 +171,7 @@ impl Maker {
         match self {
             Self::Ranked { nodes, f } => Some(large::ranked(*nodes as usize, usize::from(*f), seed)),
             Self::Triangular { rows, columns } => Some(large::triangular(*rows as usize, *columns as usize)),
+            Self::Delaunay { nodes } => Some(delaunay::delaunay(*nodes as usize, seed)),
             _ => None,
         }
     }
@@ -198,11 +208,11 @@ impl Maker {
             Self::RookComplement { rows, columns } => symmetric::rook_complement(at(rows), at(columns)),
             Self::Kneser { points, chosen } => symmetric::kneser(at(points), usize::from(*chosen)),
             Self::Paley { prime } => symmetric::paley(at(prime)),
-            Self::Ranked { nodes, f } => {
-                large::ranked(*nodes as usize, usize::from(*f), seed)?.graph().map_err(MakerError::from)
-            }
-            Self::Triangular { rows, columns } => {
-                large::triangular(*rows as usize, *columns as usize)?.graph().map_err(MakerError::from)
+            Self::Merg { nodes } => minimal::merg(at(nodes)),
+            Self::MergF { nodes } => minimal::merg_f(at(nodes)),
+            Self::Ranked { .. } | Self::Triangular { .. } | Self::Delaunay { .. } => {
+                let network = self.network(seed).transpose()?;
+                network.map_or(Graph::empty(0, false), |network| network.graph()).map_err(MakerError::from)
             }
         }
     }

@@ -119,6 +119,7 @@ fn told(arguments: &crate::Run, Done { scenario, run, wall_s, .. }: &Done) -> St
     let laws = sentences::laws(scenario, &run.summary);
     let mut notes: Vec<String> = sentences::warning(scenario).into_iter().collect();
     notes.extend(sentences::ranks(scenario, &run.summary));
+    notes.extend(sentences::presence(scenario, &run.summary));
     notes.extend(too_large(scenario));
     if arguments.draw.is_none() {
         let file = invocation::quoted(&arguments.file.display().to_string());
@@ -156,6 +157,7 @@ fn page(done: &Done, overview: String, robustness: Option<String>, files: Vec<Li
     let mut paragraphs = vec![sentences::start(scenario, &run.summary)];
     paragraphs.extend(sentences::warning(scenario));
     paragraphs.extend(sentences::ranks(scenario, &run.summary));
+    paragraphs.extend(sentences::presence(scenario, &run.summary));
     let caption = if scenario.team.robots > MANY {
         pages::SWARM.to_owned()
     } else {

@@ -185,8 +185,8 @@ fn questions_are_answered_by_sentence_and_exit_code() {
 #[test]
 fn what_is_not_settled_in_time_is_said_to_be_open() {
     let graph = make(&["erdos-renyi", "60", "0.7", "--seed", "2"]);
-    let (told, code) = check(&graph, &["--F", "12", "--time-limit", "0.05"]);
-    assert!(told.starts_with("Undecided within 0.05 s: whether it is (13,13)-robust"), "{told}");
+    let (told, code) = check(&graph, &["--F", "16", "--time-limit", "0.05"]);
+    assert!(told.starts_with("Undecided within 0.05 s: whether it is (17,17)-robust"), "{told}");
     assert_eq!(code, Some(1));
     let (told, code) = check(&graph, &["--json", "--time-limit", "0.05"]);
     let found: Value = serde_json::from_str(&told).unwrap();
@@ -298,6 +298,21 @@ fn the_folder_has_picture_and_page() {
     assert!(page.contains("Agrees if nobody lies") && page.contains("<svg") && page.contains("largest s"));
 }
 
+fn failing_windows_name_their_sets(json: &[u8]) {
+    let found: Value = serde_json::from_slice(json).unwrap();
+    let failures = found["failures"].as_array().unwrap();
+    let windows: u64 = failures.iter().map(|failure| failure["windows"].as_u64().unwrap()).sum();
+    assert_eq!(windows, found["windows"].as_u64().unwrap() - found["robust"].as_u64().unwrap());
+    assert_eq!(found["first_not_robust_tick"], failures[0]["from_tick"]);
+    for failure in failures {
+        let witness = &failure["witness"];
+        let side = |name: &str| witness[name].as_array().unwrap().clone();
+        assert!(!side("S1").is_empty() && !side("S2").is_empty() && side("exempt").is_empty(), "{witness}");
+        let robots = [side("S1"), side("S2")].concat();
+        assert!(robots.iter().all(|robot| (1..=11).contains(&robot.as_u64().unwrap())), "{witness}");
+    }
+}
+
 #[test]
 fn a_recorded_run_has_its_robustness_over_time() {
     let folder = tempfile::tempdir().unwrap();
@@ -330,6 +345,8 @@ fn a_recorded_run_has_its_robustness_over_time() {
     let alone = check(&["--window", "3", "--F", "2"]);
     assert_eq!(text(&alone.stdout), text(&windows.stdout), "--window alone means sw-msr");
     assert!(text(&alone.stdout).contains("says nothing of W-MSR"), "{}", text(&alone.stdout));
+    assert!(text(&alone.stdout).contains("All links of a window between tick"), "{}", text(&alone.stdout));
+    failing_windows_name_their_sets(&check(&["--window", "3", "--F", "2", "--json"]).stdout);
     assert_eq!(check(&["--rule", "two-hop"]).status.code(), Some(2));
     assert_eq!(check(&["--hops", "2"]).status.code(), Some(2));
     let whole = fs::read(folder.path().join("run/run.parquet")).unwrap();
@@ -349,7 +366,7 @@ fn every_example_of_the_help_makes_a_graph() {
         assert!(!make(&arguments.collect::<Vec<&str>>()).is_empty(), "{example}");
         count += 1;
     }
-    assert_eq!(count, 23, "{help}");
+    assert_eq!(count, 26, "{help}");
 }
 
 /// What a certificate says is what was answered, and the program that wrote it is not needed to check it.

@@ -73,15 +73,22 @@ fn families() -> Vec<Family> {
         ("bipartite", of(&[40, 50, 60], &|n| fixed::bipartite(n / 2, n / 2).unwrap())),
         ("rook-complement", of(&[5, 6, 7], &|n| symmetric::rook_complement(n, n).unwrap())),
         ("kneser", of(&[8, 9, 10, 11], &|n| symmetric::kneser(n, 2).unwrap())),
-        ("paley", of(&[29, 37, 41, 53], &|n| symmetric::paley(n).unwrap())),
-        (
-            "er-0.8",
-            of(&[26, 28, 30, 32, 34, 36, 38, 40, 42], &|n| random::erdos_renyi(n, 0.8, false, 1).unwrap()),
-        ),
-        (
-            "er-0.5",
-            of(&[32, 36, 38, 40, 42, 44, 46, 48], &|n| random::erdos_renyi(n, 0.5, false, 1).unwrap()),
-        ),
-        ("regular-half", of(&[26, 28, 32, 36, 40, 44], &|n| random::regular(n, n / 2, 1).unwrap())),
+        ("paley", of(&[29, 37, 41, 53, 61], &|n| symmetric::paley(n).unwrap())),
+    ]
+    .into_iter()
+    .chain(random_families())
+    .collect()
+}
+
+/// All with seed 1.
+fn random_families() -> Vec<Family> {
+    let of = |sizes: &[usize], make: &dyn Fn(usize) -> Graph| sizes.iter().map(|n| make(*n)).collect();
+    let sizes = [24, 26, 28, 30, 32, 34, 36, 38, 40, 42, 44, 46, 48, 50, 52];
+    vec![
+        ("er-0.8", of(&sizes, &|n| random::erdos_renyi(n, 0.8, false, 1).unwrap())),
+        ("regular-0.7", of(&sizes[..10], &|n| random::regular(n, n * 7 / 20 * 2, 1).unwrap())),
+        ("regular-half", of(&sizes[..11], &|n| random::regular(n, n / 4 * 2, 1).unwrap())),
+        ("er-0.5", of(&sizes, &|n| random::erdos_renyi(n, 0.5, false, 1).unwrap())),
+        ("geometric-0.55", of(&sizes, &|n| random::random_geometric(n, 0.55, 1).unwrap())),
     ]
 }

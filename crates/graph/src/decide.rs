@@ -4,7 +4,8 @@ use crate::definition::Witness;
 use crate::effort::{Effort, Meter, Stopped};
 use crate::graph::Graph;
 use crate::search::ledger::{Ledger, number};
-use crate::search::{self, Patience};
+use crate::search::{self, ALIKE, PLAIN};
+use crate::spectrum::{Sizes, Spectrum};
 use crate::table;
 use crate::verdict::{Certificate, Interval, Verdict};
 
@@ -16,19 +17,27 @@ const SHORT: u64 = 1 << 13;
 
 /// The robustness of one graph: answers are remembered, and each serves the next question.
 ///
-/// A question goes to the bounds, then to branch and bound, and to the table of subsets once the search has cost
-/// as much as the table would, if the memory for it is granted.
+/// A question goes to the bounds, then to branch and bound, to the eigenvalues when that is long, and to the table of subsets once the
+/// search has cost as much as the table would, if the memory for it is granted.
 #[derive(Debug)]
 pub struct Robustness<'g> {
     ledger: Ledger<'g>,
     table_bytes: u64,
+    spectrum: Asked,
+}
+
+/// What is known of the eigenvalues. They are asked for when a search is long.
+#[derive(Clone, Copy, Debug)]
+enum Asked {
+    NotYet,
+    Found(Option<Spectrum>),
 }
 
 impl<'g> Robustness<'g> {
     /// Nothing is computed here but the bounds of [`crate::bounds`]. Of `effort` only the memory is used here.
     #[must_use]
     pub fn new(graph: &'g Graph, effort: &Effort) -> Self {
-        Self { ledger: Ledger::new(graph), table_bytes: effort.table_bytes }
+        Self { ledger: Ledger::new(graph), table_bytes: effort.table_bytes, spectrum: Asked::NotYet }
     }
 
     /// Is the graph (r,s)-robust? An s above n asks the same as n.
@@ -156,7 +165,18 @@ impl<'g> Robustness<'g> {
         let before = meter.nodes();
         let affordable = table::bytes(graph.node_count()) <= self.table_bytes;
         let patience = if affordable { LEAST_PATIENCE + table::cost(graph.node_count()) } else { u64::MAX };
-        match meter.within(patience, |meter| search::witness_with(graph, r, s, Patience::DEFAULT, meter))? {
+        let short = meter.within(patience.min(PLAIN), |meter| search::plain(graph, r, s, meter))?;
+        let found = if short.is_some() {
+            short
+        } else {
+            let spectrum = self.ask_spectrum();
+            if s <= self.ledger.least(r) {
+                return Ok(());
+            }
+            let left = patience.saturating_sub(PLAIN);
+            meter.within(left, |meter| search::informed(graph, r, s, spectrum, ALIKE, meter))?
+        };
+        match found {
             Some(Some(witness)) => self.ledger.note_witness(r, witness.first, witness.second),
             Some(None) => {
                 let nodes = meter.nodes() - before;
@@ -165,6 +185,20 @@ impl<'g> Robustness<'g> {
             None => return self.settle_by_table(r, s, meter),
         }
         Ok(())
+    }
+
+    /// Finds the eigenvalues, and notes what they say of every r, once.
+    fn ask_spectrum(&mut self) -> Option<Spectrum> {
+        if let Asked::Found(spectrum) = self.spectrum {
+            return spectrum;
+        }
+        let spectrum = Spectrum::new(self.ledger.graph);
+        self.spectrum = Asked::Found(spectrum);
+        for r in (1..=self.ledger.r_count()).rev() {
+            let s = spectrum.map_or(0, |spectrum| Sizes::new(self.ledger.graph, spectrum, r).s_least());
+            self.ledger.note_robust(r, s, Certificate::Eigenvalues);
+        }
+        spectrum
     }
 
     fn settle_by_table(&mut self, r: usize, s: usize, meter: &mut Meter<'_>) -> Result<(), Stopped> {

@@ -21,6 +21,7 @@
 //! | branch and bound (algorithm B) | [`search`] |
 //! | the table of all subsets (algorithm A) | [`table`] |
 //! | which nodes look alike | [`search::symmetry`] |
+//! | what eigenvalues say | [`spectrum`] |
 //! | what a question may cost; threads that a caller lends | [`effort`], [`workers`] |
 //! | leaders, and adversaries few in every neighbourhood | [`leaders`], [`local`] |
 //! | what several hops survive | [`hops`] |
@@ -67,6 +68,7 @@ pub mod makers;
 pub mod network;
 pub mod ranks;
 pub mod search;
+pub mod spectrum;
 pub mod table;
 pub mod verdict;
 pub mod workers;

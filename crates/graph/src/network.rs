@@ -24,24 +24,42 @@ impl Network {
     /// are left out. Unless it is `directed`, u hears v too.
     #[must_use]
     pub fn new(node_count: usize, directed: bool, pairs: &[(u32, u32)]) -> Self {
+        let back = |&(from, to): &(u32, u32)| (!directed).then_some((to, from));
+        let heard = pairs.iter().flat_map(|pair| [Some(*pair), back(pair)]).flatten().collect();
+        Self::of_heard(node_count, directed, heard)
+    }
+
+    /// As [`Network::new`], of pairs that are there in both directions if it is not `directed`.
+    pub(crate) fn of_heard(node_count: usize, directed: bool, mut pairs: Vec<(u32, u32)>) -> Self {
         let node_count = node_count.min(NETWORK_LIMIT);
         let inside = |node: u32| (node as usize) < node_count;
-        let good = pairs.iter().copied().filter(|&(from, to)| from != to && inside(from) && inside(to));
-        let mut heard: Vec<(u32, u32)> = good.map(|(from, to)| (to, from)).collect();
-        if !directed {
-            let back: Vec<(u32, u32)> = heard.iter().map(|&(to, from)| (from, to)).collect();
-            heard.extend(back);
+        pairs.retain(|&(from, to)| from != to && inside(from) && inside(to));
+        let mut starts = starts(node_count, &pairs);
+        let mut heard = vec![0; pairs.len()];
+        for &(from, to) in &pairs {
+            let place = &mut starts[to as usize];
+            heard[*place as usize] = from;
+            *place += 1;
         }
-        heard.sort_unstable();
-        heard.dedup();
-        let mut starts = vec![0; node_count + 1];
-        for &(to, _) in &heard {
-            starts[to as usize + 1] += 1;
+        drop(pairs);
+        // Each start has moved to its end, which is the start of the next; what is there twice is closed up.
+        let (mut begin, mut kept) = (0, 0);
+        for place in starts.iter_mut().take(node_count) {
+            let end = *place as usize;
+            heard[begin..end].sort_unstable();
+            *place = small(kept);
+            for index in begin..end {
+                if index == begin || heard[index] != heard[index - 1] {
+                    heard[kept] = heard[index];
+                    kept += 1;
+                }
+            }
+            begin = end;
         }
-        for node in 0..node_count {
-            starts[node + 1] += starts[node];
-        }
-        Self { starts, heard: heard.into_iter().map(|(_, from)| from).collect(), directed }
+        starts[node_count] = small(kept);
+        heard.truncate(kept);
+        heard.shrink_to_fit();
+        Self { starts, heard, directed }
     }
 
     /// Number of nodes n.
@@ -109,9 +127,24 @@ impl Network {
     }
 }
 
+/// Where the nodes that each node hears begin, if they are put one after the other, and one past the last.
+fn starts(node_count: usize, pairs: &[(u32, u32)]) -> Vec<u32> {
+    let mut starts = vec![0; node_count + 1];
+    for &(_, to) in pairs {
+        starts[to as usize + 1] += 1;
+    }
+    for node in 0..node_count {
+        starts[node + 1] += starts[node];
+    }
+    starts
+}
+
+fn small(number: usize) -> u32 {
+    u32::try_from(number).unwrap_or(u32::MAX)
+}
+
 impl From<&Graph> for Network {
     fn from(graph: &Graph) -> Self {
-        let small = |node: usize| u32::try_from(node).unwrap_or(u32::MAX);
         let pairs: Vec<(u32, u32)> = graph.edges().map(|(from, to)| (small(from), small(to))).collect();
         Self::new(graph.node_count(), graph.is_directed(), &pairs)
     }

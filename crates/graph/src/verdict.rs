@@ -66,6 +66,9 @@ pub enum Certificate {
     },
     /// No two nodes can be content in disjoint sets, [`crate::bounds::content_pair`].
     Pairs,
+    /// Two such sets would have more than n nodes together, by the eigenvalues of the Laplacian, [`crate::spectrum`].
+    //= theory sec:spectrum
+    Eigenvalues,
     /// The search tree was exhausted without a witness.
     Search {
         /// Nodes visited for this question.
@@ -76,7 +79,7 @@ pub enum Certificate {
         /// Number of subsets, 2ⁿ.
         subsets: u64,
     },
-    /// Follows from (r + `steps`, s − `steps`)-robustness, itself known from the search or the table.
+    /// Follows from (r + `steps`, s − `steps`)-robustness, itself known from eigenvalues, the search or the table.
     Shifted {
         /// How far the r of the question that was answered is above this one.
         steps: usize,
@@ -87,7 +90,9 @@ impl Certificate {
     /// What this says about the r that is `steps` lower.
     pub(crate) fn shifted(self, steps: usize) -> Self {
         match self {
-            Self::Search { .. } | Self::Table { .. } if steps > 0 => Self::Shifted { steps },
+            Self::Eigenvalues | Self::Search { .. } | Self::Table { .. } if steps > 0 => {
+                Self::Shifted { steps }
+            }
             other => other,
         }
     }
@@ -99,6 +104,7 @@ impl fmt::Display for Certificate {
             Self::Nothing => write!(f, "nothing to show"),
             Self::Degrees { degree_min } => write!(f, "least degree {degree_min}"),
             Self::Pairs => write!(f, "no two nodes can hold out in disjoint sets"),
+            Self::Eigenvalues => write!(f, "eigenvalues: two such sets do not fit into the graph"),
             Self::Search { nodes } => write!(f, "exhaustive search, {nodes} nodes"),
             Self::Table { subsets } => write!(f, "table of all {subsets} subsets"),
             Self::Shifted { steps } => write!(f, "follows from the answer for r + {steps}"),

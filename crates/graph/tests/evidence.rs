@@ -58,7 +58,8 @@ fn right(graph: &Graph) -> Vec<Evidence> {
     }
     let least = network.degrees().min().unwrap_or(0);
     claims.extend((least + 1).checked_sub(NODES / 2).filter(|r| *r > 0).map(|r| Claim::Degrees { r }));
-    claims.extend((0..3).filter_map(|f| ranks::order(&network, f)).map(Claim::Ranks));
+    let counted = |order: &ranks::Order| order.counts(&network).is_ok();
+    claims.extend((0..3).filter_map(|f| ranks::order(&network, f)).filter(counted).map(Claim::Ranks));
     claims.into_iter().map(|claim| Evidence { network: network.clone(), claim }).collect()
 }
 

@@ -41,8 +41,13 @@ pub struct RunWriter<W: Write + Seek> {
 }
 
 impl<W: Write + Seek> RunWriter<W> {
-    /// Begins the recording of a run of `scenario` that `command` started.
+    /// Begins the recording of a run of `scenario` that `command` started; refused where robots come and go, because messages have no
+    /// word for a robot that is not there.
     pub fn new(scenario: &Scenario, metadata: &Metadata<'_>, command: &str, sink: W) -> io::Result<Self> {
+        if !scenario.absences.is_empty() {
+            let why = "`team.absent`: messages of ROS 2 have no word for robots that come and go";
+            return Err(io::Error::new(io::ErrorKind::Unsupported, why));
+        }
         let tick_ns = u64::try_from(scenario.clock.level_period.as_nanos()).unwrap_or(u64::MAX);
         let every = (1.0 / (SHOWN_HZ * scenario.tick_s())).ceil().max(1.0);
         #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "saturates; at least 1")]

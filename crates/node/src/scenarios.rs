@@ -116,6 +116,10 @@ pub fn read(text: &str, path: &Path) -> Result<FleetScenario, ScenarioError> {
         let found = "`obstacles` are known to the simulator alone: robots as processes have no map yet";
         return Err(wrong(1, format!("{found}; allowed is a scenario without any")));
     }
+    if !scenario.absences.is_empty() {
+        let found = "`team.absent` is known to the simulator alone";
+        return Err(wrong(1, format!("{found}; allowed for processes is fleet.kill")));
+    }
     table.fleet.check(&scenario).map_err(|problem| wrong(1, problem))?;
     let file = FleetScenario { scenario, text: text.to_owned(), fleet: table.fleet };
     for liar in &file.fleet.liar {

@@ -16,7 +16,7 @@ use closeranks_sim::sweep::{Field, Plan};
 /// Polars and others refuse a file with two columns of one name: a table `controller` that is chosen had the name of the controller's.
 #[test]
 fn no_two_columns_of_a_sweep_have_the_same_name() {
-    for file in ["campaign.toml", "campaign-ranks.toml", "campaign-bodies.toml"] {
+    for file in ["campaign.toml", "campaign-ranks.toml", "campaign-swarm.toml", "campaign-bodies.toml"] {
         let path = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../../scenarios").join(file);
         let plan = Plan::read(&std::fs::read_to_string(path).unwrap()).unwrap();
         let mut names: Vec<String> = entry::heads(plan.fields()).into_iter().map(|head| head.name).collect();

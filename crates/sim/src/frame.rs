@@ -60,14 +60,61 @@ pub struct Frame<const D: usize> {
     /// Values that each robot used in the last round, whether or not their robots count, and how many of these robots were
     /// malicious. Only engines that know of ranks fill it.
     pub listened: Vec<[u16; 2]>,
-    /// Robots that do not run in this tick.
+    /// Robots that do not run in this tick, those that are absent among them.
     pub down: Vec<bool>,
+    /// Who is in the plane. The world fills it before the robots tick.
+    pub presence: Presence,
     /// What the theorem is about, m: where velocities have taken each robot if a tracking error is stated, else its position.
     pub references_m: Vec<Vector<D>>,
     /// What the theorem rests on, and whether it holds.
     pub assumptions: Assumptions,
     /// Number of links, each counted once.
     pub links: u32,
+}
+
+/// Who of the roster is in the plane in a tick, and who came and went. Index 0 is robot 1.
+///
+/// An absent robot has no body: its position, its reference, its φ_i, its h, its levels and its values are NaN, it has no neighbours and
+/// it does not move. NaN is within no radius of anything.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Presence {
+    /// Robots that are not there.
+    pub absent: Vec<bool>,
+    /// Robots that left silently: others may reckon with them where they are not, also after they came again.
+    pub unannounced: Vec<bool>,
+    /// Robots that came in this tick, and begin anew.
+    pub arrived: Vec<bool>,
+    /// Robots of which all others are told in this tick that they have left.
+    pub dismissed: Vec<bool>,
+    /// Robots that had somebody within range who left in this tick: h, degree and held links of before are theirs no more.
+    pub bereft: Vec<bool>,
+    /// True if anybody came or left in this tick.
+    pub changed: bool,
+}
+
+impl Presence {
+    /// Everybody is there.
+    #[must_use]
+    pub fn full(robots: usize) -> Self {
+        let none = vec![false; robots];
+        Self {
+            absent: none.clone(),
+            unannounced: none.clone(),
+            arrived: none.clone(),
+            dismissed: none.clone(),
+            bereft: none,
+            changed: false,
+        }
+    }
+
+    /// Begins a tick in which nobody came or left yet.
+    pub(crate) fn begin_tick(&mut self) {
+        if core::mem::replace(&mut self.changed, false) {
+            self.arrived.fill(false);
+            self.dismissed.fill(false);
+            self.bereft.fill(false);
+        }
+    }
 }
 
 /// What held in a tick of the assumptions under which `budget` promises anything, as only the world can know. The world fills
@@ -108,6 +155,12 @@ impl Assumptions {
     }
 }
 
+/// The place of a robot that is not in the plane.
+#[must_use]
+pub fn nowhere<const D: usize>() -> Vector<D> {
+    [f64::NAN; D]
+}
+
 impl<const D: usize> Frame<D> {
     /// A frame for robots at `positions_m` with initial `values`.
     #[must_use]
@@ -140,6 +193,7 @@ impl<const D: usize> Frame<D> {
             heard: vec![[0; 2]; robots],
             listened: vec![[0; 2]; robots],
             down: vec![false; robots],
+            presence: Presence::full(robots),
             assumptions: Assumptions::all_hold(robots),
             links: 0,
         }

@@ -34,6 +34,8 @@ pub enum Stream {
     Liars = 13,
     /// Where obstacles stand.
     Obstacles = 14,
+    /// Where robots arrive.
+    Arrivals = 15,
 }
 
 /// A generator for one purpose.

@@ -20,6 +20,7 @@ use std::process::Command;
 use std::thread;
 
 use mutants::obstacles::OBSTACLES as AMONG_OBSTACLES;
+use mutants::presence::PRESENCE as COMING_AND_GOING;
 use mutants::{MUTANTS, Mutant};
 
 /// Runs that a mutant may survive.
@@ -30,10 +31,12 @@ const SEED: &str = "7";
 /// So many programs are built at a time, as most of a build of one changed line waits for one thread. At least two: the
 /// controller as it is has a campaign in each.
 const LANES: usize = 2;
-/// Where mutants are hunted; those of ranks in teams that have ranks, those of obstacles among obstacles.
+/// Where mutants are hunted; those of ranks in teams that have ranks, those of obstacles among obstacles, and
+/// those of robots that come and go where they do.
 const CAMPAIGN: &str = "campaign.toml";
 const RANKED: &str = "campaign-ranks.toml";
 const OBSTACLES: &str = "campaign-obstacles.toml";
+const PRESENCE: &str = "campaign-presence.toml";
 
 fn root() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../..")
@@ -136,6 +139,7 @@ fn caught(workspace: &Path, mutant: &Mutant) -> bool {
     let campaign = match name.split_once(": ") {
         Some(("ranks", _)) => RANKED,
         Some(("obstacles", _)) => OBSTACLES,
+        Some(("presence", _)) => PRESENCE,
         _ => CAMPAIGN,
     };
     let found = hunt(workspace, campaign, RUNS, law);
@@ -162,8 +166,8 @@ fn lane(lane: usize, mutants: &[&Mutant]) -> Vec<String> {
 #[test]
 fn every_broken_controller_is_caught_by_its_law() {
     let only = std::env::var("MUTANT").unwrap_or_default();
-    let chosen: Vec<&Mutant> =
-        MUTANTS.iter().chain(&AMONG_OBSTACLES).filter(|mutant| mutant.name.contains(&only)).collect();
+    let all = MUTANTS.iter().chain(&AMONG_OBSTACLES).chain(&COMING_AND_GOING);
+    let chosen: Vec<&Mutant> = all.filter(|mutant| mutant.name.contains(&only)).collect();
     assert!(!chosen.is_empty(), "no mutant's name contains MUTANT={only}");
     let missed: Vec<String> = thread::scope(|scope| {
         let lanes: Vec<_> = (0..LANES)

@@ -1,4 +1,4 @@
-"""Networks by name, as networkx graphs on the nodes 0 to n - 1, at most 128.
+"""Networks by name, as networkx graphs on the nodes 0 to n - 1, at most 128; `ranked`, `triangular` and `delaunay` have up to four million.
 
 A directed edge u -> v means that v hears u. One seed is one graph, on every machine, and the one of `closeranks graph`. What is not
 possible is refused with a `GraphError`.
@@ -22,19 +22,28 @@ __all__ = [
     "bipartite",
     "circulant",
     "complete",
+    "delaunay",
     "elemental",
     "erdos_renyi",
     "geometric",
     "grid",
     "hypercube",
     "k_circulant",
+    "kneser",
+    "merg",
+    "merg_f",
+    "multipartite",
+    "paley",
     "path",
     "petersen",
     "preferential",
+    "ranked",
     "regular",
     "ring",
+    "rook_complement",
     "star",
     "tight",
+    "triangular",
     "wheel",
 ]
 
@@ -134,3 +143,48 @@ def geometric(nodes: int, radius: float, *, seed: int = 1) -> nx.Graph[int]:
 def preferential(nodes: int, start: int, links: int, *, seed: int = 1) -> nx.Graph[int]:
     """`start` nodes joined at first; each newcomer joins `links` of the others, the likelier the higher their degree."""
     return _made("preferential", nodes, start, links, seed=seed)
+
+
+def multipartite(parts: int, size: int) -> nx.Graph[int]:
+    """`parts` parts of `size` nodes, all joined but those of one part."""
+    return _made("multipartite", parts, size)
+
+
+def rook_complement(rows: int, columns: int) -> nx.Graph[int]:
+    """Fields of a board, joined if they share neither row nor column."""
+    return _made("rook_complement", rows, columns)
+
+
+def kneser(points: int, chosen: int) -> nx.Graph[int]:
+    """All sets of `chosen` of so many points, joined if disjoint."""
+    return _made("kneser", points, chosen)
+
+
+def paley(prime: int) -> nx.Graph[int]:
+    """Numbers below a prime of the form 4k + 1, joined if they differ by a square."""
+    return _made("paley", prime)
+
+
+def merg(nodes: int) -> nx.Graph[int]:
+    """The largest r that so many nodes can have, ceil(n/2), on the fewest links."""
+    return _made("merg", nodes)
+
+
+def merg_f(nodes: int) -> nx.Graph[int]:
+    """The largest F that so many nodes can have, ceil(n/2) - 1, on the fewest links."""
+    return _made("merg_f", nodes)
+
+
+def ranked(nodes: int, f: int, *, seed: int = 1) -> nx.Graph[int]:
+    """2F + 1 nodes joined, each newcomer joins 2F + 1 of those before it: survives F liars around each node."""
+    return _made("ranked", nodes, f, seed=seed)
+
+
+def triangular(rows: int, columns: int) -> nx.Graph[int]:
+    """Rows and columns of a lattice of triangles."""
+    return _made("triangular", rows, columns)
+
+
+def delaunay(nodes: int, *, seed: int = 1) -> nx.Graph[int]:
+    """Points uniform in a square, each joined to those next to it in every direction: the Delaunay triangulation."""
+    return _made("delaunay", nodes, seed=seed)

@@ -130,7 +130,7 @@ fn graph(arguments: &Check, name: String, text: &str) -> Result<Source> {
         |error: &FormatError, format: Option<Format>| picture(&name, text, error, hint(error, format));
     let (format, told_by) = formats::recognise(text, &options).map_err(|error| refused(&error, None))?;
     refuse_useless(arguments, &name, format)?;
-    let reading = match formats::read_network(text, &options) {
+    let reading = match formats::read_as(text, (format, told_by), &options) {
         Ok(reading) => reading,
         Err(error) => bail!(refused(&error, (told_by != ToldBy::Request).then_some(format))),
     };

@@ -4,6 +4,7 @@ use anyhow::{Result, bail};
 use closeranks_graph::evidence::Claim;
 use closeranks_graph::network::Network;
 use closeranks_graph::ranks::{self, Found};
+use closeranks_report::content::Table;
 use serde_json::{Value, json};
 
 use super::answer::Answer;
@@ -16,7 +17,12 @@ struct Known<'a> {
     found: Option<Found>,
     /// It survives no more than this; −1 if it does not agree even if nobody lies.
     most: i64,
+    /// For numbers of liars that it is not proved to survive, the largest part that was found.
+    parts: Vec<Found>,
 }
+
+/// For so many numbers of liars parts are looked for.
+const PARTS: usize = 8;
 
 /// Answers; false when the answer is no or was not found.
 pub(super) fn check(arguments: &Check, input: &NetworkInput) -> Result<bool> {
@@ -32,14 +38,20 @@ pub(super) fn check(arguments: &Check, input: &NetworkInput) -> Result<bool> {
         }),
         None => ranks::largest(network, usize::try_from(most).unwrap_or(0)),
     };
-    let known = Known { input, found, most };
+    let parts = match (asked, &found) {
+        (None, found) => ranks::parts(network, found.as_ref().map_or(0, |found| found.order.f + 1), PARTS),
+        (Some(f), None) => ranks::part(network, f).into_iter().collect(),
+        (Some(_), Some(_)) => Vec::new(),
+    };
+    let known = Known { input, found, most, parts };
     let answer = match asked {
         Some(f) => known.question(f),
         None => known.everything(),
     };
-    let claim = known.found.as_ref().map(|found| Claim::Ranks(found.order.clone()));
-    let answer =
-        Answer { claim, graph: known.degrees(), read: words::reading(&(&input.reading).into()), ..answer };
+    let counted = known.found.as_ref().filter(|found| found.order.counts(network).is_ok());
+    let claim = counted.map(|found| Claim::Ranks(found.order.clone()));
+    let read = words::reading(&(&input.reading).into());
+    let answer = Answer { claim, graph: known.degrees(), read, table: known.table(), ..answer };
     super::tell(arguments, &answer, "");
     if let Some(target) = &arguments.certificate {
         let name = |node: usize| input.reading.names.get(node).cloned().unwrap_or_default();
@@ -170,6 +182,7 @@ impl Known<'_> {
         Answer {
             holds: true,
             sentence: format!("Does not agree even if nobody lies: {}.", self.limit()),
+            why: self.why(),
             numbers: self.numbers(&json!({ "f_max": -1, "proved": "exactly" })),
             ..Answer::default()
         }
@@ -185,20 +198,48 @@ impl Known<'_> {
             ("undecided", format!("Undecided: no ranks were found that show that it survives any {liars}."))
         };
         let more = json!({ "question": { "F": f, "local": true }, "answer": answer });
-        let why = if answer == "yes" { self.why() } else { Vec::new() };
-        Answer { holds: answer == "yes", sentence, why, numbers: self.numbers(&more), ..Answer::default() }
+        Answer {
+            holds: answer == "yes",
+            sentence,
+            why: self.why(),
+            numbers: self.numbers(&more),
+            ..Answer::default()
+        }
     }
 
     /// What the proof is.
     fn why(&self) -> Vec<String> {
-        let Some(Found { order, .. }) = &self.found else { return Vec::new() };
-        let (in_core, before) = (ranks::need_in_core(order.f, order.core.len()), ranks::need_before(order.f));
-        vec![format!(
-            "Each robot of the core hears {in_core} others of it or more, and each other robot {before} of the core or of those \
-             before it (--json has the order). At most {} of those that a robot hears may lie, however many in all \
-             (docs/ranks.md).",
-            order.f
-        )]
+        let parts = (!self.parts.is_empty()).then(|| {
+            "Each line of the table is a part of the network that survives so many liars around each of its robots if these \
+             listen to each other only."
+                .to_owned()
+        });
+        let proof = self.found.as_ref().map(|Found { order, .. }| {
+            let before = ranks::need_before(order.f);
+            let core = if order.counts(self.network()).is_ok() {
+                let in_core = ranks::need_in_core(order.f, order.core.len());
+                format!("Each robot of the core hears {in_core} others of it or more")
+            } else {
+                "That the core survives by itself was found by exact search".to_owned()
+            };
+            format!(
+                "{core}, and each other robot {before} of the core or of those before it (--json has the order). At most {} of those \
+                 that a robot hears may lie, however many in all (docs/ranks.md).",
+                order.f
+            )
+        });
+        proof.into_iter().chain(parts).collect()
+    }
+
+    /// A line for each part.
+    fn table(&self) -> Option<Table> {
+        let heads = ["F", "robots", "core", "layers"].map(str::to_owned).to_vec();
+        let row = |found: &Found| {
+            let Found { order, layers } = found;
+            [order.f, found.node_count(), order.core.len(), *layers].map(|number| number.to_string()).to_vec()
+        };
+        let rows: Vec<Vec<String>> = self.parts.iter().map(row).collect();
+        (!rows.is_empty()).then_some(Table { heads, rows })
     }
 
     fn numbers(&self, more: &Value) -> Value {
@@ -214,7 +255,12 @@ impl Known<'_> {
         let ranks = self.found.as_ref().map(|Found { order, layers }| {
             json!({ "F": order.f, "layers": layers, "core": names(&order.core), "order": names(&order.rest) })
         });
+        let part = |found: &Found| {
+            let Found { order, layers } = found;
+            json!({ "F": order.f, "robots": found.node_count(), "core": names(&order.core), "layers": layers })
+        };
         numbers.insert("ranks".to_owned(), json!(ranks));
+        numbers.insert("parts".to_owned(), self.parts.iter().map(part).collect());
         numbers.insert("read".to_owned(), words::reading_value(&(&self.input.reading).into()));
         Value::Object(numbers)
     }

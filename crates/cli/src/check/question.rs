@@ -152,8 +152,10 @@ fn local_witness(named: &Named, faults: usize, meter: &mut Meter<'_>) -> Known {
     if let Verdict::Robust(_) = robustness.decide(2 * faults + 1, 1, meter) {
         return Known::Yes("(2F+1)-robustness", None);
     }
-    if let Some(order) = ranks::order(&Network::from(&named.graph), faults) {
-        return Known::Yes("ranks", Some(Claim::Ranks(order)));
+    let network = Network::from(&named.graph);
+    if let Some(order) = ranks::order(&network, faults) {
+        let claim = order.counts(&network).is_ok().then_some(Claim::Ranks(order));
+        return Known::Yes("ranks", claim);
     }
     // Liars that are few in all are few in every neighbourhood.
     if let Verdict::NotRobust(witness) = robustness.decide(faults + 1, faults + 1, meter) {

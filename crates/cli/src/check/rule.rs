@@ -3,6 +3,7 @@
 use anyhow::{Result, bail};
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use closeranks_graph::decide::Robustness;
+use closeranks_graph::definition::Witness;
 use closeranks_graph::effort::{Effort, Meter, Progress};
 use closeranks_graph::formats::Named;
 use closeranks_graph::graph::Graph;
@@ -15,7 +16,7 @@ use closeranks_sim::consensus::{Needs, Rule};
 use serde_json::{Value, json};
 
 use super::answer::{Answer, numbers};
-use super::question;
+use super::{question, words};
 use crate::progress::Watch;
 
 /// Reads the name of a rule.
@@ -112,51 +113,124 @@ pub(super) fn recorded(
     }
     let graphs = ticks.iter().map(|tick| Ok(geometric(recording.at(*tick), radius_m)?));
     let graphs: Vec<Graph> = graphs.collect::<Result<_>>()?;
-    let (mut held, mut open, mut first) = (0, 0, None);
-    let mut before: Option<(Graph, Option<bool>)> = None;
-    for (place, graphs) in graphs.windows(window).enumerate() {
-        let union = union(graphs)?;
-        let robust = match before.take() {
-            Some((last, robust)) if last == union => robust,
-            _ => is_robust(&union, 2 * faults + 1, sets, watch),
-        };
-        held += usize::from(robust == Some(true));
-        open += usize::from(robust.is_none());
-        if robust == Some(false) {
-            first.get_or_insert(ticks[place]);
-        }
-        before = Some((union, robust));
-    }
-    let all = graphs.len() - window + 1;
-    let (what, r) = (format!("windows of {window} rounds"), 2 * faults + 1);
-    let sentence = match first {
-        Some(tick) => {
-            format!("No: jointly {r}-robust in {held} of {all} {what}, first not from tick {tick} on.")
-        }
-        None if open > 0 => {
-            format!("Undecided: jointly {r}-robust in {held} of {all} {what}, {open} were not settled.")
-        }
-        None => format!("Yes: jointly {r}-robust in all {all} {what}."),
-    };
-    let numbers = json!({ "rule": rule.name(), "F": faults, "window": window, "windows": all, "robust": held,
-        "open": open, "first_not_robust_tick": first });
+    let windows = Windows::of(&graphs, &ticks, (window, 2 * faults + 1), sets, watch)?;
     let needs = format!("`{}` with F = {faults} needs {}.", rule.name(), rule.row().needs.words());
-    let union = format!(
-        "A window counts every link of {window} rounds one after another. That is enough for a rule that remembers for so long (Saldaña et \
-         al. 2017), and says nothing of W-MSR, which forgets after each round."
-    );
-    let why = vec![needs, union];
-    Ok(Answer { holds: held == all, sentence, why, numbers, ..Answer::default() })
+    Ok(windows.answer(needs, (rule, faults), window))
 }
 
-fn is_robust(graph: &Graph, r: usize, sets: u64, watch: &mut Watch) -> Option<bool> {
+/// What became of all windows of a run.
+#[derive(Default)]
+struct Windows {
+    all: usize,
+    held: usize,
+    open: usize,
+    /// Windows that fail, those one after another with the same links as one.
+    failures: Vec<Failure>,
+}
+
+/// Windows one after another with the same links, which are not jointly robust.
+struct Failure {
+    /// Where the first of them begins.
+    from_tick: usize,
+    /// Where the last of them ends.
+    to_tick: usize,
+    windows: usize,
+    /// All links of a window.
+    named: Named,
+    witness: Witness,
+}
+
+impl Windows {
+    /// Asks each `window` of `graphs` for r-robustness.
+    fn of(
+        graphs: &[Graph],
+        ticks: &[usize],
+        (window, r): (usize, usize),
+        sets: u64,
+        watch: &mut Watch,
+    ) -> Result<Self> {
+        let mut found = Self { all: graphs.len() - window + 1, ..Self::default() };
+        let mut before: Option<(Graph, Verdict)> = None;
+        for (place, graphs) in graphs.windows(window).enumerate() {
+            let union = union(graphs)?;
+            let same = before.take().filter(|(last, _)| *last == union);
+            let is_new = same.is_none();
+            let verdict = same.map_or_else(|| verdict(&union, r, sets, watch), |(_, verdict)| verdict);
+            let span = (ticks[place], ticks[place + window - 1]);
+            found.note(&union, verdict, span, is_new);
+            before = Some((union, verdict));
+        }
+        Ok(found)
+    }
+
+    fn note(&mut self, union: &Graph, verdict: Verdict, (from_tick, to_tick): (usize, usize), is_new: bool) {
+        match verdict {
+            Verdict::Robust(_) => self.held += 1,
+            Verdict::Unknown => self.open += 1,
+            Verdict::NotRobust(witness) => {
+                let last = self.failures.last_mut().filter(|_| !is_new);
+                if let Some(failure) = last {
+                    failure.to_tick = to_tick;
+                    failure.windows += 1;
+                } else {
+                    // Robots of recordings have numbers from 1 on.
+                    let names = (1..=union.node_count()).map(|robot| robot.to_string()).collect();
+                    let named = Named { graph: union.clone(), names };
+                    self.failures.push(Failure { from_tick, to_tick, windows: 1, named, witness });
+                }
+            }
+        }
+    }
+
+    fn answer(self, needs: String, (rule, faults): (Rule, usize), window: usize) -> Answer {
+        let (held, all, open, r) = (self.held, self.all, self.open, 2 * faults + 1);
+        let what = format!("windows of {window} rounds");
+        let first = self.failures.first();
+        let sentence = match first {
+            Some(Failure { from_tick, .. }) => {
+                format!(
+                    "No: jointly {r}-robust in {held} of {all} {what}, first not from tick {from_tick} on."
+                )
+            }
+            None if open > 0 => {
+                format!("Undecided: jointly {r}-robust in {held} of {all} {what}, {open} were not settled.")
+            }
+            None => format!("Yes: jointly {r}-robust in all {all} {what}."),
+        };
+        let failures: Vec<Value> = self.failures.iter().map(Failure::value).collect();
+        let numbers = json!({ "rule": rule.name(), "F": faults, "window": window, "windows": all, "robust": held,
+            "open": open, "first_not_robust_tick": first.map(|failure| failure.from_tick), "failures": failures });
+        let union = format!(
+            "A window counts every link of {window} rounds one after another. That is enough for a rule that remembers for so long (Saldaña \
+             et al. 2017), and says nothing of W-MSR, which forgets after each round."
+        );
+        let sets = first.map(|failure| failure.words(r));
+        let why = [needs, union].into_iter().chain(sets).collect();
+        Answer { holds: held == all, sentence, why, numbers, ..Answer::default() }
+    }
+}
+
+impl Failure {
+    /// The sets that fail, for a terminal.
+    fn words(&self, r: usize) -> String {
+        let sides = [self.witness.first, self.witness.second];
+        let [one, other] = sides.map(|side| words::hears(&self.named, side, side));
+        let (from, to) = (self.from_tick, self.to_tick);
+        format!(
+            "All links of a window between tick {from} and tick {to} together: {one}, and {other}; one of them would have to hear {r} or more."
+        )
+    }
+
+    fn value(&self) -> Value {
+        json!({ "from_tick": self.from_tick, "to_tick": self.to_tick, "windows": self.windows,
+            "witness": words::witness_value(&self.named, &self.witness) })
+    }
+}
+
+fn verdict(graph: &Graph, r: usize, sets: u64, watch: &mut Watch) -> Verdict {
     let mut look = |progress: &Progress| watch.look(progress);
     let mut meter = Meter::new(sets, &mut look);
-    match Robustness::new(graph, &Effort::UNLIMITED).decide(r, 1, &mut meter) {
-        Verdict::Robust(_) => Some(true),
-        Verdict::NotRobust(_) => Some(false),
-        Verdict::Unknown => None,
-    }
+    Robustness::new(graph, &Effort::UNLIMITED).decide(r, 1, &mut meter)
 }
 
 /// Who hears whom in some round.

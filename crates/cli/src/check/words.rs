@@ -178,7 +178,7 @@ pub(super) fn split_value(named: &Named, split: &Split) -> Value {
 }
 
 /// What `members` of `set` hear outside of it.
-fn hears(named: &Named, set: NodeSet, members: NodeSet) -> String {
+pub(super) fn hears(named: &Named, set: NodeSet, members: NodeSet) -> String {
     let outside = |node: usize| named.graph.in_neighbors(node).difference(set).len();
     let most = members.iter().map(outside).max().unwrap_or(0);
     let verb = if members.len() == 1 { "hears" } else { "hear" };
@@ -204,6 +204,7 @@ pub(super) fn proof(certificate: Certificate) -> String {
         Certificate::Nothing => "the definition, which asks nothing here".to_owned(),
         Certificate::Degrees { degree_min } => format!("its least degree, {degree_min}"),
         Certificate::Pairs => "pairs: no two robots can hold out in disjoint sets".to_owned(),
+        Certificate::Eigenvalues => "eigenvalues: two such sets have more robots than there are".to_owned(),
         Certificate::Search { nodes } => format!("exhaustive search of {}", count(nodes, "set")),
         Certificate::Table { subsets } => format!("a table of all {subsets} subsets"),
         Certificate::Shifted { steps } => format!("the answer for r + {steps}"),

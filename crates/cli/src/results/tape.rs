@@ -113,6 +113,12 @@ impl Tape {
         if robots > ROBOTS_MAX {
             bail!("`team.robots` is {robots}, allowed with --record is at most {ROBOTS_MAX}");
         }
+        if !scenario.absences.is_empty() {
+            bail!(
+                "`team.absent` with --record FILE.mcap: messages of ROS 2 have no word for robots that come and go; allowed is a \
+                 folder with -o, whose run.parquet has them"
+            );
+        }
         let file = target.file()?;
         let writer = RunWriter::new(scenario, &metadata(text, scenario), invocation::name(), file);
         let writer = writer.with_context(|| format!("cannot write `{}`", target.0.display()))?;

@@ -84,6 +84,12 @@ impl<const D: usize> Slot<D> {
         Member { id: self.id, rank: self.rank }
     }
 
+    /// True if it was sensed in this tick.
+    #[must_use]
+    pub fn is_sensed(&self) -> bool {
+        self.sensed
+    }
+
     /// True if it was not sensed in this tick, but must still be within R ([`missing`](crate::robot::missing)).
     #[must_use]
     pub fn is_missing(&self) -> bool {

@@ -54,6 +54,14 @@ impl<const D: usize, S: Slots<D>> Robot<D, S> {
         (slot.sensed, slot.peer) = (false, Peer::new(self.ledger.numbers.last()));
     }
 
+    /// The robot of this number has left the plane: whoever owns this one knows, for instance because it carried the other away.
+    /// All that is held of it is forgotten, so that it is not taken for [`missing`](crate::robot::missing). If it is observed again it
+    /// is a neighbour as any other. This is trusted as positions are: nothing that a neighbour tells is a reason to call it.
+    //= theory sec:departures
+    pub fn dismiss(&mut self, id: RobotId) {
+        self.keep(|slot| slot.id != id);
+    }
+
     /// Keeps the slots for which `keep` says so.
     pub(crate) fn keep(&mut self, mut keep: impl FnMut(&mut Slot<D>) -> bool) {
         let (mut kept, slots) = (0, self.slots.as_mut());

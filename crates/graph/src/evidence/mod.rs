@@ -110,7 +110,7 @@ impl Evidence {
         match &self.claim {
             Claim::NotRobust { r, s, sets } => refutes(&self.network, *r, *s, sets),
             Claim::Degrees { r } => degrees(&self.network, *r),
-            Claim::Ranks(order) => order.check(&self.network).map(|_| ()).map_err(Refused::Order),
+            Claim::Ranks(order) => order.counts(&self.network).map(|_| ()).map_err(Refused::Order),
         }
     }
 }

@@ -1,11 +1,13 @@
 //! A graph in the making, node by node and edge by edge, as the lines of a text have them.
 
-use alloc::collections::{BTreeMap, BTreeSet};
+use alloc::collections::BTreeSet;
 use alloc::string::{String, ToString};
 use alloc::vec::Vec;
 
 use super::NAME_LIMIT;
 use super::error::{FormatError, Problem};
+use super::index::Index;
+use super::links::Links;
 use super::note::Note;
 use crate::graph::set::NODE_LIMIT;
 use crate::network::{NETWORK_LIMIT, Network};
@@ -27,16 +29,13 @@ pub(super) struct Builder {
     directed: bool,
     names: Vec<String>,
     labels: Vec<String>,
-    numbers: BTreeMap<String, usize>,
+    numbers: Index,
     beyond: Option<usize>,
-    heard: BTreeSet<(usize, usize)>,
+    links: Links,
     one_way: bool,
-    both_ways: usize,
-    listed: Option<BTreeMap<(usize, usize), usize>>,
-    parallel_expected: bool,
-    parallel: usize,
     loops: usize,
-    repeat: Option<FormatError>,
+    /// The node and the line of the first.
+    first_loop: Option<(usize, usize)>,
     notes: Vec<Note>,
 }
 
@@ -47,23 +46,19 @@ impl Builder {
             directed,
             names: Vec::new(),
             labels: Vec::new(),
-            numbers: BTreeMap::new(),
+            numbers: Index::default(),
             beyond: None,
-            heard: BTreeSet::new(),
+            links: Links::default(),
             one_way: false,
-            both_ways: 0,
-            listed: None,
-            parallel_expected: false,
-            parallel: 0,
             loops: 0,
-            repeat: None,
+            first_loop: None,
             notes: Vec::new(),
         }
     }
 
     /// For lists in which each end may name the other: a link u — v is not parallel to v — u.
     pub(super) fn told_from_both_ends(mut self) -> Self {
-        self.listed = Some(BTreeMap::new());
+        self.links.each_end = true;
         self
     }
 
@@ -83,14 +78,14 @@ impl Builder {
     /// The node of this name, new if it must be.
     pub(super) fn node(&mut self, name: &str, line: usize) -> Result<usize, FormatError> {
         match self.numbers.get(name) {
-            Some(&number) => Ok(number),
+            Some(number) => Ok(number),
             None => self.declare(name, line),
         }
     }
 
     /// The node of this name, which must be new.
     pub(super) fn declare(&mut self, name: &str, line: usize) -> Result<usize, FormatError> {
-        let problem = if self.numbers.contains_key(name) {
+        let problem = if self.numbers.get(name).is_some() {
             Problem::NodeTwice { name: name.to_string() }
         } else if name.is_empty() || name.len() > NAME_LIMIT {
             Problem::Name { bytes: name.len() }
@@ -103,7 +98,7 @@ impl Builder {
             }
             self.names.push(name.to_string());
             self.labels.push(String::new());
-            self.numbers.insert(name.to_string(), number);
+            self.numbers.insert(name, number);
             return Ok(number);
         };
         Err(FormatError::new(line, problem))
@@ -126,7 +121,7 @@ impl Builder {
             let name = name.chars().take(NAME_LIMIT).collect();
             FormatError::new(line, Problem::UnknownNode { name })
         };
-        self.numbers.get(name).copied().ok_or_else(unknown)
+        self.numbers.get(name).ok_or_else(unknown)
     }
 
     /// What a person calls the node, if the text has such a thing beside its name.
@@ -144,42 +139,17 @@ impl Builder {
     /// An edge, heard by both of its ends or by `to` alone.
     pub(super) fn link(&mut self, from: usize, to: usize, both: bool, line: usize) {
         if from == to {
-            let node = self.names.get(from).cloned().unwrap_or_default();
             self.loops += 1;
-            self.repeat.get_or_insert_with(|| FormatError::new(line, Problem::Loop { node }));
+            self.first_loop.get_or_insert((from, line));
             return;
         }
         self.one_way |= !both;
-        let mut is_new = self.heard.insert((from, to));
-        if both {
-            is_new |= self.heard.insert((to, from));
-        }
-        if let Some(listed) = &mut self.listed {
-            let back = listed.get(&(to, from)).copied().unwrap_or(0);
-            let times = listed.entry((from, to)).or_insert(0);
-            *times += 1;
-            is_new = *times == 1 || *times <= back;
-        }
-        if is_new {
-            self.both_ways += usize::from(both);
-        } else {
-            self.is_parallel(from, to, line);
-        }
-    }
-
-    fn is_parallel(&mut self, from: usize, to: usize, line: usize) {
-        if self.parallel_expected {
-            return;
-        }
-        let name = |node: usize| self.names.get(node).cloned().unwrap_or_default();
-        let (from, to) = (name(from), name(to));
-        self.parallel += 1;
-        self.repeat.get_or_insert_with(|| FormatError::new(line, Problem::DoubleEdge { from, to }));
+        self.links.push((from, to), line, both);
     }
 
     /// Parallel links are no news from now on, as in a DOT graph that says `strict`.
     pub(super) fn expect_parallel(&mut self) {
-        self.parallel_expected = true;
+        self.links.expected = true;
     }
 
     /// Refuses two names that are one number, such as `1` and `01`.
@@ -240,13 +210,30 @@ impl Builder {
             return Err(FormatError::new(line, Problem::NoNodes));
         }
         let small = |node: usize| u32::try_from(rank[node]).unwrap_or(u32::MAX);
-        let pairs: Vec<(u32, u32)> = self.heard.iter().map(|&(from, to)| (small(from), small(to))).collect();
-        let network = Network::new(order.len(), directed, &pairs);
+        let pairs = self.links.pairs().map(|(from, to)| (small(from as usize), small(to as usize))).collect();
+        let network = Network::of_heard(order.len(), directed, pairs);
+        let told = self.links.told();
+        let repeat = self.repeat(told.first);
         let names = order.iter().map(|&index| core::mem::take(&mut self.names[index])).collect();
         let mut notes = self.notes;
-        notes.extend((self.parallel > 0).then_some(Note::Parallel(self.parallel)));
+        notes.extend((told.parallel > 0).then_some(Note::Parallel(told.parallel)));
         notes.extend((self.loops > 0).then_some(Note::Loops(self.loops)));
-        notes.extend((directed && self.both_ways > 0).then_some(Note::BothWays(self.both_ways)));
-        Ok(Draft { network, names, beyond: self.beyond, notes, repeat: self.repeat })
+        notes.extend((directed && told.both_ways > 0).then_some(Note::BothWays(told.both_ways)));
+        Ok(Draft { network, names, beyond: self.beyond, notes, repeat })
+    }
+
+    /// The first loop or parallel link as an error, whichever comes first.
+    fn repeat(&self, parallel: Option<(usize, usize, usize)>) -> Option<FormatError> {
+        let name = |node: usize| self.names.get(node).cloned().unwrap_or_default();
+        match (self.first_loop, parallel) {
+            (Some((node, line)), parallel) if parallel.is_none_or(|(.., other)| line <= other) => {
+                Some(FormatError::new(line, Problem::Loop { node: name(node) }))
+            }
+            (_, Some((from, to, line))) => {
+                let (from, to) = (name(from), name(to));
+                Some(FormatError::new(line, Problem::DoubleEdge { from, to }))
+            }
+            _ => None,
+        }
     }
 }

@@ -23,7 +23,9 @@ mod dot;
 mod error;
 mod format;
 mod gml;
+mod index;
 mod json;
+mod links;
 mod matrix;
 mod note;
 mod sections;
@@ -143,15 +145,21 @@ pub fn read(text: &str, options: &Options<'_>) -> Result<Reading, FormatError> {
 /// Reads the network that `text` holds: at most [`NETWORK_TEXT_LIMIT`] bytes and
 /// [`NETWORK_LIMIT`](crate::network::NETWORK_LIMIT) nodes, otherwise as [`read`].
 pub fn read_network(text: &str, options: &Options<'_>) -> Result<NetworkReading, FormatError> {
+    let recognised = recognise(text, options)?;
+    read_as(text, recognised, options)
+}
+
+/// Reads the network that `text` holds as [`recognise`] has found it.
+pub fn read_as(
+    text: &str,
+    (format, told_by): (Format, ToldBy),
+    options: &Options<'_>,
+) -> Result<NetworkReading, FormatError> {
     if text.len() > NETWORK_TEXT_LIMIT {
-        return Err(FormatError::new(
-            1,
-            Problem::TextTooLong { bytes: text.len(), most: NETWORK_TEXT_LIMIT },
-        ));
+        let problem = Problem::TextTooLong { bytes: text.len(), most: NETWORK_TEXT_LIMIT };
+        return Err(FormatError::new(1, problem));
     }
-    let text = unix_lines(text);
-    let (row, told_by) = choose::choose(&text, options)?;
-    let draft = (row.read)(&text, options)?;
+    let draft = (table::row(format).read)(&unix_lines(text), options)?;
     match draft.repeat {
         Some(repeat) if options.strict => return Err(repeat),
         _ => {}
@@ -163,7 +171,7 @@ pub fn read_network(text: &str, options: &Options<'_>) -> Result<NetworkReading,
         notes.push(Note::NothingToTranspose);
     }
     let (names, beyond) = (draft.names, draft.beyond);
-    Ok(NetworkReading { network, names, beyond, format: row.format, told_by, notes })
+    Ok(NetworkReading { network, names, beyond, format, told_by, notes })
 }
 
 impl NetworkReading {
@@ -178,11 +186,14 @@ impl NetworkReading {
 
 /// The format that `text` would be read as, if that is clear.
 pub fn recognise(text: &str, options: &Options<'_>) -> Result<(Format, ToldBy), FormatError> {
+    if text.len() > NETWORK_TEXT_LIMIT {
+        let problem = Problem::TextTooLong { bytes: text.len(), most: NETWORK_TEXT_LIMIT };
+        return Err(FormatError::new(1, problem));
+    }
     let (row, told_by) = choose::choose(&unix_lines(text), options)?;
     Ok((row.format, told_by))
 }
 
-/// Every edge u → v becomes v → u.
 /// Writes `named` down. What is written reads back as the same graph; matrix and graph6 have no place for names.
 pub fn write(named: &Named, format: Format) -> Result<String, WriteError> {
     match table::row(format).write {

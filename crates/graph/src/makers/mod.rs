@@ -1,8 +1,11 @@
 //! Graphs by name.
 
+pub mod delaunay;
 pub mod fixed;
 mod generator;
 pub mod large;
+mod mesh;
+pub mod minimal;
 pub mod random;
 pub mod symmetric;
 

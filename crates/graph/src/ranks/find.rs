@@ -2,16 +2,20 @@
 
 use alloc::vec;
 use alloc::vec::Vec;
+use core::ops::ControlFlow;
 
-use super::{Order, need_before, need_in_core};
+use super::cores::Cores;
+use super::exact::{self, EFFORT};
+use super::{Order, need_before};
+use crate::effort::Meter;
 use crate::network::Network;
 
 /// Looking for cores may cost so many looks at an edge for each edge of the network.
 const LOOKS_PER_EDGE: usize = 64;
-/// The neighbourhood of a node is thinned out to a core only up to this size.
-const CORE_MAX: usize = 256;
+/// So many small sets at most are given to the exact search.
+const SETS_MAX: usize = 32;
 
-/// The largest F for which an order was found, with its order.
+/// An order that was found.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Found {
     /// The order.
@@ -20,15 +24,23 @@ pub struct Found {
     pub layers: usize,
 }
 
+impl Found {
+    /// How many nodes the order has.
+    #[must_use]
+    pub fn node_count(&self) -> usize {
+        size(&self.order)
+    }
+}
+
 /// The order for the largest F that has one, as far as it is found; `None` if there is none even for F = 0. No F above `most` is tried.
 #[must_use]
 pub fn largest(network: &Network, most: usize) -> Option<Found> {
-    let search = Search::new(network);
+    let mut search = Search::new(network);
     let (mut found, mut least, mut above) = (None, 0, most.min(search.degeneracy()) + 1);
     // What has an order for F has one for every smaller F, but for what the search overlooks.
     while least < above {
         let f = if found.is_none() { least } else { least.midpoint(above - 1).max(least) };
-        match search.order(f) {
+        match search.best(f).filter(|order| search.is_complete(order)) {
             Some(order) => (found, least) = (Some(order), f + 1),
             None => above = f,
         }
@@ -41,190 +53,187 @@ pub fn largest(network: &Network, most: usize) -> Option<Found> {
 /// An order for F, if one is found.
 #[must_use]
 pub fn order(network: &Network, f: usize) -> Option<Order> {
-    let order = Search::new(network).order(f)?;
-    order.check(network).is_ok().then_some(order)
+    part(network, f).and_then(|found| found.order.check(network).is_ok().then_some(found.order))
 }
 
-/// A network in which cores are looked for.
+/// The order of as many nodes as are found: of all, or of a part that survives F liars around each of its nodes by itself.
+#[must_use]
+pub fn part(network: &Network, f: usize) -> Option<Found> {
+    parts(network, f, 1).pop()
+}
+
+/// The same for F from `least` on, as long as there is a part, at most `count` of them.
+#[must_use]
+pub fn parts(network: &Network, least: usize, count: usize) -> Vec<Found> {
+    let mut search = Search::new(network);
+    let found = (least..least.saturating_add(count)).map_while(|f| {
+        let order = search.best(f)?;
+        let layers = order.check_part(network).ok()?;
+        Some(Found { order, layers })
+    });
+    found.collect()
+}
+
+/// A network in which orders are looked for.
 struct Search<'a> {
     network: &'a Network,
-    hearers: Network,
-    /// The largest k such that the node is in a set whose members each hear k others of it.
-    coreness: Vec<u32>,
+    cores: Cores<'a>,
     /// Nodes, those with the largest coreness first.
     seeds: Vec<u32>,
+    reach: Reach,
 }
 
 impl<'a> Search<'a> {
     fn new(network: &'a Network) -> Self {
         let hearers = network.transposed();
-        let coreness = coreness(network, &hearers);
-        let mut seeds: Vec<u32> = (0_u32..).zip(&coreness).map(|(node, _)| node).collect();
-        seeds.sort_by_key(|node| core::cmp::Reverse(coreness[*node as usize]));
-        Self { network, hearers, coreness, seeds }
+        let cores = Cores::new(network, &hearers);
+        let mut seeds: Vec<u32> = (0_u32..).zip(&cores.coreness).map(|(node, _)| node).collect();
+        seeds.sort_by_key(|node| core::cmp::Reverse(cores.coreness[*node as usize]));
+        Self { network, cores, seeds, reach: Reach::new(hearers) }
     }
 
     /// No core hears more of itself than this.
     fn degeneracy(&self) -> usize {
-        self.coreness.iter().copied().max().unwrap_or(0) as usize
+        self.cores.coreness.iter().copied().max().unwrap_or(0) as usize
     }
 
-    /// An order for F: that of the first core that reaches everybody.
-    fn order(&self, f: usize) -> Option<Order> {
-        let (need, count) = (need_before(f), self.network.node_count());
-        // Whoever hears fewer can be nothing but a member of a small core.
-        let short = self.network.degrees().filter(|degree| *degree < need).count();
-        if short > 2 * f + 1 {
-            return None;
+    fn is_complete(&self, order: &Order) -> bool {
+        size(order) == self.network.node_count()
+    }
+
+    /// The order for F that has most nodes, of those that are found.
+    fn best(&mut self, f: usize) -> Option<Order> {
+        let looks = (LOOKS_PER_EDGE * self.network.edge_count()).max(1 << 16);
+        let counted = self.counted(f, looks);
+        if counted.as_ref().is_some_and(|order| self.is_complete(order)) {
+            return counted;
         }
-        let mut looks = (LOOKS_PER_EDGE * self.network.edge_count()).max(1 << 16);
-        let mut tried = vec![false; count];
-        for &seed in &self.seeds {
-            if (self.coreness[seed as usize] as usize) < 2 * f || looks == 0 {
-                return None;
+        let searched = self.searched(f, looks);
+        // The first of two that are as large is the one that is checked faster.
+        [counted, searched].into_iter().flatten().rev().max_by_key(size)
+    }
+
+    /// The best order with a core whose members hear enough of it.
+    fn counted(&mut self, f: usize, mut looks: usize) -> Option<Order> {
+        let mut best: Option<Order> = None;
+        let mut tried = vec![false; self.network.node_count()];
+        for place in 0..self.seeds.len() {
+            let seed = self.seeds[place];
+            if (self.cores.coreness[seed as usize] as usize) < 2 * f || looks == 0 {
+                break;
             }
             if tried[seed as usize] {
                 continue;
             }
-            for core in [self.clique(seed, f, &mut looks), self.thinned(seed, f, &mut looks)] {
+            for core in [self.cores.clique(seed, f, &mut looks), self.cores.thinned(seed, f, &mut looks)] {
                 let Some(core) = core else { continue };
-                let rest = self.grow(&core, need, &mut looks);
-                if core.len() + rest.len() == count {
-                    return Some(Order { f, core, rest });
-                }
+                let order = self.grown(core, f, &mut looks);
                 // What this core reaches, a core within it does not leave.
-                for node in core.iter().chain(&rest) {
+                for node in order.core.iter().chain(&order.rest) {
                     tried[*node as usize] = true;
                 }
+                if self.is_complete(&order) {
+                    return Some(order);
+                }
+                best = Some(larger(best, order));
             }
         }
-        None
+        best
     }
 
-    /// 2F + 1 nodes around `seed` that all hear each other, the best connected first.
-    fn clique(&self, seed: u32, f: usize, looks: &mut usize) -> Option<Vec<u32>> {
-        let both = |one: u32, other: u32| {
-            self.network.has_edge(one, other as usize) && self.network.has_edge(other, one as usize)
-        };
-        let mut near: Vec<u32> = self.network.heard(seed as usize).to_vec();
-        near.retain(|node| self.coreness[*node as usize] as usize >= 2 * f && both(seed, *node));
-        near.sort_by_key(|node| core::cmp::Reverse(self.coreness[*node as usize]));
-        let mut clique = vec![seed];
-        for node in near {
-            if clique.len() == 2 * f + 1 {
-                break;
+    /// The best order with a small core that the exact search proves.
+    fn searched(&mut self, f: usize, mut looks: usize) -> Option<Order> {
+        let mut go_on = |_: &_| ControlFlow::Continue(());
+        let mut meter = Meter::new(EFFORT, &mut go_on);
+        let mut best: Option<Order> = None;
+        for place in 0..self.seeds.len().min(SETS_MAX) {
+            let seed = self.seeds[place];
+            let is_in = |order: &Order| order.core.contains(&seed) || order.rest.contains(&seed);
+            if (self.cores.coreness[seed as usize] as usize) <= f || best.as_ref().is_some_and(is_in) {
+                continue;
             }
-            *looks = looks.saturating_sub(clique.len());
-            if clique.iter().all(|other| both(*other, node)) {
-                clique.push(node);
+            let dense = self.cores.dense(seed, &mut looks);
+            let least = (2 * f + 2).min(dense.len());
+            let core = (least..=dense.len())
+                .map(|size| &dense[..size])
+                .find(|core| exact::survives(self.network, core, f, &mut meter));
+            let Some(core) = core else { continue };
+            let order = self.grown(core.to_vec(), f, &mut looks);
+            if self.is_complete(&order) {
+                return Some(order);
             }
+            best = Some(larger(best, order));
         }
-        (clique.len() == 2 * f + 1).then_some(clique)
+        best
     }
 
-    /// The neighbourhood of `seed` without those who hear too few of it, one after another, the worst first.
-    fn thinned(&self, seed: u32, f: usize, looks: &mut usize) -> Option<Vec<u32>> {
-        let mut core: Vec<u32> = self.network.heard(seed as usize).to_vec();
-        core.push(seed);
-        core.retain(|node| self.coreness[*node as usize] as usize >= 2 * f);
-        if core.len() > CORE_MAX {
-            return None;
-        }
-        core.sort_unstable();
-        let heard = |node: u32, core: &[u32]| {
-            self.network.heard(node as usize).iter().filter(|other| core.binary_search(other).is_ok()).count()
-        };
-        let mut heards: Vec<usize> = core.iter().map(|node| heard(*node, &core)).collect();
-        *looks = looks.saturating_sub(core.iter().map(|node| self.network.heard(*node as usize).len()).sum());
-        while core.len() > 2 * f {
-            let (place, least) = heards.iter().copied().enumerate().min_by_key(|(_, heard)| *heard)?;
-            if least >= need_in_core(f, core.len()) {
-                return Some(core);
-            }
-            let gone = core.remove(place);
-            heards.remove(place);
-            for (node, heard) in core.iter().zip(&mut heards) {
-                *heard -= usize::from(self.network.has_edge(gone, *node as usize));
-            }
-            *looks = looks.saturating_sub(core.len());
-        }
-        None
+    /// The order that grows from a core.
+    fn grown(&mut self, core: Vec<u32>, f: usize, looks: &mut usize) -> Order {
+        let rest = self.reach.grow(&core, need_before(f), looks);
+        Order { f, core, rest }
+    }
+}
+
+/// The larger of the two, the first if they are alike.
+fn larger(best: Option<Order>, order: Order) -> Order {
+    match best {
+        Some(best) if size(&best) >= size(&order) => best,
+        _ => order,
+    }
+}
+
+fn size(order: &Order) -> usize {
+    order.core.len() + order.rest.len()
+}
+
+/// Who is reached from a core.
+struct Reach {
+    hearers: Network,
+    /// How many of those who are in each node hears. All zero between two calls.
+    heard: Vec<u32>,
+    inside: Vec<bool>,
+}
+
+impl Reach {
+    fn new(hearers: Network) -> Self {
+        let count = hearers.node_count();
+        Self { hearers, heard: vec![0; count], inside: vec![false; count] }
     }
 
-    /// Everybody else who is reached: whoever hears `need` of those who are in is in.
-    fn grow(&self, core: &[u32], need: usize, looks: &mut usize) -> Vec<u32> {
-        let mut heard = vec![0; self.network.node_count()];
-        let mut inside = vec![false; heard.len()];
-        for node in core {
-            inside[*node as usize] = true;
-        }
-        let (mut rest, mut next) = (Vec::new(), 0);
+    /// Everybody else who is reached: whoever hears `need` of those who are in is in. It looks at the edges of those alone.
+    fn grow(&mut self, core: &[u32], need: usize, looks: &mut usize) -> Vec<u32> {
         let mut queue = core.to_vec();
+        for node in core {
+            self.inside[*node as usize] = true;
+        }
+        let mut next = 0;
         while let Some(&node) = queue.get(next) {
             next += 1;
             let hearers = self.hearers.heard(node as usize);
             *looks = looks.saturating_sub(hearers.len());
             for &hearer in hearers {
                 let place = hearer as usize;
-                heard[place] += 1;
-                if heard[place] >= need && !inside[place] {
-                    inside[place] = true;
-                    rest.push(hearer);
+                self.heard[place] += 1;
+                if self.heard[place] as usize >= need && !self.inside[place] {
+                    self.inside[place] = true;
                     queue.push(hearer);
                 }
             }
         }
-        rest
-    }
-}
-
-/// For each node the largest k such that it is in a set whose members each hear k others of it: peel off the least, again and again.
-fn coreness(network: &Network, hearers: &Network) -> Vec<u32> {
-    let mut degrees: Vec<usize> = network.degrees().collect();
-    let most = degrees.iter().copied().max().unwrap_or(0);
-    let mut buckets: Vec<Vec<u32>> = vec![Vec::new(); most + 1];
-    for (node, degree) in (0_u32..).zip(&degrees) {
-        buckets[*degree].push(node);
-    }
-    let mut coreness = vec![None; degrees.len()];
-    let (mut level, mut k) = (0, 0);
-    while level <= most {
-        let Some(node) = buckets[level].pop() else {
-            level += 1;
-            continue;
-        };
-        let place = node as usize;
-        if coreness[place].is_some() || degrees[place] != level {
-            continue;
-        }
-        k = k.max(level);
-        coreness[place] = u32::try_from(k).ok();
-        for &hearer in hearers.heard(place) {
-            let other = hearer as usize;
-            if coreness[other].is_none() {
-                degrees[other] -= 1;
-                buckets[degrees[other]].push(hearer);
-                level = level.min(degrees[other]);
+        for node in &queue {
+            self.inside[*node as usize] = false;
+            for hearer in self.hearers.heard(*node as usize) {
+                self.heard[*hearer as usize] = 0;
             }
         }
+        queue.split_off(core.len())
     }
-    coreness.into_iter().map(|k| k.unwrap_or(0)).collect()
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::makers::fixed::{complete, ring};
-
-    #[test]
-    fn coreness_is_what_its_definition_says() {
-        let of = |network: &Network| coreness(network, &network.transposed());
-        assert_eq!(of(&Network::from(&complete(5).unwrap())), [4; 5]);
-        assert_eq!(of(&Network::from(&ring(6).unwrap())), [2; 6]);
-        // A triangle with a tail.
-        let tail = Network::new(5, false, &[(0, 1), (1, 2), (2, 0), (2, 3), (3, 4)]);
-        assert_eq!(of(&tail), [2, 2, 2, 1, 1]);
-    }
+    use crate::makers::fixed::bipartite;
 
     /// A hundred thousand nodes, each joined to the seven before it.
     #[test]
@@ -237,5 +246,30 @@ mod tests {
         assert_eq!(found.order.f, 3);
         assert!(found.layers > 10_000);
         assert_eq!(order(&network, 4), None);
+    }
+
+    /// Without triangles no core can be counted, and the exact search proves one.
+    #[test]
+    fn cores_without_triangles_are_proved_by_search() {
+        let network = Network::from(&bipartite(6, 6).unwrap());
+        let found = part(&network, 1).unwrap();
+        assert_eq!(found.node_count(), 12);
+        assert!(found.order.counts(&network).is_err() && found.order.check(&network).is_ok());
+        assert!(order(&network, 5).is_none());
+    }
+
+    /// Two cliques that hear two of each other: each is a part.
+    #[test]
+    fn of_what_does_not_agree_the_largest_part_is_found() {
+        let mut pairs = Vec::new();
+        for (first, size) in [(0, 9), (9, 6)] {
+            pairs.extend((first..first + size).flat_map(|to| (first..to).map(move |from| (from, to))));
+        }
+        pairs.extend([(0, 9), (1, 9), (0, 10), (1, 10)]);
+        let network = Network::new(15, false, &pairs);
+        assert!(order(&network, 1).is_none() && order(&network, 0).is_some());
+        let found = part(&network, 1).unwrap();
+        assert_eq!(found.node_count(), 9);
+        assert!(matches!(found.order.check(&network), Err(crate::ranks::Wrong::Missing(_))));
     }
 }

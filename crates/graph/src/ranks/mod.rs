@@ -6,14 +6,18 @@
 //!
 //! That no such order was found says nothing: other networks survive too.
 
+mod cores;
+mod exact;
 mod find;
 
 use alloc::vec;
 use alloc::vec::Vec;
 use core::fmt;
+use core::ops::ControlFlow;
 
-pub use find::{Found, largest, order};
+pub use find::{Found, largest, order, part, parts};
 
+use crate::effort::Meter;
 use crate::network::Network;
 
 /// An order that shows that a network survives F liars around each node.
@@ -21,7 +25,7 @@ use crate::network::Network;
 pub struct Order {
     /// F.
     pub f: usize,
-    /// The core. Each of its m nodes hears F + floor(m/2) others of it.
+    /// The core. Each of its m nodes hears F + floor(m/2) others of it, or it is small and survives by an exact search.
     pub core: Vec<u32>,
     /// All other nodes. Each hears 2F + 1 of the core or of those before it.
     pub rest: Vec<u32>,
@@ -37,7 +41,7 @@ pub enum Wrong {
         /// 2F + 1.
         least: usize,
     },
-    /// A node of the core hears too few others of it.
+    /// A node of the core hears too few others of it, and no exact search proves the core.
     InCore {
         /// Which.
         node: u32,
@@ -93,40 +97,95 @@ pub fn need_before(f: usize) -> usize {
 
 impl Order {
     /// Whether the order proves what it claims of `network`, and if so, in how many layers: the core is one, and each layer
-    /// hears 2F + 1 of the earlier ones. It looks at every edge a few times.
+    /// hears 2F + 1 of the earlier ones. It looks at every edge a few times. A small core that does not hear enough of itself is
+    /// searched for sets that never agree, within a fixed effort.
     //= theory thm:ranks
     pub fn check(&self, network: &Network) -> Result<usize, Wrong> {
-        let mut layer: Vec<Option<u32>> = vec![None; network.node_count()];
+        self.complete(network, Self::check_part)
+    }
+
+    /// The same by counting alone, without any search.
+    pub fn counts(&self, network: &Network) -> Result<usize, Wrong> {
+        self.complete(network, |order, network| {
+            let layer = order.core_by_counts(network)?;
+            order.layers(network, layer)
+        })
+    }
+
+    /// Whether the order proves that its nodes survive if they listen to each other only, and in how many layers.
+    pub fn check_part(&self, network: &Network) -> Result<usize, Wrong> {
+        let layer = match self.core_by_counts(network) {
+            Err(wrong @ Wrong::InCore { .. }) => self.core_by_search(network).ok_or(wrong)?,
+            layer => layer?,
+        };
+        self.layers(network, layer)
+    }
+
+    /// A check of a part, and that all nodes are there.
+    fn complete(
+        &self,
+        network: &Network,
+        check: impl Fn(&Self, &Network) -> Result<usize, Wrong>,
+    ) -> Result<usize, Wrong> {
+        let layers = check(self, network)?;
+        let mut is_there = vec![false; network.node_count()];
+        for node in self.core.iter().chain(&self.rest) {
+            is_there[*node as usize] = true;
+        }
+        match (0_u32..).zip(&is_there).find(|(_, is_there)| !**is_there) {
+            Some((node, _)) => Err(Wrong::Missing(node)),
+            None => Ok(layers),
+        }
+    }
+
+    /// The layers of the core, in which each node hears enough of it.
+    fn core_by_counts(&self, network: &Network) -> Result<Vec<Option<u32>>, Wrong> {
         let (least, count) = (need_before(self.f), self.core.len());
         if count < least {
             return Err(Wrong::Core { nodes: count, least });
         }
-        for &node in &self.core {
-            enter(&mut layer, node, 0)?;
-        }
-        let in_core = need_in_core(self.f, count);
+        let layer = self.core_layer(network)?;
+        let least = need_in_core(self.f, count);
         for &node in &self.core {
             let heard = network.heard(node as usize).iter().filter(|other| layer[**other as usize].is_some());
             let heard = heard.count();
-            if heard < in_core {
-                return Err(Wrong::InCore { node, heard, least: in_core });
+            if heard < least {
+                return Err(Wrong::InCore { node, heard, least });
             }
         }
-        let mut before = Vec::new();
+        Ok(layer)
+    }
+
+    /// The layers of the core, of which an exact search says that it survives by itself.
+    fn core_by_search(&self, network: &Network) -> Option<Vec<Option<u32>>> {
+        let mut go_on = |_: &_| ControlFlow::Continue(());
+        let mut meter = Meter::new(exact::EFFORT, &mut go_on);
+        let survives = exact::survives(network, &self.core, self.f, &mut meter);
+        if survives { self.core_layer(network).ok() } else { None }
+    }
+
+    fn core_layer(&self, network: &Network) -> Result<Vec<Option<u32>>, Wrong> {
+        let mut layer = vec![None; network.node_count()];
+        self.core.iter().try_for_each(|node| enter(&mut layer, *node, 0))?;
+        Ok(layer)
+    }
+
+    /// How many layers there are, if everybody hears enough of those before it.
+    fn layers(&self, network: &Network, mut layer: Vec<Option<u32>>) -> Result<usize, Wrong> {
+        let least = need_before(self.f);
+        let (mut before, mut most) = (Vec::new(), 0);
         for &node in &self.rest {
             before.clear();
             before.extend(network.heard(node as usize).iter().filter_map(|other| layer[*other as usize]));
-            before.sort_unstable();
-            let Some(highest) = before.get(least - 1) else {
+            if before.len() < least {
                 return Err(Wrong::Before { node, heard: before.len(), least });
-            };
-            enter(&mut layer, node, highest + 1)?;
+            }
+            let (_, highest, _) = before.select_nth_unstable(least - 1);
+            let own = *highest + 1;
+            enter(&mut layer, node, own)?;
+            most = most.max(own);
         }
-        let missing = (0_u32..).zip(&layer).find(|(_, layer)| layer.is_none());
-        match missing {
-            Some((node, _)) => Err(Wrong::Missing(node)),
-            None => Ok(layer.iter().flatten().copied().max().unwrap_or(0) as usize + 1),
-        }
+        Ok(most as usize + 1)
     }
 }
 
@@ -145,10 +204,9 @@ fn enter(layers: &mut [Option<u32>], node: u32, layer: u32) -> Result<(), Wrong>
 mod tests {
     use super::*;
     use crate::decide::Robustness;
-    use crate::effort::{Effort, Meter};
+    use crate::effort::Effort;
     use crate::makers::fixed::{complete, petersen, tight};
     use crate::makers::random::erdos_renyi;
-    use core::ops::ControlFlow;
 
     //= theory thm:ranks type=test
     #[test]

@@ -7,6 +7,7 @@ use super::side::Side;
 use super::symmetry;
 use crate::graph::Graph;
 use crate::graph::word::Word;
+use crate::spectrum::{Sizes, Spectrum};
 
 /// Tries for automorphisms that keep what is known, at most.
 const TRIES: usize = 400;
@@ -15,6 +16,8 @@ const TRIES: usize = 400;
 pub(super) struct Board<'g, W> {
     pub(super) graph: &'g Graph,
     pub(super) needs: Needs<W>,
+    /// How large sets must be, by eigenvalues.
+    pub(super) sizes: Option<Sizes>,
     symmetry: Option<Symmetry<W>>,
 }
 
@@ -27,13 +30,14 @@ struct Symmetry<W> {
 impl<'g, W: Word> Board<'g, W> {
     /// Of no symmetry.
     pub(super) fn plain(graph: &'g Graph, r: usize) -> Self {
-        Self { graph, needs: Needs::new(graph, r), symmetry: None }
+        Self { graph, needs: Needs::new(graph, r), sizes: None, symmetry: None }
     }
 
-    /// With twins, and after searches of `patience` nodes with whatever symmetry is found.
-    pub(super) fn with_symmetry(graph: &'g Graph, r: usize, patience: u64) -> Self {
+    /// With twins, with eigenvalues, and after searches of `patience` nodes with whatever symmetry is found.
+    pub(super) fn informed(graph: &'g Graph, r: usize, spectrum: Option<Spectrum>, patience: u64) -> Self {
+        let sizes = spectrum.map(|spectrum| Sizes::new(graph, spectrum, r));
         let twins = symmetry::twins(graph).into_iter().map(|set| W::from_bits(set.bits())).collect();
-        Self { symmetry: Some(Symmetry { twins, patience }), ..Self::plain(graph, r) }
+        Self { sizes, symmetry: Some(Symmetry { twins, patience }), ..Self::plain(graph, r) }
     }
 
     /// The node and all found to which automorphisms take it that keep everything that is known: `side` and `field`.

@@ -199,8 +199,27 @@ impl<W: Word> Board<'_, W> {
         }
         let field = room.field.count();
         let other_size = self.needs.least_need(second).max(0) + 1;
-        let rest = field - other_size;
+        let rest = (field - other_size).min(self.size_by_eigenvalues(side, room));
         if room.effort == 0 { rest.min(field / 2).min(second.count()) } else { rest }
+    }
+
+    /// The most members that the set can have if the other one is as large as the exempt members ask for that are left to it, and −1 if for
+    /// no number of exempt members both are large enough. Numbers of the set's own exempt members for which they are not are ruled out.
+    //= theory sec:spectrum
+    fn size_by_eigenvalues(&self, side: Side<W>, room: &mut Room<W>) -> i32 {
+        let Some(sizes) = &self.sizes else { return room.field.count() };
+        let as_size = |size: usize| i32::try_from(size).unwrap_or(i32::MAX);
+        let index = |exempt: i32| usize::try_from(exempt).unwrap_or(0);
+        let others = |exempt: i32| as_size(sizes.least_within(index(room.effort - exempt)));
+        let room_for = |exempt: i32| room.field.count() - others(exempt);
+        let fits = |exempt: &i32| {
+            as_size(sizes.least(index(*exempt))) <= room_for(*exempt).min(side.allowed.count())
+        };
+        let known = side.exempt().count();
+        let possible = (known..=room.own.min(room.effort - room.other)).filter(fits);
+        let (size, own) = possible.fold((-1, -1), |(size, _), exempt| (room_for(exempt).max(size), exempt));
+        room.own = own;
+        size
     }
 
     fn choice(&self, side: Side<W>, room: Room<W>) -> Option<Choice<W>> {

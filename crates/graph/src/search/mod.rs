@@ -16,6 +16,7 @@
 //! * **Symmetry**: if no pair of sets has a node taken at a place of the tree, none has one taken there to which an automorphism takes the
 //!   node that keeps all that is known at this place (`board.rs`). Nodes with the same neighbours are seen at once, others after long
 //!   searches.
+//! * **Eigenvalues**: in long searches of undirected graphs both sets have as many members as their exempt ones ask for (`spectrum`).
 //! * **Pieces**: what is long is cut into pieces, which threads that a caller lends may take at once (`pieces.rs`). The answer is that of
 //!   the first piece that has one.
 //! * **Late exemption**: a member is branched on as content or exempt only when nothing else is open.
@@ -33,6 +34,7 @@ use crate::effort::{Meter, Stopped};
 use crate::graph::Graph;
 use crate::graph::set::NodeSet;
 use crate::graph::word::Word;
+use crate::spectrum::Spectrum;
 use board::Board;
 use grow::{Room, Search};
 
@@ -41,62 +43,91 @@ use grow::{Room, Search};
 /// [`crate::decide::Robustness`] asks the bounds first and uses the table too. r = 0, s = 0 and single nodes: `None`.
 //= paper def:robustness
 pub fn witness(graph: &Graph, r: usize, s: usize, meter: &mut Meter<'_>) -> Result<Option<Witness>, Stopped> {
-    witness_with(graph, r, s, Patience::DEFAULT, meter)
+    match meter.within(PLAIN, |meter| plain(graph, r, s, meter))? {
+        Some(found) => Ok(found),
+        None => informed(graph, r, s, Spectrum::new(graph), ALIKE, meter),
+    }
 }
 
-/// How long a search is before it is begun again with symmetry and in pieces, and how long the search of one node before its like
-/// are looked for. Nodes of the tree.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Patience {
-    plain: u64,
-    alike: u64,
-}
+/// How long a search is before it is begun again with all that helps long ones. Nodes of the tree.
+pub(crate) const PLAIN: u64 = 2000;
 
-impl Patience {
-    pub(crate) const DEFAULT: Self = Self { plain: 2000, alike: 2000 };
-}
+/// How long the search of one node is before its like are looked for. Nodes of the tree.
+pub(crate) const ALIKE: u64 = 2000;
 
-/// As [`witness`], with a patience of its own.
-pub(crate) fn witness_with(
+/// The search as it is for short questions.
+pub(crate) fn plain(
     graph: &Graph,
     r: usize,
     s: usize,
-    patience: Patience,
     meter: &mut Meter<'_>,
 ) -> Result<Option<Witness>, Stopped> {
-    if r == 0 || s == 0 || graph.node_count() < 2 {
+    if is_trivial(graph, r, s) {
         return Ok(None);
     }
     meter.ask(r, s);
     let sets = if graph.node_count() <= 64 {
-        sets::<u64>(graph, r, s, patience, meter)?
+        plain_sets::<u64>(graph, r, s, meter)?
     } else {
-        sets::<u128>(graph, r, s, patience, meter)?
+        plain_sets::<u128>(graph, r, s, meter)?
     };
-    let witness = sets.map(|(first, second)| Witness::new(graph, r, s, first, second));
-    debug_assert!(witness.is_none_or(|witness| witness.holds(graph)), "{witness:?}");
-    Ok(witness)
+    Ok(sets.map(|sets| checked(graph, r, s, sets)))
 }
 
-fn sets<W: Word + Send + Sync>(
+/// The search in pieces, with symmetry once the search of a node was longer than `alike`, and with what the spectrum says of sizes.
+pub(crate) fn informed(
     graph: &Graph,
     r: usize,
     s: usize,
-    patience: Patience,
+    spectrum: Option<Spectrum>,
+    alike: u64,
+    meter: &mut Meter<'_>,
+) -> Result<Option<Witness>, Stopped> {
+    if is_trivial(graph, r, s) {
+        return Ok(None);
+    }
+    meter.ask(r, s);
+    let sets = if graph.node_count() <= 64 {
+        let board = Board::<u64>::informed(graph, r, spectrum, alike);
+        pieces::search(&board, room(graph, s), meter)?.map(as_sets)
+    } else {
+        let board = Board::<u128>::informed(graph, r, spectrum, alike);
+        pieces::search(&board, room(graph, s), meter)?.map(as_sets)
+    };
+    Ok(sets.map(|sets| checked(graph, r, s, sets)))
+}
+
+fn is_trivial(graph: &Graph, r: usize, s: usize) -> bool {
+    r == 0 || s == 0 || graph.node_count() < 2
+}
+
+fn checked(graph: &Graph, r: usize, s: usize, (first, second): (NodeSet, NodeSet)) -> Witness {
+    let witness = Witness::new(graph, r, s, first, second);
+    debug_assert!(witness.holds(graph), "{witness:?}");
+    witness
+}
+
+fn plain_sets<W: Word>(
+    graph: &Graph,
+    r: usize,
+    s: usize,
     meter: &mut Meter<'_>,
 ) -> Result<Option<(NodeSet, NodeSet)>, Stopped> {
-    // Two disjoint sets: S₁ is sought with no more exempt members than S₂, so with half of them or fewer; and if none may be exempt,
-    // with no more members, so with n/2 or fewer.
+    let board = Board::<W>::plain(graph, r);
+    let found = Search { board: &board, meter }.roots(room(graph, s))?;
+    Ok(found.map(as_sets))
+}
+
+/// Two disjoint sets: S₁ is sought with no more exempt members than S₂, so with half of them or fewer; and if none may be exempt, with
+/// no more members, so with n/2 or fewer.
+fn room<W: Word>(graph: &Graph, s: usize) -> Room<W> {
     let effort = count(s) - 1;
     let field = W::from_bits(graph.nodes().bits());
-    let room = Room { effort, own: effort / 2, other: 0, field, pair: true };
-    let board = Board::plain(graph, r);
-    let short = meter.within(patience.plain, |meter| Search { board: &board, meter }.roots(room))?;
-    let found = match short {
-        Some(found) => found,
-        None => pieces::search(&Board::with_symmetry(graph, r, patience.alike), room, meter)?,
-    };
-    Ok(found.map(|(first, second)| (NodeSet::from_bits(first.bits()), NodeSet::from_bits(second.bits()))))
+    Room { effort, own: effort / 2, other: 0, field, pair: true }
+}
+
+fn as_sets<W: Word>((first, second): (W, W)) -> (NodeSet, NodeSet) {
+    (NodeSet::from_bits(first.bits()), NodeSet::from_bits(second.bits()))
 }
 
 /// Counts of nodes are at most 128; larger r and s change nothing above that.
@@ -117,10 +148,10 @@ mod tests {
     fn agree(graph: &Graph) {
         let mut go_on = |_: &Progress| ControlFlow::Continue(());
         let mut meter = Meter::new(u64::MAX, &mut go_on);
-        let at_once = Patience { plain: 0, alike: 0 };
+        let spectrum = Spectrum::new(graph);
         for r in 1..=graph.node_count().div_ceil(2) + 1 {
             for s in 1..=graph.node_count() {
-                let with = witness_with(graph, r, s, at_once, &mut meter).unwrap();
+                let with = informed(graph, r, s, spectrum, 0, &mut meter).unwrap();
                 assert_eq!(with.is_none(), definition::is_robust(graph, r, s), "({r}, {s}), {graph:?}");
             }
         }
@@ -128,7 +159,7 @@ mod tests {
 
     //= theory sec:symmetry type=test
     #[test]
-    fn symmetry_hides_no_witness() {
+    fn neither_symmetry_nor_eigenvalues_hide_a_witness() {
         for code in 0..1_u32 << 10 {
             let pairs = (0..5).flat_map(|from| (from + 1..5).map(move |to| (from, to)));
             let chosen = pairs.enumerate().filter(|(bit, _)| code >> bit & 1 == 1).map(|(_, edge)| edge);

@@ -117,7 +117,7 @@ impl<const D: usize> World<D> {
         self.tick = Some(self.tick.map_or(0, |tick| tick.saturating_add(1)));
         self.reports.fill(None);
         let time_s = f64::from(self.tick.unwrap_or(0)) * self.scenario.tick_s();
-        self.edges.begin_tick(self.tick(), time_s, &self.frame.positions_m);
+        self.edges.begin_tick(self.tick(), time_s, &self.frame.positions_m, &self.frame.presence);
         (0..self.frame.positions_m.len()).map(|observer| self.look(observer)).collect()
     }
 

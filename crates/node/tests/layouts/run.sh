@@ -75,15 +75,20 @@ source = "scenario"
 file = "team.toml"
 T
 }
+router() { # host, and the endpoint of another router, if there is one
+  if [ -n "${ROUTER:-}" ]; then
+    ip netns exec "$1" "$ROUTER" --no-multicast-scouting --listen tcp/0.0.0.0:7447 ${2:+--connect "$2"} > "router_$1.log" 2>&1 &
+  else
+    ip netns exec "$1" "$node" relay --scenario team.toml --listen tcp/0.0.0.0:7447 ${2:+--connect "$2"} &
+  fi
+  routers+=($!)
+  sleep 2
+}
 layout() { # name, host of robot 1 and of the plant, host of robot 2, endpoint at which the router of the first host is for the second
   printf '\n== %s\n' "$1"
   local routers=() robots=()
-  ip netns exec "$2" "$node" relay --scenario team.toml --listen tcp/0.0.0.0:7447 & routers+=($!)
-  sleep 2
-  if [ "$2" != "$3" ]; then
-    ip netns exec "$3" "$node" relay --scenario team.toml --listen tcp/0.0.0.0:7447 --connect "$4" & routers+=($!)
-    sleep 2
-  fi
+  router "$2"
+  if [ "$2" != "$3" ]; then router "$3" "$4"; fi
   robot 1 tcp/127.0.0.1:7447
   robot 2 tcp/127.0.0.1:7447
   ip netns exec "$3" "$node" doctor --config robot_2.toml

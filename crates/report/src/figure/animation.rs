@@ -36,10 +36,10 @@ const ROBOT_BYTES: usize = 30;
 const ROBOTS_MAX: u16 = 800;
 
 /// The run of `case` as an animated SVG, of at most some hundred kilobytes: large teams are shown in fewer pictures, and the largest
-/// without links. None of more than 800 robots.
+/// without links. None of more than 800 robots, and none where robots come and go.
 #[must_use]
 pub fn animation(case: Case<'_>) -> Option<String> {
-    if case.record.robots > ROBOTS_MAX {
+    if case.record.robots > ROBOTS_MAX || !case.scenario.absences.is_empty() {
         return None;
     }
     let film = Film::new(case);

@@ -31,21 +31,30 @@ pub(crate) fn draw(svg: &mut Svg, axes: &Axes, case: Case<'_>, view: View, marke
     view.draw_note(svg, axes.place, record);
 }
 
-/// Points that can be drawn, without those that are next to the one before; the last stays.
+/// Points without those that are next to the one before; the last stays. Where a robot was absent there is one point that is none.
 fn spaced(points: impl Iterator<Item = [f64; 2]>) -> Vec<[f64; 2]> {
+    let is_point = |point: &[f64; 2]| point.iter().all(|coordinate| coordinate.is_finite());
     let mut kept: Vec<[f64; 2]> = Vec::new();
     let mut last = None;
-    for point in points.filter(|point| point.iter().all(|coordinate| coordinate.is_finite())) {
-        let is_far = kept.last().is_none_or(|kept| {
+    for point in points {
+        if !is_point(&point) {
+            kept.extend(last.take().filter(|last| kept.last() != Some(last)));
+            if kept.last().is_some_and(is_point) {
+                kept.push(point);
+            }
+            continue;
+        }
+        let is_near = kept.last().is_some_and(|kept| {
             let [dx, dy] = [point[0] - kept[0], point[1] - kept[1]];
-            dx * dx + dy * dy >= STEP * STEP
+            dx * dx + dy * dy < STEP * STEP
         });
-        if is_far {
+        if !is_near {
             kept.push(point);
         }
         last = Some(point);
     }
     kept.extend(last.filter(|last| kept.last() != Some(last)));
+    kept.truncate(kept.iter().rposition(is_point).map_or(0, |place| place + 1));
     kept
 }
 
@@ -79,5 +88,12 @@ mod tests {
         assert_eq!((way.first(), way.last()), (Some(&[0.0, 0.0]), Some(&[10.0, 0.0])));
         assert!(way.len() < 16, "{}", way.len());
         assert_eq!(spaced([[1.0, 1.0]; 9].into_iter()), [[1.0, 1.0]]);
+        let nowhere = [f64::NAN; 2];
+        let away = spaced([nowhere, [0.0, 0.0], [9.0, 0.0], nowhere, nowhere, [0.0, 9.0]].into_iter());
+        assert_eq!((away.len(), away[0], away[3]), (4, [0.0, 0.0], [0.0, 9.0]));
+        assert!(
+            away[2][0].is_nan(),
+            "a robot that was absent did not go from where it left to where it came"
+        );
     }
 }

@@ -2,6 +2,7 @@
 
 use closeranks_sim::law::{Law, Verdict};
 use closeranks_sim::monitors::robustness::{narrowest, weakest};
+use closeranks_sim::output::attendance::Attendance;
 use closeranks_sim::output::conduct::Conduct;
 use closeranks_sim::scenario::Scenario;
 use closeranks_sim::world::Run;
@@ -71,6 +72,7 @@ pub fn numbers(scenario: &Scenario, run: &Run, program: Program<'_>) -> Map<Stri
     });
     let mut numbers = if let Value::Object(numbers) = numbers { numbers } else { Map::new() };
     numbers.extend(conduct(&summary.conduct).into_iter().chain(clear(scenario, extremes.clear_min_m)));
+    numbers.extend(presence(scenario, &summary.attendance));
     if let Some(ranks) = ranks(scenario) {
         let first = summary.void.first.map(|(tick, robot, liars)| {
             json!({ "time_s": f64::from(tick) * scenario.tick_s(), "robot": robot, "listened_to": liars })
@@ -79,6 +81,17 @@ pub fn numbers(scenario: &Scenario, run: &Run, program: Program<'_>) -> Map<Stri
         numbers.insert("void".to_owned(), json!({ "rounds": summary.void.rounds, "first": first }));
     }
     numbers
+}
+
+/// Who came and went, if anybody does.
+fn presence(scenario: &Scenario, attendance: &Attendance) -> Option<(String, Value)> {
+    let Attendance { left, arrived, refused, first } = attendance;
+    let first = first.map(|(tick, robot, why)| {
+        json!({ "time_s": f64::from(tick) * scenario.tick_s(), "robot": robot, "why": why.to_string() })
+    });
+    let numbers =
+        json!({ "left": left, "arrived": arrived, "refused_ticks": refused, "first_refused": first });
+    (!scenario.absences.is_empty()).then(|| ("presence".to_owned(), numbers))
 }
 
 /// How near a normal robot came to an obstacle, if there are any.

@@ -4,6 +4,7 @@ use core::fmt::Write as _;
 
 use closeranks_sim::controllers::{Counted, Inside};
 use closeranks_sim::law::{Law, Verdict};
+use closeranks_sim::output::attendance::Attendance;
 use closeranks_sim::output::summary::Summary;
 use closeranks_sim::scenario::Scenario;
 
@@ -106,6 +107,20 @@ pub fn ranks(scenario: &Scenario, summary: &Summary) -> Option<String> {
         "ranks: a core of {core_size} (robots {}{more}), ranks up to {highest}{void}",
         shown.join(", ")
     ))
+}
+
+/// Who came and went, and who had to wait.
+#[must_use]
+pub fn presence(scenario: &Scenario, summary: &Summary) -> Option<String> {
+    let Attendance { left, arrived, refused, first } = summary.attendance;
+    let waited = first.map_or_else(String::new, |(tick, robot, why)| {
+        format!(
+            "; in {refused} ticks a robot waited to come, first at t = {} robot {robot}: {why}",
+            time(scenario, tick)
+        )
+    });
+    (!scenario.absences.is_empty())
+        .then(|| format!("presence: robots left {left} times and came {arrived} times{waited}"))
 }
 
 /// So many robots of a core are named.

@@ -83,6 +83,14 @@ pub enum ReadError {
         /// When.
         at: String,
     },
+    /// A robot was not in the plane.
+    #[error("robot {robot} is absent at tick {tick}: runs in which robots come and go are not read back")]
+    Absent {
+        /// The first such robot, from 1.
+        robot: usize,
+        /// When.
+        tick: usize,
+    },
     /// Too long or empty.
     #[error("{0} rows, allowed are 1 to {ROWS_MAX}")]
     Rows(i64),

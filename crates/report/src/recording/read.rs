@@ -30,6 +30,7 @@ fn decode(file: Vec<u8>) -> Result<Recording, ReadError> {
     let count = robots_of(&ticks, &robots)?;
     let axes = |axis: &str| column(&reader, &format!("{axis}_m"), rows, doubles);
     let [x, y] = [axes(AXES[0])?, axes(AXES[1])?];
+    all_there(&x, count)?;
     let spatial = names(&reader).iter().any(|name| name == "z_m");
     let z = if spatial { axes(AXES[2])? } else { vec![0.0; rows] };
     let positions_m = x.into_iter().zip(y).zip(z).map(|((x, y), z)| [x, y, z]).collect();
@@ -56,9 +57,18 @@ fn moments(file: Vec<u8>) -> Result<History, ReadError> {
         };
         kept_numbers.extend((0..rows).filter(|row| kept(*row)).map(|row| numbers[row]));
     }
+    all_there(&columns[0], robots)?;
     let ticks = (0..rows / robots).step_by(stride);
     let ticks = ticks.map(|tick| u32::try_from(tick).unwrap_or(u32::MAX)).collect();
     Ok(History { scenario, robots, ticks, columns })
+}
+
+/// Refuses a run in which some robot, by its coordinates, was not in the plane.
+fn all_there(x_m: &[f64], robots: usize) -> Result<(), ReadError> {
+    match x_m.iter().position(|x| x.is_nan()) {
+        Some(row) => Err(ReadError::Absent { robot: row % robots + 1, tick: row / robots }),
+        None => Ok(()),
+    }
 }
 
 /// A file that can be read.

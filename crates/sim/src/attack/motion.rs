@@ -114,7 +114,8 @@ impl MotionLiar {
 
 /// The direction from the mean of the others to robot `index`, of length 1.
 fn away<const D: usize>(index: usize, positions_m: &[Vector<D>]) -> Vector<D> {
-    let offsets = positions_m.iter().map(|other| subtract(&positions_m[index], other));
+    let there = positions_m.iter().filter(|other| !other[0].is_nan());
+    let offsets = there.map(|other| subtract(&positions_m[index], other));
     let sum = offsets.fold([0.0; D], |sum, offset| core::array::from_fn(|d| sum[d] + offset[d]));
     let size = length(&sum);
     if size > 0.0 { sum.map(|component| component / size) } else { [0.0; D] }

@@ -160,6 +160,12 @@ pub struct Row {
 }
 
 impl Row {
+    /// True if it asks nothing of robots that are absent: it does not look at all of the roster.
+    #[must_use]
+    pub fn runs_with_absent(&self) -> bool {
+        self.knows == Knows::Local
+    }
+
     /// True if it can be run where there are obstacles.
     #[must_use]
     pub fn runs_among_obstacles(&self) -> bool {

@@ -5,7 +5,7 @@ use closeranks_core::settings::params::Params;
 use crate::attack::MotionAttack;
 use crate::engine::robots::{Counted, Robots};
 use crate::faults::edges::Edges;
-use crate::frame::Frame;
+use crate::frame::{Frame, Presence, nowhere};
 use crate::geometry::squared_distance;
 use crate::plant::Bodies;
 use crate::scenario::Scenario;
@@ -52,14 +52,17 @@ impl Judge {
     ) {
         self.refer(frame, robots, bodies);
         let edges = robots.edges();
-        frame.assumptions.unsteady = edges.is_some_and(|edges| self.is_unsteady(edges));
+        frame.assumptions.unsteady = edges.is_some_and(|edges| self.is_unsteady(edges, &frame.presence));
         let mut misplaced = edges.is_some_and(|edges| edges.downtime.blind()) || self.is_away(frame, bodies);
+        let silent = Some(&frame.presence.unannounced[..]).filter(|silent| silent.contains(&true));
         for (index, wrong) in frame.assumptions.sensed_wrong.iter_mut().enumerate() {
             *wrong = edges.is_some_and(|edges| {
                 let off = edges.senses.error_m(index) > self.position_error_m + self.still_m;
                 misplaced |= off;
                 off || edges.sight.overlooks(index)
             });
+            // Nobody can know of a robot that left silently that it is not where it was.
+            *wrong |= silent.is_some_and(|silent| robots.reckons_unseen(index, silent));
         }
         for (index, unsensed) in frame.assumptions.unsensed.iter_mut().enumerate() {
             *unsensed = edges.is_some_and(|edges| edges.sight.misses(index));
@@ -76,8 +79,13 @@ impl Judge {
             return frame.references_m.clone_from_slice(&frame.positions_m);
         }
         for (index, reference) in frame.references_m.iter_mut().enumerate() {
+            if frame.presence.absent[index] {
+                *reference = nowhere();
+                continue;
+            }
             let counted = robots.counted(index);
-            frame.assumptions.renewed |= counted.as_ref().is_none_or(|counted| counted.began_anew);
+            let anew = counted.as_ref().is_none_or(|counted| counted.began_anew);
+            frame.assumptions.renewed |= anew && !frame.presence.arrived[index];
             *reference = match counted {
                 Some(Counted { place_m, .. }) => place_m,
                 None => bodies.references_m(&frame.positions_m)[index],
@@ -86,9 +94,10 @@ impl Judge {
     }
 
     /// True if some normal robot does not run, or begins anew.
-    fn is_unsteady<const D: usize>(&self, edges: &Edges<D>) -> bool {
-        let normal = self.malicious.iter().enumerate().filter(|(_, malicious)| !**malicious);
-        normal.into_iter().any(|(index, _)| edges.downtime.down(index) || edges.downtime.reborn(index))
+    fn is_unsteady<const D: usize>(&self, edges: &Edges<D>, presence: &Presence) -> bool {
+        let there = |index: &usize| !self.malicious[*index] && !presence.absent[*index];
+        let downtime = &edges.downtime;
+        (0..self.malicious.len()).filter(there).any(|index| downtime.down(index) || downtime.reborn(index))
     }
 
     /// True if some robot is farther from its reference than is stated.

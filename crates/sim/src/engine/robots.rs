@@ -35,6 +35,11 @@ pub(crate) trait Robots<const D: usize>: Send + Sync {
         false
     }
 
+    /// True if `robot` reckons with one of `these` that it does not sense.
+    fn reckons_unseen(&self, _robot: usize, _these: &[bool]) -> bool {
+        false
+    }
+
     /// Where robot `index` counts itself in this tick, if it keeps a reference of its own.
     fn counted(&self, _index: usize) -> Option<Counted<D>> {
         None
@@ -65,6 +70,10 @@ where
         let neighbors = self.running(robot).into_iter().flat_map(Robot::neighbors);
         senders.extend(neighbors.filter(|slot| slot.told_value().is_some()).map(|slot| slot.id().0 - 1));
         true
+    }
+
+    fn reckons_unseen(&self, robot: usize, these: &[bool]) -> bool {
+        self.reckons_unseen(robot, these)
     }
 
     fn counted(&self, index: usize) -> Option<Counted<D>> {

@@ -7,6 +7,7 @@ use crate::faults::clocks::Shown;
 use crate::faults::outages::Downtime;
 use crate::faults::sensing::Senses;
 use crate::faults::sight::Sight;
+use crate::frame::Presence;
 use crate::scenario::Scenario;
 
 /// The clocks, sensors and outages of a run.
@@ -35,10 +36,10 @@ impl<const D: usize> Edges<D> {
         }
     }
 
-    /// Begins `tick` at `time_s` with everybody at `positions_m`.
-    pub fn begin_tick(&mut self, tick: u32, time_s: f64, positions_m: &[Vector<D>]) {
+    /// Begins `tick` at `time_s` with everybody who is there at `positions_m`.
+    pub fn begin_tick(&mut self, tick: u32, time_s: f64, positions_m: &[Vector<D>], presence: &Presence) {
         self.sight.begin_tick(tick, time_s);
-        self.downtime.begin_tick(time_s);
+        self.downtime.begin_tick(time_s, presence);
         self.senses.begin_tick(time_s, positions_m);
     }
 }

@@ -9,6 +9,7 @@ pub mod outages;
 pub mod sensing;
 pub mod sight;
 pub mod spell;
+mod ways;
 
 pub use clocks::Clocks;
 pub use network::Network;

@@ -4,6 +4,7 @@ use std::collections::BTreeMap;
 
 use closeranks_core::settings::range::Allowed;
 
+use crate::faults::ways::Ways;
 use crate::parse::common::{DELAY, FRACTION, set, small, times};
 use crate::parse::reader::{Reader, Section};
 use crate::random::{Random, Stream};
@@ -77,14 +78,11 @@ impl Partition {
 pub struct FaultyNetwork<T> {
     inner: T,
     network: Network,
-    robots: usize,
     tick_s: f64,
     tick: u32,
     random: Random,
-    /// Links that carry nothing one way: sender times n plus receiver; empty where there are none.
-    deaf: Vec<bool>,
-    /// Links that lose everything just now; empty where that never happens.
-    burst: Vec<bool>,
+    /// Links that carry nothing one way, or lose everything just now.
+    ways: Ways,
     /// Parcels that are late, by the tick in which the inner network gets them.
     late: BTreeMap<u32, Vec<Parcel>>,
     /// How many of them there are.
@@ -95,23 +93,10 @@ impl<T: Transport> FaultyNetwork<T> {
     /// Puts the faults of `network` around `inner`, which connects so many robots that tick every `tick_s`.
     #[must_use]
     pub fn new(inner: T, network: Network, seed: u64, robots: u16, tick_s: f64) -> Self {
-        let robots = usize::from(robots);
         let mut random = Random::new(seed, Stream::Network);
-        let deaf = if network.deaf > 0.0 { robots * robots } else { 0 };
-        let deaf = (0..deaf).map(|_| random.chance(network.deaf)).collect();
-        let bursts = if network.burst_begin > 0.0 { robots * robots } else { 0 };
-        Self {
-            inner,
-            network,
-            robots,
-            tick_s,
-            tick: 0,
-            random,
-            deaf,
-            burst: vec![false; bursts],
-            late: BTreeMap::new(),
-            count: 0,
-        }
+        let bursts = [network.burst_begin, network.burst_end];
+        let ways = Ways::new(usize::from(robots), network.deaf, bursts, &mut random);
+        Self { inner, network, tick_s, tick: 0, random, ways, late: BTreeMap::new(), count: 0 }
     }
 
     /// Sends one copy, or loses it.
@@ -144,16 +129,14 @@ impl<T: Transport> FaultyNetwork<T> {
         }
     }
 
-    fn blocked(&self, parcel: &Parcel) -> bool {
-        let link = parcel.sender * self.robots + parcel.receiver;
+    fn blocked(&mut self, parcel: &Parcel) -> bool {
         let time_s = f64::from(self.tick) * self.tick_s;
         let divided = self.network.partition.is_some_and(|partition| {
             let first = |index: usize| index < usize::from(partition.first);
             let lasts = partition.from_s <= time_s && time_s < partition.to_s;
             lasts && first(parcel.sender) != first(parcel.receiver)
         });
-        let is = |links: &[bool]| links.get(link) == Some(&true);
-        divided || is(&self.deaf) || is(&self.burst)
+        divided || self.ways.blocked(parcel.sender, parcel.receiver, self.tick, &mut self.random)
     }
 
     /// True with `probability`. Nothing is drawn where nothing can happen.
@@ -176,13 +159,7 @@ impl<T: Transport> Transport for FaultyNetwork<T> {
     fn begin_tick(&mut self, tick: u32) {
         self.inner.begin_tick(tick);
         self.tick = tick;
-        let Network { burst_begin, burst_end, .. } = self.network;
-        if burst_begin > 0.0 {
-            for burst in &mut self.burst {
-                let change = if *burst { burst_end } else { burst_begin };
-                *burst ^= self.random.chance(change);
-            }
-        }
+        self.ways.begin_tick(&mut self.random);
     }
 
     fn send(&mut self, parcel: Parcel) -> Result<(), Full> {

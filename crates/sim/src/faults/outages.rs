@@ -3,6 +3,7 @@
 use closeranks_core::num::Vector;
 
 use crate::faults::spell::Spell;
+use crate::frame::Presence;
 use crate::parse::common::{FRACTION, set};
 use crate::parse::reader::{Reader, Section};
 use crate::random::{Random, Stream};
@@ -40,6 +41,8 @@ pub struct Downtime {
     outages: Outages,
     random: Random,
     down: Vec<bool>,
+    /// Robots that came in this tick and begin anew.
+    arrived: Vec<bool>,
     /// Whether the crash lasted in the tick before, and whether it lasts in this one.
     crash: [bool; 2],
 }
@@ -52,16 +55,19 @@ impl Downtime {
             outages,
             random: Random::new(seed, Stream::Plant),
             down: vec![false; usize::from(robots)],
+            arrived: vec![false; usize::from(robots)],
             crash: [false; 2],
         }
     }
 
-    /// Decides who misses this tick.
-    pub fn begin_tick(&mut self, time_s: f64) {
+    /// Decides who misses this tick: those who are absent in any case.
+    pub fn begin_tick(&mut self, time_s: f64, presence: &Presence) {
+        self.arrived.clone_from(&presence.arrived);
         self.crash = [self.crash[1], self.outages.crash.is_some_and(|spell| spell.lasts(time_s))];
         for index in 0..self.down.len() {
-            self.down[index] =
-                self.crashed(index) || (self.outages.missed > 0.0 && self.random.chance(self.outages.missed));
+            self.down[index] = presence.absent[index]
+                || self.crashed(index)
+                || (self.outages.missed > 0.0 && self.random.chance(self.outages.missed));
         }
     }
 
@@ -80,10 +86,11 @@ impl Downtime {
         self.down[index]
     }
 
-    /// True if the robot returns in this tick from a crash and has forgotten everything.
+    /// True if the robot begins anew in this tick: it returns from a crash and has forgotten everything, or it comes.
     #[must_use]
     pub fn reborn(&self, index: usize) -> bool {
-        self.outages.forgets && self.crash == [true, false] && self.crashes(index)
+        let returns = self.outages.forgets && self.crash == [true, false] && self.crashes(index);
+        returns || self.arrived[index]
     }
 
     /// Velocity of a robot that misses a tick, when its last one was `last`.
@@ -108,7 +115,7 @@ mod tests {
         let crash = Some(Spell { robot: 2, from_s: 0.1, to_s: 0.2 });
         let mut downtime = Downtime::new(Outages { crash, forgets: true, ..Outages::default() }, 1, 11);
         let seen = [0.05, 0.1, 0.195, 0.2, 0.205].map(|time_s| {
-            downtime.begin_tick(time_s);
+            downtime.begin_tick(time_s, &Presence::full(11));
             (downtime.down(1), downtime.reborn(1))
         });
         let (up, down) = ((false, false), (true, false));
@@ -117,7 +124,7 @@ mod tests {
         let mut downtime = Downtime::new(Outages { missed: 0.3, goes_on: true, ..Outages::default() }, 1, 11);
         let missed: usize = (0..100)
             .map(|_| {
-                downtime.begin_tick(0.0);
+                downtime.begin_tick(0.0, &Presence::full(11));
                 usize::from(downtime.down(4))
             })
             .sum();
@@ -132,7 +139,7 @@ mod tests {
             let crash = Some(Spell { robot: 2, from_s: 0.02, to_s });
             let mut downtime = Downtime::new(Outages { crash, forgets: true, ..Outages::default() }, 1, 11);
             let births = (0..400).filter(|tick| {
-                downtime.begin_tick(f64::from(*tick) * tick_s);
+                downtime.begin_tick(f64::from(*tick) * tick_s, &Presence::full(11));
                 downtime.reborn(1)
             });
             assert_eq!(births.count(), 1, "{tick_s} s, {to_s} s");

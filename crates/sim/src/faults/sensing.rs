@@ -77,7 +77,7 @@ impl<const D: usize> Senses<D> {
         self.errors_m.fill(0.0);
         if let Some(spell) = self.sensing.frozen {
             let index = spell.index();
-            if spell.lasts(time_s) {
+            if spell.lasts(time_s) && !positions[index][0].is_nan() {
                 self.seeming[index] = *self.frozen_at.get_or_insert(positions[index]);
             } else {
                 self.frozen_at = None;

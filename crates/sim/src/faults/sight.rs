@@ -4,6 +4,7 @@ use closeranks_core::num::{Vector, length, subtract};
 use closeranks_core::settings::params::Params;
 
 use crate::faults::dropouts::Dropouts;
+use crate::geometry::near::small;
 use crate::random::{Random, Stream};
 use crate::scenario::Scenario;
 
@@ -17,14 +18,13 @@ const ROUNDING_M: f64 = 1e-13;
 pub struct Sight<const D: usize> {
     dropouts: Dropouts,
     random: Random,
-    robots: usize,
     /// R, less what offsets may be wrong, and how far a robot can go in a tick, as clocks may show it, m.
     radius_m: f64,
     move_m: f64,
     time_s: f64,
     tick: u32,
-    /// How each observer sensed each robot last; observer times n plus robot. Empty where nothing is wrong with sensing.
-    last: Vec<Option<Last<D>>>,
+    /// How each observer sensed others last, in order of their numbers. Empty where nothing is wrong with sensing.
+    last: Vec<Vec<(u16, Last<D>)>>,
     position_error_m: f64,
     /// How many robots each observer has within R in this tick.
     near: Vec<u16>,
@@ -57,12 +57,11 @@ impl<const D: usize> Sight<D> {
         Self {
             dropouts,
             random: Random::new(scenario.seed, Stream::Dropouts),
-            robots,
             radius_m: if reckons { sight_m } else { 0.0 },
             move_m: params.reach().longest_m() * stretch,
             time_s: 0.0,
             tick: 0,
-            last: if whole { Vec::new() } else { vec![None; robots * robots] },
+            last: if whole { Vec::new() } else { vec![Vec::new(); robots] },
             position_error_m: params.settings().errors.position_m + ROUNDING_M,
             near: vec![0; robots],
             misses: vec![false; robots],
@@ -86,8 +85,17 @@ impl<const D: usize> Sight<D> {
 
     /// An observer begins anew and knows nobody.
     pub fn forget(&mut self, observer: usize) {
-        let places = observer * self.robots..(observer + 1) * self.robots;
-        self.last.get_mut(places).into_iter().flatten().for_each(|last| *last = None);
+        self.last.get_mut(observer).into_iter().for_each(Vec::clear);
+    }
+
+    /// Whom `observer` sensed and may still know of, in order. Of others who are not within R there is nothing to ask.
+    pub fn known(&self, observer: usize) -> impl Iterator<Item = u16> + '_ {
+        self.last.get(observer).into_iter().flatten().map(|(index, _)| *index)
+    }
+
+    /// Nobody knows any more where the robot `index` was.
+    pub fn dismiss(&mut self, index: usize) {
+        self.last.iter_mut().for_each(|last| last.retain(|(known, _)| usize::from(*known) != index));
     }
 
     /// Whether `observer`, at `own`, senses the robot `index`, which is within R or not. Where it does, [`note`](Self::note) is
@@ -99,7 +107,6 @@ impl<const D: usize> Sight<D> {
         let unseen =
             self.dropouts.unseen.is_some_and(|spell| spell.index() == index && spell.lasts(self.time_s));
         let missed = self.dropouts.missed > 0.0 && self.random.chance(self.dropouts.missed);
-        let place = observer * self.robots + index;
         let sensed = within && !unseen && !missed;
         if within {
             self.near[observer] += 1;
@@ -109,21 +116,35 @@ impl<const D: usize> Sight<D> {
             return true;
         }
         self.misses[observer] |= within;
-        if let Some(last) = self.last[place].filter(|last| self.can_be_known(own, last)) {
+        let place = self.place(observer, index);
+        let last = place.ok().map(|place| self.last[observer][place].1);
+        if let Some(last) = last.filter(|last| self.can_be_known(own, last)) {
             // Whoever holds it where it was not is mistaken even if it has left.
             self.overlooks[observer] |= last.wrong;
         } else {
             self.overlooks[observer] |= within;
-            self.last[place] = None;
+            if let Ok(place) = place {
+                self.last[observer].remove(place);
+            }
         }
         false
+    }
+
+    /// Where the robot stands among those whom the observer sensed, or where it would.
+    fn place(&self, observer: usize, index: usize) -> Result<usize, usize> {
+        self.last[observer].binary_search_by_key(&index, |(known, _)| usize::from(*known))
     }
 
     /// Notes that `observer` senses the robot `index`, which is at `place`, at `sensed`.
     pub fn note(&mut self, (observer, index): (usize, usize), place: &Vector<D>, sensed: &Vector<D>) {
         let wrong = length(&subtract(place, sensed)) > self.position_error_m;
-        if let Some(last) = self.last.get_mut(observer * self.robots + index) {
-            *last = Some(Last { tick: self.tick, place: *place, wrong });
+        if self.last.is_empty() {
+            return;
+        }
+        let last = Last { tick: self.tick, place: *place, wrong };
+        match self.place(observer, index) {
+            Ok(place) => self.last[observer][place].1 = last,
+            Err(place) => self.last[observer].insert(place, (small(index), last)),
         }
     }
 

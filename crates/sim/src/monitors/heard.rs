@@ -89,15 +89,10 @@ impl Heard {
         &self.void
     }
 
-    /// Ends a round with the tick in which the next one begins, and normal robots take up their new values.
-    pub(crate) fn end_round<const D: usize>(
-        &mut self,
-        tick: u32,
-        frame: &Frame<D>,
-        malicious: &[bool],
-    ) -> Met {
-        let is_void = self.watch_liars(tick, malicious);
-        let mut normal = self.values.iter().enumerate().filter(|(robot, _)| !malicious[*robot]);
+    /// Ends a round with the tick in which the next one begins, and all but those `aside` take up their new values.
+    pub(crate) fn end_round<const D: usize>(&mut self, tick: u32, frame: &Frame<D>, aside: &[bool]) -> Met {
+        let is_void = self.watch_liars(tick, aside);
+        let mut normal = self.values.iter().enumerate().filter(|(robot, _)| !aside[*robot]);
         let most_heard = self.listened.iter().map(|[all, _]| *all).max().unwrap_or(0);
         let enough =
             normal.all(|(robot, heard)| self.rule.hears_enough(robot, *heard, self.one_voice, self.among));
@@ -106,8 +101,8 @@ impl Heard {
     }
 
     /// True if a normal robot listened to too many malicious ones, which is noted.
-    fn watch_liars(&mut self, tick: u32, malicious: &[bool]) -> bool {
-        let robots = (1_u16..).zip(&self.listened).zip(malicious);
+    fn watch_liars(&mut self, tick: u32, aside: &[bool]) -> bool {
+        let robots = (1_u16..).zip(&self.listened).zip(aside);
         let mut normal = robots.filter(|(_, lies)| !**lies).map(|((robot, [_, liars]), _)| (robot, *liars));
         let Some((robot, liars)) = normal.find(|(_, liars)| *liars > self.rule.faults()) else {
             return false;

@@ -42,6 +42,8 @@ pub struct Monitors<const D: usize> {
     composed: Composed,
     required_degree: u16,
     malicious: Vec<bool>,
+    /// Robots of which nothing is demanded in this tick: malicious ones, and those that are absent.
+    aside: Vec<bool>,
     ticks_per_round: u32,
     /// Whether the robots know their true levels, and no more of them lie than the team is prepared for.
     plain: bool,
@@ -69,6 +71,7 @@ impl<const D: usize> Monitors<D> {
             required_degree: scenario.composition().required,
             params,
             malicious: scenario.malicious_mask(),
+            aside: scenario.malicious_mask(),
             ticks_per_round: scenario.ticks_per_round(),
             plain: scenario.is_plain() && !params.controller().promises(),
             few_lie: rule.ranks().is_some() || scenario.malicious.len() <= usize::from(scenario.team.faults),
@@ -149,12 +152,16 @@ impl<const D: usize> Monitors<D> {
     pub fn watch(&mut self, tick: u32, frame: &Frame<D>) {
         let broken = |verdicts: &Verdicts| verdicts.of(Law::Degree).count + verdicts.of(Law::Distance).count;
         let before = broken(&self.verdicts);
+        let absent = &frame.presence.absent;
+        for (aside, (malicious, absent)) in self.aside.iter_mut().zip(self.malicious.iter().zip(absent)) {
+            *aside = *malicious || *absent;
+        }
         self.carry.keep(&mut self.truth);
         self.truth.look(&self.params, &self.rule, &self.malicious, frame, self.plain);
         // Who obeys keeps links whatever else it does; of those who move as they like there must be few.
         let covered = self.few_lie && (self.truth.is_local || !self.rule.is_free());
         self.carry.watch(tick, frame, &self.truth, covered, &mut self.verdicts);
-        self.watch_degrees();
+        self.watch_degrees(frame);
         if tick.is_multiple_of(self.ticks_per_round) {
             self.watch_values(tick, frame);
         }
@@ -175,10 +182,13 @@ impl<const D: usize> Monitors<D> {
         self.verdicts.broke(law, violation, covered);
     }
 
-    fn watch_degrees(&mut self) {
+    fn watch_degrees(&mut self, frame: &Frame<D>) {
         let (required, ranked) = (self.required_degree, self.rule.ranks().is_some());
         for index in 0..self.truth.degrees.len() {
             let degree = self.truth.degrees[index];
+            if frame.presence.absent[index] {
+                continue;
+            }
             if self.malicious[index] {
                 lower(&mut self.extremes.malicious_degree_min, degree);
                 continue;
@@ -197,8 +207,8 @@ impl<const D: usize> Monitors<D> {
     fn watch_composition(&mut self, tick: u32, collisions: Option<f64>) {
         let collisions = collisions.filter(|_| self.plain).unwrap_or_else(|| self.collisions());
         let composed = self.composed;
-        let degrees: f64 =
-            self.truth.paper_levels.iter().map(|level| composed.degree_term::<f64>(*level)).sum();
+        let there = self.truth.paper_levels.iter().filter(|level| !level.is_nan());
+        let degrees: f64 = there.map(|level| composed.degree_term::<f64>(*level)).sum();
         let phi = 1.0 - degrees - collisions;
         self.extremes.phi_global_min = self.extremes.phi_global_min.min(phi);
         if phi < 0.0 {
@@ -220,6 +230,9 @@ impl<const D: usize> Monitors<D> {
         let input = self.params.settings().limits.input;
         let mut inside = true;
         for (robot, index) in (1_u16..).zip(0..frame.phis.len()) {
+            if frame.presence.absent[index] {
+                continue;
+            }
             let (phi, velocity) = (frame.phis[index], frame.velocities_m_s[index]);
             let at = |seen, demanded| Violation { tick, robots: [robot, 0], seen, demanded };
             self.extremes.phi_min = self.extremes.phi_min.min(phi);
@@ -243,10 +256,10 @@ impl<const D: usize> Monitors<D> {
 
     /// Values are updated once a round, so they are looked at once a round.
     fn watch_values(&mut self, tick: u32, frame: &Frame<D>) {
-        let met = self.heard.end_round(tick, frame, &self.malicious);
+        let met = self.heard.end_round(tick, frame, &self.aside);
         let (few_lie, consensus) = (self.few_lie, &self.consensus);
         let verdicts = &mut self.verdicts;
-        let spread = self.values.end_round(tick, &frame.values, &self.malicious, met, |law, violation| {
+        let spread = self.values.end_round(tick, &frame.values, &self.aside, met, |law, violation| {
             verdicts.broke(law, violation, few_lie && law.is_kept_by(consensus));
         });
         let spread = spread.max(self.watch_numbers(tick, frame, met));

@@ -8,6 +8,8 @@ use closeranks_graph::graph::Graph;
 use closeranks_graph::makers::random::geometric;
 use closeranks_graph::verdict::Interval;
 
+use closeranks_core::num::Vector;
+
 use crate::frame::Frame;
 
 /// Nodes of the search that one round may cost, of order a microsecond each. Teams of eleven need some tens.
@@ -42,14 +44,17 @@ impl Watcher {
     /// Adds the round of `frame`; teams of more robots than the search takes (128) are left out.
     //= paper def:robustness
     pub fn watch<const D: usize>(&mut self, tick: u32, frame: &Frame<D>, radius_m: f64, malicious: &[bool]) {
-        let Ok(graph) = geometric(&frame.positions_m, radius_m) else { return };
+        let there: Vec<Vector<D>> = frame.positions_m.iter().filter(|x| !x[0].is_nan()).copied().collect();
+        let Ok(graph) = geometric(&there, radius_m) else { return };
         let (r_max, f_max) = match self.last.take() {
             Some((last, r_max, f_max)) if last == graph => (r_max, f_max),
             _ => largest(&graph),
         };
         self.last = Some((graph, r_max, f_max));
-        let normal =
-            || malicious.iter().zip(&frame.degrees).filter(|(liar, _)| !**liar).map(|(_, degree)| *degree);
+        let normal = || {
+            let aside = malicious.iter().zip(&frame.presence.absent).map(|(liar, absent)| *liar || *absent);
+            aside.zip(&frame.degrees).filter(|(aside, _)| !aside).map(|(_, degree)| *degree)
+        };
         let (degree_min, spread) = (normal().min().unwrap_or(0), spread(&frame.values, malicious));
         self.rounds.push(Round { tick, r_max, f_max, degree_min, spread });
         if self.rounds.len() > ROUNDS_MAX {
@@ -115,7 +120,6 @@ pub fn thin(rounds: &mut Vec<Round>) {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use closeranks_core::num::Vector;
 
     fn watched(positions: Vec<Vector<2>>) -> Round {
         let robots = positions.len();

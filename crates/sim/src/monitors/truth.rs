@@ -62,11 +62,13 @@ impl Truth {
         }
         let free = rule.is_free();
         self.sum(params, rule, malicious, frame);
+        self.leave_out(&frame.presence.absent);
         let lists = params.controller().tells_lists();
         if lists {
             // Without weights it is the degree itself that is kept.
             self.h.clear();
             self.h.extend(self.degrees.iter().map(|degree| f64::from(*degree)));
+            leave_out(&mut self.h, &frame.presence.absent);
         }
         for (robot, h) in self.h.iter_mut().enumerate() {
             *h -= f64::from(rule.required(robot));
@@ -74,10 +76,18 @@ impl Truth {
         self.h_own.clone_from(&self.h);
         if free && !lists {
             self.around.look(&frame.positions_m, wide_m(params));
-            for (robot, own) in self.h_own.iter_mut().enumerate() {
+            let there = |(robot, _): &(usize, &mut f64)| !frame.presence.absent[*robot];
+            for (robot, own) in self.h_own.iter_mut().enumerate().filter(there) {
                 let around = self.around.of(robot);
                 *own = trimmed(params, rule, frame, robot, around) - f64::from(rule.required(robot));
             }
+        }
+    }
+
+    /// Those who are absent have no level and no h.
+    fn leave_out(&mut self, absent: &[bool]) {
+        for numbers in [&mut self.levels, &mut self.paper_levels, &mut self.h] {
+            leave_out(numbers, absent);
         }
     }
 
@@ -183,7 +193,7 @@ fn weigh(
     shape.links_at(weights, slopes);
     pairs.each(|place, [first, second]| {
         let weight = weights[place];
-        if !Link::is_link(weight) {
+        if !Link::is_link(weight) || weight.is_nan() {
             return;
         }
         for (end, other) in [(second, first), (first, second)] {
@@ -193,6 +203,12 @@ fn weigh(
             }
         }
     });
+}
+
+fn leave_out(numbers: &mut [f64], absent: &[bool]) {
+    for (number, _) in numbers.iter_mut().zip(absent).filter(|(_, absent)| **absent) {
+        *number = f64::NAN;
+    }
 }
 
 /// The trimmed sum T_i of a robot that senses exactly, from whom it has `around` it.

@@ -15,6 +15,8 @@ const VOID_ROUNDS: u32 = 3;
 pub(super) struct Values {
     /// The least and the greatest that they may be; `None` before the first round.
     interval: Option<[f64; 2]>,
+    /// Normal robots that were there in the last round; whoever was not may bring a value of its own.
+    there: Vec<bool>,
     /// For how many rounds what was heard in a void one may still come.
     void_rounds: u32,
     agreement: Agreement,
@@ -23,24 +25,25 @@ pub(super) struct Values {
 impl Values {
     /// For the team of `rule`.
     pub(super) fn new(rule: &Arc<Rule>) -> Self {
-        Self { interval: None, void_rounds: 0, agreement: Agreement::new(rule) }
+        Self { interval: None, there: Vec::new(), void_rounds: 0, agreement: Agreement::new(rule) }
     }
 
-    /// Ends a round that came to `met` and left these `values`, tells of every law that is broken, and gives the spread of the
+    /// Ends a round that came to `met` and left these `values` to all but those `aside`, tells of every law that is broken, and gives the spread of the
     /// values of normal robots.
     pub(super) fn end_round(
         &mut self,
         tick: u32,
         values: &[f64],
-        malicious: &[bool],
+        aside: &[bool],
         met: Met,
         mut broke: impl FnMut(Law, Violation),
     ) -> f64 {
         let normal =
-            || (1_u16..).zip(values).zip(malicious).filter(|(_, liar)| !**liar).map(|(robot, _)| robot);
+            || (1_u16..).zip(values).zip(aside).filter(|(_, aside)| !**aside).map(|(robot, _)| robot);
         let (low, high) = normal().fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), (_, value)| {
             (low.min(*value), high.max(*value))
         });
+        self.welcome(values, aside);
         let [least, most] = self.widen([low, high], met);
         for (robot, value) in normal().filter(|(_, value)| !(least..=most).contains(*value)) {
             let demanded = if *value < least { least } else { most };
@@ -53,6 +56,17 @@ impl Values {
             broke(Law::Agreement, Violation { tick, robots: [0, 0], seen: spread, demanded });
         }
         spread
+    }
+
+    /// Takes in the values that robots bring that were not there in the last round.
+    fn welcome(&mut self, values: &[f64], aside: &[bool]) {
+        self.there.resize(aside.len(), false);
+        for ((there, value), aside) in self.there.iter_mut().zip(values).zip(aside) {
+            if let Some([least, most]) = self.interval.as_mut().filter(|_| !*there && !aside) {
+                (*least, *most) = (value.min(*least), value.max(*most));
+            }
+            *there = !aside;
+        }
     }
 
     /// The least and the greatest that values may be from now on: those of the start, and after a void round those that there

@@ -7,6 +7,7 @@ use crate::frame::Frame;
 use crate::geometry::squared_distance;
 use crate::law::{Law, Verdict, Verdicts};
 use crate::monitors::{Extremes, Monitors, Void};
+use crate::output::attendance::Attendance;
 use crate::output::conduct::{Conduct, Watch};
 use crate::scenario::Scenario;
 
@@ -59,6 +60,8 @@ pub struct Summary {
     pub malicious_below: u16,
     /// Rounds of which nothing is promised, because more than F malicious robots were around one robot that has a rank.
     pub void: Void,
+    /// Who came and went. The world fills it.
+    pub attendance: Attendance,
     /// Rounds in the run.
     pub rounds: u32,
     /// Ticks in the run.
@@ -115,7 +118,8 @@ impl Collector {
         self.conduct.watch(scenario, frame, malicious);
         let required = monitors.required_degree();
         for index in 0..malicious.len() {
-            self.malicious_below[index] |= malicious[index] && frame.degrees[index] < required;
+            let there = malicious[index] && !frame.presence.absent[index];
+            self.malicious_below[index] |= there && frame.degrees[index] < required;
         }
     }
 
@@ -147,6 +151,7 @@ impl Collector {
             recovery_s: f64::from(monitors.carry().recovery_ticks()) * scenario.tick_s(),
             malicious_below: u16::try_from(below).unwrap_or(u16::MAX),
             void: *monitors.void(),
+            attendance: Attendance::default(),
             rounds: scenario.ticks() / scenario.ticks_per_round(),
             ticks: scenario.ticks(),
         }
@@ -166,19 +171,27 @@ fn start<const D: usize>(scenario: &Scenario, frame: &Frame<D>, monitors: &Monit
     let Extremes { phi_min, distance_min_m, inside_from, .. } = *monitors.extremes();
     let normal = frame.h.iter().zip(monitors.malicious()).filter(|(_, malicious)| !**malicious);
     let h_min = normal.map(|(h, _)| *h).fold(f64::INFINITY, f64::min);
-    let normal = monitors.malicious().iter().enumerate().filter(|(_, malicious)| !**malicious);
-    let degrees = normal.into_iter().all(|(robot, _)| monitors.can_keep(robot));
+    let absent = &frame.presence.absent;
+    let normal = |robot: &usize| !monitors.malicious()[*robot] && !absent[*robot];
+    let degrees = (0..absent.len()).filter(normal).all(|robot| monitors.can_keep(robot));
     let inside = match scenario.controller.row().inside {
         Inside::Margins => h_min >= 0.0 && distance_min_m >= scenario.limits.distance_min_m,
         Inside::Degrees => degrees && distance_min_m >= scenario.limits.distance_min_m,
         Inside::Shares => inside_from.is_some(),
     };
-    let degree_min = frame.degrees.iter().copied().min().unwrap_or(0);
+    let there = frame.degrees.iter().zip(absent).filter(|(_, absent)| !**absent);
+    let degree_min = there.map(|(degree, _)| *degree).min().unwrap_or(0);
     StartSummary { inside, phi_min, h_min, degree_min, distance_min_m }
 }
 
+/// Those of `vectors` that are places.
+fn there<const D: usize>(vectors: &[Vector<D>]) -> impl Iterator<Item = &Vector<D>> + Clone {
+    vectors.iter().filter(|vector| !vector[0].is_nan())
+}
+
 fn mean<const D: usize>(vectors: &[Vector<D>]) -> Vector<D> {
-    core::array::from_fn(|d| vectors.iter().map(|vector| vector[d]).sum::<f64>() / count(vectors.len()))
+    let robots = count(there(vectors).count());
+    core::array::from_fn(|d| there(vectors).map(|vector| vector[d]).sum::<f64>() / robots)
 }
 
 fn count(length: usize) -> f64 {
@@ -187,21 +200,22 @@ fn count(length: usize) -> f64 {
     count
 }
 
-/// Radius of gyration, m.
+/// Radius of gyration of those who are there, m.
 #[must_use]
 pub fn gyration<const D: usize>(positions: &[Vector<D>]) -> f64 {
     let centre = mean(positions);
     sqrt(
-        positions.iter().map(|position| squared_distance(position, &centre)).sum::<f64>()
-            / count(positions.len()),
+        there(positions).map(|position| squared_distance(position, &centre)).sum::<f64>()
+            / count(there(positions).count()),
     )
 }
 
 /// Mean distance from normal to malicious robots, m; `None` without both kinds.
 fn mean_distance_to_liars<const D: usize>(positions: &[Vector<D>], malicious: &[bool]) -> Option<f64> {
     let (mut sum, mut count) = (0.0, 0_u32);
-    for (x, _) in positions.iter().zip(malicious).filter(|(_, malicious)| !**malicious) {
-        for (y, _) in positions.iter().zip(malicious).filter(|(_, malicious)| **malicious) {
+    let robots = || positions.iter().zip(malicious).filter(|(x, _)| !x[0].is_nan());
+    for (x, _) in robots().filter(|(_, malicious)| !**malicious) {
+        for (y, _) in robots().filter(|(_, malicious)| **malicious) {
             sum += length(&subtract(x, y));
             count += 1;
         }
@@ -213,7 +227,7 @@ fn mean_distance_to_liars<const D: usize>(positions: &[Vector<D>], malicious: &[
 fn spreading<const D: usize>(frame: &Frame<D>) -> f64 {
     let centre = mean(&frame.positions_m);
     let radius = gyration(&frame.positions_m);
-    let pairs = frame.positions_m.iter().zip(&frame.velocities_m_s);
+    let pairs = frame.positions_m.iter().zip(&frame.velocities_m_s).filter(|(x, _)| !x[0].is_nan());
     let outward: f64 = pairs.map(|(x, u)| dot(&subtract(x, &centre), u)).sum();
-    if radius > 0.0 { outward / (count(frame.positions_m.len()) * radius) } else { 0.0 }
+    if radius > 0.0 { outward / (count(there(&frame.positions_m).count()) * radius) } else { 0.0 }
 }

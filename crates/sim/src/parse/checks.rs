@@ -7,8 +7,10 @@ use closeranks_core::settings::range::Allowed;
 use super::reader::Reader;
 use crate::attack::ListsAttack;
 use crate::consensus::Consensus;
+use crate::geometry::near::Near;
 use crate::geometry::squared_distance;
 use crate::plant::Plant;
+use crate::scenario::absences::Absence;
 use crate::scenario::ranks::RanksError;
 use crate::scenario::start::{Start, StartError};
 use crate::scenario::{Controller, Limits, Scenario, Values};
@@ -27,6 +29,7 @@ pub(super) fn check(reader: &mut Reader, scenario: &Scenario) {
     values(reader, scenario);
     plant(reader, scenario);
     Consensus::check(reader, scenario);
+    Absence::check(reader, scenario);
     if !reader.is_clean() {
         return;
     }
@@ -86,19 +89,33 @@ fn ranks<const D: usize>(reader: &mut Reader, scenario: &Scenario) {
     reader.refuse("team.ranks", error.to_string(), allowed);
 }
 
-/// Robots that run one by one each hold what they know of all others: memory grows with the square of the team.
-const ONE_BY_ONE_MAX: u16 = 1_000;
+/// Robots that run one by one each hold what they know of those around them: so many pairs within R take about a gigabyte.
+const ONE_BY_ONE_PAIRS_MAX: usize = 500_000;
 
 fn one_by_one<const D: usize>(reader: &mut Reader, scenario: &Scenario, params: &Params<D>) {
     let lists = params.controller().tells_lists() && scenario.attack.lists == ListsAttack::None;
     let at_once = scenario.is_plain() && (params.controller().can_be_computed_at_once() || lists);
-    if !at_once && scenario.team.robots > ONE_BY_ONE_MAX {
-        let allowed = format!(
-            "at most {ONE_BY_ONE_MAX} where robots run one by one: wherever something goes wrong, liars have faces, fall \
-             silent, send garbage or disobey, and with controller.kind = \"budget\" under assume = \"free\" or stated errors"
-        );
-        reader.refuse("team.robots", scenario.team.robots.to_string(), allowed);
+    if at_once || pairs_near::<D>(scenario, params) <= ONE_BY_ONE_PAIRS_MAX {
+        return;
     }
+    let allowed = format!(
+        "as many as have at most {ONE_BY_ONE_PAIRS_MAX} pairs within link.radius_m at the start where robots run one by one: \
+         wherever something goes wrong, liars have faces, fall silent, send garbage or disobey, and with \
+         controller.kind = \"budget\" under assume = \"free\" or stated errors"
+    );
+    reader.refuse("team.robots", scenario.team.robots.to_string(), allowed);
+}
+
+/// How many pairs of robots are within R of each other at the start.
+fn pairs_near<const D: usize>(scenario: &Scenario, params: &Params<D>) -> usize {
+    let robots = usize::from(scenario.team.robots);
+    if robots * robots / 2 <= ONE_BY_ONE_PAIRS_MAX {
+        return 0;
+    }
+    let (Ok(positions_m), radius_m) = (scenario.positions::<D>(), params.link().radius_m) else { return 0 };
+    let mut near = Near::default();
+    near.look(&positions_m, radius_m);
+    (0..positions_m.len()).map(|second| near.before(second, &positions_m, radius_m).0.len()).sum()
 }
 
 /// Obstacles are refused under a controller that takes no notice of them, and so are robots that start in their way.

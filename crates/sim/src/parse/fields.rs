@@ -14,6 +14,7 @@ use crate::consensus::Consensus;
 use crate::faults::{Faults, Outages};
 use crate::law::Law;
 use crate::plant::Plant;
+use crate::scenario::absences::Absence;
 use crate::scenario::desired::Desired;
 use crate::scenario::liars::Local;
 use crate::scenario::obstacles::{Drawn, Obstacles};
@@ -107,6 +108,7 @@ fn team(reader: &mut Reader, section: &mut Section<'_>, scenario: &mut Scenario)
         scenario.malicious.sort_unstable();
     }
     scenario.ranks = Ranking::read(reader, section, scenario.team.robots);
+    scenario.absences = Absence::read(reader, section, robots, scenario.dimension);
 }
 
 /// Draws liars once it is known where robots start. A start that does not exist is refused later.

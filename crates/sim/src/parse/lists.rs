@@ -76,6 +76,35 @@ impl Reader {
         (row.len() == columns.len()).then_some(row)
     }
 
+    /// A list of tables, at most `most`, each read by `read`; fields that it did not ask for are noted.
+    pub(crate) fn tables<T>(
+        &mut self,
+        section: &mut Section<'_>,
+        key: &'static str,
+        most: usize,
+        mut read: impl FnMut(&mut Self, &mut Section<'_>) -> T,
+    ) -> Vec<T> {
+        let Some((field, value)) = self.take(section, key) else { return Vec::new() };
+        let tables = value.get_ref().as_array();
+        let Some(tables) = tables.filter(|tables| tables.len() <= most) else {
+            self.wrong(field, value, format!("a list of at most {most} tables"));
+            return Vec::new();
+        };
+        let mut all = Vec::with_capacity(tables.len());
+        for (index, value) in tables.iter().enumerate() {
+            let path = format!("{field}[{index}]");
+            self.places.insert(path.clone(), value.span());
+            let Some(entries) = value.get_ref().as_table() else {
+                self.wrong(path, value, "a table");
+                continue;
+            };
+            let mut item = Section::item(path, value.span(), entries);
+            all.push(read(self, &mut item));
+            self.close(&item);
+        }
+        all
+    }
+
     /// The name of the second item of a list that is `number`, or of the list itself if nobody knows where that stands.
     pub(crate) fn second(&self, list: &str, number: f64) -> String {
         let is_it = |place: &usize| self.items.get(&format!("{list}[{place}]")) == Some(&number);

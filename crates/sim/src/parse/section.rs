@@ -22,6 +22,11 @@ impl<'text> Section<'text> {
         Self { path: String::new(), place: 0..0, entries: Some(entries), known: Vec::new(), unclear: false }
     }
 
+    /// A table in a list, by its full name and place.
+    pub(super) fn item(path: String, place: Range<usize>, entries: &'text DeTable<'text>) -> Self {
+        Self { path, place, entries: Some(entries), known: Vec::new(), unclear: false }
+    }
+
     /// Full name of a field.
     pub(crate) fn name(&self, key: &str) -> String {
         if self.path.is_empty() { key.to_owned() } else { format!("{}.{key}", self.path) }

@@ -44,6 +44,11 @@ impl<const D: usize> Lag<D> {
         }
     }
 
+    /// Puts the body of robot `index` at rest at `place_m`.
+    pub(super) fn place(&mut self, index: usize, place_m: &Vector<D>) {
+        (self.moving_m_s[index], self.references_m[index]) = ([0.0; D], *place_m);
+    }
+
     /// The velocity with which each robot really moves, m/s.
     #[must_use]
     pub fn moving_m_s(&self) -> &[Vector<D>] {

@@ -121,6 +121,15 @@ impl<const D: usize> Bodies<D> {
         }
     }
 
+    /// Puts the body of robot `index`, which comes, at rest at `place_m`.
+    pub(crate) fn place(&mut self, index: usize, place_m: &Vector<D>) {
+        match self {
+            Self::Single(_) => {}
+            Self::Lag(lag) => lag.place(index, place_m),
+            Self::Unicycle(unicycle) => unicycle.place(index),
+        }
+    }
+
     /// Where the velocities alone would have taken each robot, m, when they are at `positions_m`.
     #[must_use]
     pub fn references_m<'a>(&'a self, positions_m: &'a [Vector<D>]) -> &'a [Vector<D>] {

@@ -19,8 +19,7 @@ impl<const D: usize> Unicycle<D> {
     /// So many bodies that look along the first axis, with the point `look_ahead_m` ahead.
     #[must_use]
     pub fn new(look_ahead_m: f64, tick_s: f64, robots: usize) -> Self {
-        let ahead = core::array::from_fn(|d| if d == 0 { 1.0 } else { 0.0 });
-        Self { tick_s, look_ahead_m, headings: vec![ahead; robots] }
+        Self { tick_s, look_ahead_m, headings: vec![first_axis(); robots] }
     }
 
     /// Moves everybody by a tick, exactly: points go as those of a single integrator, and with ψ the angle from the velocity to the
@@ -38,6 +37,11 @@ impl<const D: usize> Unicycle<D> {
         }
     }
 
+    /// Lets robot `index` look along the first axis, as at the start.
+    pub(super) fn place(&mut self, index: usize) {
+        self.headings[index] = first_axis();
+    }
+
     /// The heading of each robot, of length 1.
     #[must_use]
     pub fn headings(&self) -> &[Vector<D>] {
@@ -50,6 +54,10 @@ impl<const D: usize> Unicycle<D> {
         let pairs = positions_m.iter().zip(&self.headings);
         pairs.map(|(point, heading)| add_scaled(point, -self.look_ahead_m, heading)).collect()
     }
+}
+
+fn first_axis<const D: usize>() -> Vector<D> {
+    core::array::from_fn(|d| if d == 0 { 1.0 } else { 0.0 })
 }
 
 /// The heading after the point went with `velocity` for so long that it went `velocity · per_length` look-ahead lengths.

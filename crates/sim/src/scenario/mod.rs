@@ -1,5 +1,6 @@
 //! What to run, as plain data that was checked.
 
+pub mod absences;
 mod derived;
 pub mod desired;
 pub mod liars;
@@ -23,6 +24,7 @@ pub use crate::controllers::Controller;
 use crate::faults::Faults;
 use crate::law::Law;
 use crate::plant::Plant;
+use crate::scenario::absences::Absence;
 use crate::scenario::desired::Desired;
 use crate::scenario::obstacles::Obstacles;
 use crate::scenario::ranks::Ranking;
@@ -45,6 +47,8 @@ pub struct Scenario {
     pub ranks: Option<Ranking>,
     /// Malicious robots by number, from 1, ascending.
     pub malicious: Vec<u16>,
+    /// When robots of the roster are not in the plane, by robot and time.
+    pub absences: Vec<Absence>,
     /// What a link is.
     pub link: LinkSettings,
     /// What no controller may exceed.
@@ -138,6 +142,7 @@ impl Default for Scenario {
             team: Team::default(),
             ranks: None,
             malicious: vec![1, 2],
+            absences: Vec::new(),
             link: LinkSettings::default(),
             limits: Limits::default(),
             controller: Controller::Composed,
@@ -188,7 +193,7 @@ impl Scenario {
     #[must_use]
     pub fn is_plain(&self) -> bool {
         let followed = self.plant.follows() || !self.controller.row().guarantees;
-        self.faults.is_none() && self.attack.is_plain() && followed
+        self.faults.is_none() && self.absences.is_empty() && self.attack.is_plain() && followed
     }
 
     /// This scenario under another controller. If it expects what is usual for its own controller, it then expects what is

@@ -2,6 +2,7 @@
 
 pub mod any;
 pub mod block;
+mod door;
 pub mod given;
 mod outcome;
 mod script;
@@ -28,10 +29,11 @@ use crate::monitors::robustness::{Round, Watcher};
 use crate::output::digest::Digest;
 use crate::output::record::Record;
 use crate::output::snapshot::Snapshot;
-use crate::output::summary::Collector;
+use crate::output::summary::{Collector, Summary};
 use crate::plant::Bodies;
 use crate::scenario::Scenario;
 use crate::world::any::AnyWorld;
+use crate::world::door::Door;
 use crate::world::given::{Given, GivenError};
 pub use crate::world::outcome::{Options, Run, RunError};
 pub use crate::world::script::{initial_numbers, initial_values, want};
@@ -74,6 +76,7 @@ pub struct World<const D: usize> {
     frame: Frame<D>,
     liars: Liars,
     bodies: Bodies<D>,
+    door: Door<D>,
     judge: Judge,
     paper_phi: Option<PaperPhi>,
     monitors: Monitors<D>,
@@ -100,15 +103,19 @@ impl<const D: usize> World<D> {
         scenario.ranks::<D>()?;
         let values = initial_values(scenario)?;
         let wants_phi = scenario.controller.row().uses_phi || !options.without_phi;
-        let frame = Frame { wants_phi, ..Frame::new(scenario.positions()?, values.clone()) };
+        let mut frame = Frame { wants_phi, ..Frame::new(scenario.positions()?, values.clone()) };
+        let door = Door::new(scenario, &params, &frame.positions_m);
+        let bodies = Bodies::new(scenario.plant, scenario.tick_s(), &frame.positions_m);
+        door.open(&mut frame);
         Ok(Self {
+            bodies,
+            door,
             params,
             robots: engine::robots(scenario, params, &frame, &values, options.engine)?,
             workers: Arc::new(Alone),
             exchange: Exchange::new(scenario, &initial_numbers(scenario)?),
             global: scenario.controller.global(&scenario.parameters()),
             answers: Vec::new(),
-            bodies: Bodies::new(scenario.plant, scenario.tick_s(), &frame.positions_m),
             liars: Liars::new(scenario),
             judge: Judge::new(scenario, &params),
             paper_phi: PaperPhi::new(scenario, &params).filter(|_| wants_phi),
@@ -215,6 +222,7 @@ impl<const D: usize> World<D> {
         if self.done > 0 {
             self.bodies.integrate(&mut self.frame.positions_m, &self.frame.velocities_m_s);
         }
+        self.door.begin_tick(self.done, &mut self.frame, &mut self.bodies);
         want(&self.scenario, self.done, &mut self.frame);
         self.liars.give(None, None);
     }
@@ -241,7 +249,7 @@ impl<const D: usize> World<D> {
 
     /// Its team for an engine that computes many side by side; `None` if it is not computed so.
     pub(crate) fn in_lane(&mut self) -> Option<InLane<'_, D>> {
-        let team = self.robots.lend()?;
+        let team = self.robots.lend().filter(|_| self.scenario.absences.is_empty())?;
         Some(InLane { frame: &mut self.frame, liars: &mut self.liars, team })
     }
 
@@ -276,10 +284,12 @@ impl<const D: usize> World<D> {
 
     /// What robots are asked for: what they want, or what a controller with global state makes of it.
     fn ask(&mut self) {
-        let Frame { desired_m_s, asked_m_s, positions_m, velocities_m_s, .. } = &mut self.frame;
+        let Frame { desired_m_s, asked_m_s, positions_m, velocities_m_s, presence, .. } = &mut self.frame;
+        rest(&presence.absent, desired_m_s);
         asked_m_s.copy_from_slice(desired_m_s);
         let reaches_m = [self.scenario.link.radius_m, self.scenario.limits.clearance_m];
         self.scenario.obstacles.turn(positions_m, reaches_m, asked_m_s);
+        rest(&presence.absent, asked_m_s);
         let Some(global) = &mut self.global else { return };
         let nothing = Answer { velocity_m_s: [0.0; D], outcome: Outcome::Free };
         self.answers.resize(positions_m.len(), nothing);
@@ -333,8 +343,17 @@ impl<const D: usize> World<D> {
         if let Some(last_m) = self.prepared.take() {
             self.frame.positions_m = last_m;
         }
+        let attendance = self.door.attendance();
         let summary = self.collector.finish(&self.scenario, &self.frame, &self.monitors);
+        let summary = Summary { attendance, ..summary };
         let rounds = self.watcher.map(Watcher::finish).unwrap_or_default();
         Run { record: self.record, digest: self.digest.map(Digest::value), rounds, summary }
+    }
+}
+
+/// Whoever is absent wants nothing.
+fn rest<const D: usize>(absent: &[bool], wishes_m_s: &mut [Vector<D>]) {
+    for (wish, _) in wishes_m_s.iter_mut().zip(absent).filter(|(_, absent)| **absent) {
+        *wish = [0.0; D];
     }
 }

@@ -1,6 +1,7 @@
 //! Broken programs that the campaign must catch, each by the law that is there for it.
 
 pub(crate) mod obstacles;
+pub(crate) mod presence;
 
 /// A broken program: what is wrong, the law that must notice, and the lines that are other than they should be.
 pub(crate) struct Mutant {

@@ -1,6 +1,5 @@
 //! METIS: `n m [fmt [ncon]]`, then the neighbours of node 1, 2, … one line each; `%` begins comments.
 
-use alloc::collections::BTreeSet;
 use alloc::vec::Vec;
 
 use crate::formats::Options;
@@ -70,12 +69,13 @@ pub(in crate::formats) fn read(text: &str, _: &Options<'_>) -> Result<Draft, For
     let mut builder = Builder::new(false).told_from_both_ends();
     builder.declare_numbers(1, head.nodes, head.line)?;
     let listed = neighbours(&head, &rest)?;
-    let mut pairs = BTreeSet::new();
     for &(from, to, word) in &listed {
         builder.edge(from, to, word.line);
-        pairs.insert((from, to));
     }
-    if let Some((_, _, word)) = listed.iter().find(|(from, to, _)| !pairs.contains(&(*to, *from))) {
+    let mut pairs: Vec<(usize, usize)> = listed.iter().map(|(from, to, _)| (*from, *to)).collect();
+    pairs.sort_unstable();
+    let is_told = |pair: (usize, usize)| pairs.binary_search(&pair).is_ok();
+    if let Some((_, _, word)) = listed.iter().find(|(from, to, _)| !is_told((*to, *from))) {
         return Err(word.unexpected("a neighbour in whose line this node is too"));
     }
     if listed.len() != head.links.saturating_mul(2) {

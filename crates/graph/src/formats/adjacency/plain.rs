@@ -1,24 +1,27 @@
 //! Adjacency lists: a node and its neighbours a line, as `networkx.write_adjlist` has them.
 
-use alloc::collections::BTreeSet;
 use alloc::vec::Vec;
 
 use crate::formats::Options;
 use crate::formats::builder::Draft;
 use crate::formats::error::FormatError;
+use crate::formats::index::Index;
 use crate::formats::text::{Said, refuse_strange};
 use crate::formats::words::{Line, Separator, Word, lines};
 
 /// Whether every node begins exactly one line, and somebody has two neighbours or networkx says that it wrote it. Lines of two
 /// names and of one are not enough: they may be an edge list that was cut off.
 pub(in crate::formats) fn looks_like(text: &str) -> bool {
-    let rows = rows(text);
-    let heads: BTreeSet<&str> = rows.iter().filter_map(|row| row.first()).map(head).collect();
-    let neighbours = || rows.iter().flat_map(|row| row.iter().skip(1));
-    let complete = heads.len() == rows.len() && neighbours().all(|word| heads.contains(word.text));
-    let shape = rows.iter().any(|row| row.len() > 2) || super::is_of_networkx(text);
+    let mut heads = Index::default();
+    // Most texts that are none of this name a node twice within a few lines.
+    if !rows(text).all(|row| row.first().is_none_or(|first| heads.insert(head(first), 0))) {
+        return false;
+    }
+    let mut neighbours = rows(text).flat_map(|row| row.into_iter().skip(1));
+    let complete = neighbours.all(|word| heads.get(word.text).is_some());
+    let shape = rows(text).any(|row| row.len() > 2) || super::is_of_networkx(text);
     let title = |row: &Vec<Word<'_>>| row.len() == 1 && super::lgl::COMMENTS.contains(&head(&row[0]));
-    complete && shape && !rows.iter().any(title) && read(text, &Options::default()).is_ok()
+    complete && shape && !rows(text).any(|row| title(&row)) && read(text, &Options::default()).is_ok()
 }
 
 /// The head of a line may end with a colon.
@@ -26,10 +29,10 @@ fn head<'a>(word: &Word<'a>) -> &'a str {
     word.text.strip_suffix(':').unwrap_or(word.text)
 }
 
-fn rows(text: &str) -> Vec<Vec<Word<'_>>> {
+fn rows(text: &str) -> impl Iterator<Item = Vec<Word<'_>>> {
     let said: Vec<Line<'_>> = lines(text).collect();
     let separator = Separator::of(&said);
-    said.into_iter().map(|line| separator.words(line)).collect()
+    said.into_iter().map(move |line| separator.words(line))
 }
 
 pub(in crate::formats) fn read(text: &str, options: &Options<'_>) -> Result<Draft, FormatError> {

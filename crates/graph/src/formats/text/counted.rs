@@ -22,6 +22,9 @@ pub(in crate::formats) fn surely(text: &str) -> bool {
     let Ok(head) = Head::of(&said) else {
         return false;
     };
+    if said.len() != head.links.saturating_add(1) {
+        return false;
+    }
     let inner = numbers(said.get(1..).unwrap_or(&[]));
     let all = numbers(&said);
     let strange_first = head.nodes == head.links || (!inner.contains(&head.links) && !is_gapless(&all));

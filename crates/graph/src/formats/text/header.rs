@@ -38,21 +38,21 @@ fn folded(word: &str) -> String {
     word.chars().filter(|c| !matches!(c, '_' | '-' | ' ')).flat_map(char::to_lowercase).collect()
 }
 
-/// The columns that the first of `rows` names, if it is a header: it has a known pair of names, or two words where every
+/// The columns that the first row names, if it is a header: it has a known pair of names, or two words where every
 /// other line has two numbers. A word that is a robot's name in another line is none of a header.
-pub(super) fn find(rows: &[Vec<Word<'_>>]) -> Option<Columns> {
-    let (first, others) = rows.split_first()?;
-    if others.is_empty() {
-        return None;
-    }
-    let columns = known(first).or_else(|| above_numbers(first, others))?;
+pub(super) fn find<'a, I: Iterator<Item = Vec<Word<'a>>>>(
+    first: &[Word<'a>],
+    others: impl Fn() -> I,
+) -> Option<Columns> {
+    others().next()?;
+    let columns = known(first).or_else(|| above_numbers(first, &others))?;
     let names = [first.get(columns.from)?.text, first.get(columns.to)?.text];
-    let is_robot = |row: &Vec<Word<'_>>| {
+    let is_robot = |row: Vec<Word<'_>>| {
         [columns.from, columns.to]
             .iter()
             .any(|&at| row.get(at).is_some_and(|word| names.contains(&word.text)))
     };
-    (!others.iter().any(is_robot)).then_some(columns)
+    (!others().any(is_robot)).then_some(columns)
 }
 
 fn known(first: &[Word<'_>]) -> Option<Columns> {
@@ -63,12 +63,15 @@ fn known(first: &[Word<'_>]) -> Option<Columns> {
     Some(Columns { from, to, kind, weight: place("weight").or_else(|| place("value")) })
 }
 
-fn above_numbers(first: &[Word<'_>], others: &[Vec<Word<'_>>]) -> Option<Columns> {
+fn above_numbers<'a, I: Iterator<Item = Vec<Word<'a>>>>(
+    first: &[Word<'a>],
+    others: impl Fn() -> I,
+) -> Option<Columns> {
     let is_number = |word: &Word<'_>| word.text.parse::<f64>().is_ok();
     let ends = |row: &[Word<'_>]| row.len() >= 2 && row[..2].iter().all(is_number);
     let words = (2..=3).contains(&first.len()) && !first.iter().any(is_number);
     let header = words && first.iter().all(|word| super::plain(word.text));
     let weight = (first.len() == 3).then_some(2);
     let columns = Columns { from: 0, to: 1, kind: None, weight };
-    (header && others.iter().all(|row| ends(row))).then_some(columns)
+    (header && others().all(|row| ends(&row))).then_some(columns)
 }

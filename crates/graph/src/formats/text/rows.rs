@@ -34,20 +34,24 @@ pub(super) fn read_lines(
     rules: &Rules,
 ) -> Result<Draft, FormatError> {
     let separator = Separator::of(said);
-    let mut rows: Vec<Row<'_>> = said.iter().map(|&line| separator.words(line)).collect();
-    let columns = if rules.single_names || !rules.header { None } else { header::find(&rows) };
+    let first = said.first().map(|&line| separator.words(line)).unwrap_or_default();
+    let others = || said.iter().skip(1).map(move |&line| separator.words(line));
+    let columns = if rules.single_names || !rules.header { None } else { header::find(&first, others) };
     if let (Some(columns), Some(line)) = (columns, said.first()) {
         builder.note(Note::Header { line: line.number, text: shortened(line.text) });
         let used = 2 + usize::from(columns.kind.is_some()) + usize::from(columns.weight.is_some());
-        builder.notes_columns(rows[0].len().saturating_sub(used));
-        rows.remove(0);
+        builder.notes_columns(first.len().saturating_sub(used));
     }
-    refuse_unequal(&rows, rules)?;
-    refuse_mixed_weights(&rows)?;
-    for row in &rows {
+    // Rows are taken apart again in each pass: all of them at once would take ten times the memory of the text.
+    let rows = || said.iter().skip(usize::from(columns.is_some())).map(move |&line| separator.words(line));
+    let width = refuse_unequal(rows(), rules)?;
+    if width > 2 {
+        refuse_mixed_weights(rows)?;
+    }
+    for row in rows() {
         match columns {
-            Some(columns) => read_columns(&mut builder, row, columns)?,
-            None => read_row(&mut builder, row, rules)?,
+            Some(columns) => read_columns(&mut builder, &row, columns)?,
+            None => read_row(&mut builder, &row, rules)?,
         }
     }
     let last = said.last().map_or(1, |line| line.number);
@@ -57,27 +61,26 @@ pub(super) fn read_lines(
     builder.finish_by_number(last)
 }
 
-/// Every line has as many columns as the first one; a single name may stand alone where that is allowed.
-fn refuse_unequal(rows: &[Row<'_>], rules: &Rules) -> Result<(), FormatError> {
-    let alone = |row: &Row<'_>| rules.single_names && row.len() == 1;
-    let mut rows = rows.iter().filter(|row| !alone(row));
+/// Every line has as many columns as the first one, and so many are told; a single name may stand alone where that is allowed.
+fn refuse_unequal<'a>(rows: impl Iterator<Item = Row<'a>>, rules: &Rules) -> Result<usize, FormatError> {
+    let mut rows = rows.filter(|row| !(rules.single_names && row.len() == 1));
     let Some(first) = rows.next() else {
-        return Ok(());
+        return Ok(0);
     };
     let line = |row: &Row<'_>| row.first().map_or(1, |word| word.line);
     match rows.find(|row| row.len() != first.len()) {
         Some(row) => {
-            let problem = Problem::Columns { found: row.len(), first_line: line(first), first: first.len() };
-            Err(FormatError::new(line(row), problem))
+            let problem = Problem::Columns { found: row.len(), first_line: line(&first), first: first.len() };
+            Err(FormatError::new(line(&row), problem))
         }
-        None => Ok(()),
+        None => Ok(first.len()),
     }
 }
 
 /// Behind two names all lines have a number, or all have `{…}`.
-fn refuse_mixed_weights(rows: &[Row<'_>]) -> Result<(), FormatError> {
-    let is_data = |word: &&Word<'_>| word.text.starts_with('{');
-    let third = || rows.iter().filter_map(|row| row.get(2));
+fn refuse_mixed_weights<'a, I: Iterator<Item = Row<'a>>>(rows: impl Fn() -> I) -> Result<(), FormatError> {
+    let is_data = |word: &Word<'_>| word.text.starts_with('{');
+    let third = || rows().filter_map(|row| row.get(2).copied());
     match (third().any(|word| is_data(&word)), third().find(|word| !is_data(word))) {
         (true, Some(word)) => Err(word.unexpected("{…} behind the names, as in other lines")),
         _ => Ok(()),

@@ -4,25 +4,24 @@
 //! perfect.
 
 mod note;
+mod reach;
 mod talk;
 
 use closeranks_core::controller::links::wire::{Notice, bytes_max};
 use closeranks_core::equations::composition::Composed;
 use closeranks_core::message::{MESSAGE_BYTES, Message};
-use closeranks_core::num::Vector;
 use closeranks_core::robot::Robot;
 use closeranks_core::robot::error::RobotError;
 use closeranks_core::robot::neighbor::{Member, RobotId, Slot};
 use closeranks_core::settings::params::Params;
 
 use crate::attack::liars::Liars;
+use crate::engine::fleet::reach::Reach;
 use crate::engine::memory::Memory;
 use crate::engine::roster::Roster;
 use crate::faults::edges::Edges;
 use crate::faults::network::{FaultyNetwork, LATE_MAX};
-use crate::faults::sight::Sight;
 use crate::frame::Frame;
-use crate::geometry::around::Around;
 use crate::geometry::squared_distance;
 use crate::scenario::Scenario;
 use crate::transport::Transport;
@@ -46,14 +45,14 @@ pub struct Fleet<const D: usize, T = FaultyNetwork<InMemory>> {
     outbox: Vec<Option<Message>>,
     /// What everybody says to everybody in a tick, where messages need no bytes.
     notices: Option<Vec<(usize, usize, Notice<D>)>>,
-    /// Memory for those whom a robot hears there.
-    senders: Vec<usize>,
+    /// Memory for those whom a robot hears, senses or tells something.
+    others: Vec<usize>,
     /// Room for the longest message.
     buffer: Vec<u8>,
     transport: T,
     edges: Edges<D>,
-    /// Who is within R of whom in this tick, where robots sense everybody there.
-    around: Around,
+    /// Who can meet whom in this tick.
+    reach: Reach,
     /// How many slots a robot may have.
     slots: usize,
     /// Robots tell lists of links and not levels.
@@ -92,8 +91,9 @@ impl<const D: usize, T: Transport> Fleet<D, T> {
         let slots = scenario.faults.sensing.dropouts.slots.map_or(others, usize::from);
         let (members, edges) =
             (Roster::new(scenario, &params).members().to_vec(), Edges::new(scenario, &params));
+        let reach = Reach::new(scenario, &params);
         // Where it is known who is near, robots get slots when they need them.
-        let first = if edges.sight.is_whole() { slots.min(SLOTS_FIRST) } else { slots };
+        let first = if edges.sight.is_whole() || reach.is_near() { slots.min(SLOTS_FIRST) } else { slots };
         let robots = members
             .iter()
             .zip(values)
@@ -108,11 +108,11 @@ impl<const D: usize, T: Transport> Fleet<D, T> {
             malicious: scenario.malicious_mask(),
             outbox: vec![None; values.len()],
             notices: None,
-            senders: Vec::new(),
+            others: Vec::new(),
             buffer: vec![0; MESSAGE_BYTES.max(bytes_max(scenario.team.robots, D))],
             transport,
             edges,
-            around: Around::default(),
+            reach,
             slots,
             lists: params.controller().tells_lists(),
             ticks_per_round: scenario.ticks_per_round(),
@@ -129,6 +129,7 @@ impl<const D: usize, T: Transport> Fleet<D, T> {
         if self.notices.is_some() {
             self.hand_over();
         } else {
+            self.reach.look(&frame.positions_m);
             self.send(liars);
             self.deliver();
         }
@@ -158,9 +159,12 @@ impl<const D: usize, T: Transport> Fleet<D, T> {
             frame.heard.fill([0; 2]);
             frame.listened.fill([0; 2]);
         }
-        self.edges.begin_tick(self.tick, time_s, &frame.positions_m);
+        self.edges.begin_tick(self.tick, time_s, &frame.positions_m, &frame.presence);
         self.transport.begin_tick(self.tick);
         liars.begin_tick(self.tick);
+        if frame.presence.changed {
+            self.dismiss(&frame.presence.dismissed);
+        }
         for (index, robot) in self.robots.iter_mut().enumerate() {
             frame.down[index] = self.edges.downtime.down(index);
             if self.edges.downtime.reborn(index) {
@@ -171,39 +175,54 @@ impl<const D: usize, T: Transport> Fleet<D, T> {
         }
     }
 
-    fn sense(&mut self, frame: &Frame<D>) {
-        let sight_m2 = self.params.link().radius_m * self.params.link().radius_m;
-        let Edges { clocks, senses, sight, downtime } = &mut self.edges;
-        let whole = sight.is_whole();
-        if whole {
-            self.around.look(&frame.positions_m, self.params.link().radius_m);
+    /// Everybody is told that these robots have left.
+    fn dismiss(&mut self, dismissed: &[bool]) {
+        for index in (0..dismissed.len()).filter(|index| dismissed[*index]) {
+            self.robots.iter_mut().for_each(|robot| robot.dismiss(id(index)));
+            self.edges.sight.dismiss(index);
         }
-        for (observer, robot) in self.robots.iter_mut().enumerate() {
+    }
+
+    /// True if the robot `index` reckons with one of `these` that it does not sense.
+    #[must_use]
+    pub fn reckons_unseen(&self, index: usize, these: &[bool]) -> bool {
+        let slots = self.running(index).into_iter().flat_map(Robot::neighbors);
+        slots.into_iter().any(|slot| these[usize::from(slot.id().0) - 1] && !slot.is_sensed())
+    }
+
+    fn sense(&mut self, frame: &Frame<D>) {
+        let radius_m = self.params.link().radius_m;
+        let Self { robots, members, memory, edges, reach, others, slots, tick, .. } = self;
+        let Edges { clocks, senses, sight, downtime } = edges;
+        let whole = sight.is_whole();
+        let gets_slots = whole || reach.is_near();
+        if gets_slots {
+            reach.look_around(&frame.positions_m, radius_m);
+        }
+        for (observer, robot) in robots.iter_mut().enumerate() {
             if downtime.down(observer) {
                 continue;
             }
             let own = &frame.positions_m[observer];
             // Sensed positions are finite and clocks rise, so nothing here is refused unless slots are too few.
-            let _ = robot.sense(clocks.now(observer, self.tick), senses.sense(observer, observer, own));
-            if whole {
-                make_room(robot, self.around.of(observer).len(), self.slots);
-                self.memory.fit(robot.slot_count());
+            let _ = robot.sense(clocks.now(observer, *tick), senses.sense(observer, observer, own));
+            if gets_slots {
+                make_room(robot, reach.around(observer).len(), *slots);
+                memory.fit(robot.slot_count());
             }
-            let mut observe = |index: usize, position: &Vector<D>, sight: &mut Sight<D>| {
-                let sensed = senses.sense(observer, index, position);
-                sight.note((observer, index), position, &sensed);
-                let _ = robot.observe(self.members[index], sensed);
-            };
             if whole {
-                for index in self.around.of(observer).iter().map(|index| usize::from(*index)) {
-                    observe(index, &frame.positions_m[index], sight);
-                }
-                continue;
+                others.clear();
+                others.extend(reach.around(observer).iter().map(|index| usize::from(*index)));
+            } else {
+                reach.seen(observer, frame.positions_m.len(), sight.known(observer), others);
             }
-            for (index, position) in frame.positions_m.iter().enumerate() {
-                let within = squared_distance(own, position) <= sight_m2;
-                if index != observer && sight.senses((observer, own), index, within) {
-                    observe(index, position, sight);
+            for &index in &*others {
+                let position = &frame.positions_m[index];
+                let within = whole || squared_distance(own, position) <= radius_m * radius_m;
+                if sight.senses((observer, own), index, within) {
+                    let sensed = senses.sense(observer, index, position);
+                    sight.note((observer, index), position, &sensed);
+                    let _ = robot.observe(members[index], sensed);
                 }
             }
         }

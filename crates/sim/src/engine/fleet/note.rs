@@ -19,6 +19,10 @@ impl<const D: usize, T: Transport> Fleet<D, T> {
         let mut scratch = self.memory.lend();
         let (mut ends, tells): (u32, bool) = (0, self.params.tells_paper_levels());
         for (index, robot) in self.robots.iter_mut().enumerate() {
+            if frame.presence.absent[index] {
+                vanish(index, frame);
+                continue;
+            }
             if self.edges.downtime.down(index) {
                 stand(index, frame, &self.edges.downtime);
                 continue;
@@ -73,6 +77,21 @@ fn stand<const D: usize>(index: usize, frame: &mut Frame<D>, downtime: &Downtime
     frame.modes[index] = Mode::Stopped;
     frame.outcomes[index] = Outcome::Free;
     frame.phis[index] = f64::NAN;
+}
+
+/// Of a robot that is not there nothing is known.
+fn vanish<const D: usize>(index: usize, frame: &mut Frame<D>) {
+    frame.velocities_m_s[index] = [0.0; D];
+    (frame.degrees[index], frame.missing[index]) = (0, false);
+    for numbers in [&mut frame.levels, &mut frame.told, &mut frame.h, &mut frame.phis] {
+        numbers[index] = f64::NAN;
+    }
+    (frame.values[index], frame.held[index]) = (f64::NAN, f64::NAN);
+    frame.outcomes[index] = Outcome::Free;
+    frame.modes[index] = Mode::Stopped;
+    (frame.heard[index], frame.listened[index]) = ([0; 2], [0; 2]);
+    frame.counted[index].clear();
+    frame.rows[index].clear();
 }
 
 /// φ_i of a robot whose controller does not use it, from what it senses and was told.

@@ -44,9 +44,9 @@ impl<const D: usize, T: Transport> Fleet<D, T> {
     fn hand_over_messages(&mut self) {
         for (receiver, robot) in self.robots.iter_mut().enumerate() {
             // All others are refused: they are out of range.
-            self.senders.clear();
-            self.senders.extend(robot.neighbors().iter().map(|slot| usize::from(slot.id().0) - 1));
-            for sender in self.senders.iter().filter(|sender| **sender != receiver) {
+            self.others.clear();
+            self.others.extend(robot.neighbors().iter().map(|slot| usize::from(slot.id().0) - 1));
+            for sender in self.others.iter().filter(|sender| **sender != receiver) {
                 if let Some(message) = &self.outbox[*sender] {
                     let _ = robot.receive(id(*sender), message);
                 }
@@ -71,16 +71,16 @@ impl<const D: usize, T: Transport> Fleet<D, T> {
         self.notices = Some(notices);
     }
 
-    /// Bytes to every other robot, each with its own fate.
+    /// Bytes to every other robot that they can reach, each with its own fate.
     pub(super) fn send(&mut self, liars: &mut Liars) {
+        let mut receivers = core::mem::take(&mut self.others);
         for (sender, message) in self.outbox.iter().enumerate() {
             let Some(message) = message else { continue };
             let own = &self.robots[sender];
             let all = encode(own, message, &mut self.buffer);
-            for (receiver, robot) in self.robots.iter().enumerate() {
-                if receiver == sender {
-                    continue;
-                }
+            self.reach.receivers(sender, self.robots.len(), &mut receivers);
+            for &receiver in &receivers {
+                let robot = &self.robots[receiver];
                 let bytes = match liars.face(sender, message, robot.value()) {
                     Face::Silence => None,
                     Face::Bytes(bytes) => Some(bytes.into()),
@@ -97,6 +97,7 @@ impl<const D: usize, T: Transport> Fleet<D, T> {
                 }
             }
         }
+        self.others = receivers;
     }
 
     pub(super) fn deliver(&mut self) {

@@ -62,7 +62,12 @@ impl<const D: usize> Clear<D> {
         let moved = before.is_some_and(|before| before.clear) && !frame.assumptions.renewed;
         for (robot, index) in (1_u16..).zip(0..self.kept.len()).filter(|(_, index)| !self.malicious[*index]) {
             let x = &frame.positions_m[index];
-            let start = before.map_or(x, |before| &before.positions_m[index]);
+            if frame.presence.absent[index] {
+                self.kept[index] = false;
+                continue;
+            }
+            let was_there = before.filter(|_| !frame.presence.arrived[index]);
+            let start = was_there.map_or(x, |before| &before.positions_m[index]);
             let least_m = self.way_m(start, x);
             self.least_m = self.least_m.min(least_m);
             let kept = self.kept[index] && moved;

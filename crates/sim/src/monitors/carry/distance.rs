@@ -111,7 +111,10 @@ impl<const D: usize> Distances<D> {
     fn all_are_far(&self, near_m2: f64, truth: &Truth) -> bool {
         let least_m = self.kept.distance_min_m;
         let far = truth.least_m2 >= near_m2 && truth.least_m2 >= least_m * least_m;
-        far && self.kept.gamma_c == 1.0 && !truth.pairs.is_sparse() && truth.pairs.is_of_positions()
+        far && all_are_there(truth)
+            && self.kept.gamma_c == 1.0
+            && !truth.pairs.is_sparse()
+            && truth.pairs.is_of_positions()
     }
 
     /// A pair that is farther apart than the root of this, m², was not too near since the tick before.
@@ -182,10 +185,11 @@ impl<const D: usize> Distances<D> {
         }
     }
 
-    /// What is safe now, or was and must still be, must be so at the next tick. `inside` is false while nothing is promised.
-    pub(crate) fn carry(&mut self, truth: &Truth, before: &Before<D>, inside: bool, moves: bool) {
+    /// What is safe now, or was and must still be because robots `moved` by the rows, must be so at the next tick. `inside` is false while
+    /// nothing is promised.
+    pub(crate) fn carry(&mut self, truth: &Truth, moved: bool, inside: bool, moves: bool) {
         let limit_m2 = limit_m2(self.kept.distance_min_m, truth);
-        if moves && inside && truth.least_m2 >= limit_m2 {
+        if moves && inside && truth.least_m2 >= limit_m2 && all_are_there(truth) {
             self.apart.clear();
             self.apart.resize(truth.pairs.references_m2().len(), true);
             self.far_apart = true;
@@ -194,7 +198,9 @@ impl<const D: usize> Distances<D> {
         let mut scratch = core::mem::take(&mut self.scratch);
         scratch.clear();
         scratch.extend(truth.pairs.references_m2().iter().enumerate().map(|(place, pair_m2)| {
-            moves && ((inside && *pair_m2 >= limit_m2) || (self.was_apart(place) && before.moves))
+            // The distance to a robot that is absent is NaN; whoever comes must be far enough away.
+            let apart = *pair_m2 >= limit_m2 || pair_m2.is_nan();
+            moves && ((inside && apart) || (self.was_apart(place) && moved))
         }));
         self.scratch = core::mem::replace(&mut self.apart, scratch);
         self.far_apart = moves && inside;
@@ -209,6 +215,11 @@ struct Pair {
     distance_m2: f64,
     /// See [`Distances::rooms_m2`].
     rooms_m2: Option<[f64; 2]>,
+}
+
+/// False if some robot is absent: its distances are no numbers.
+fn all_are_there(truth: &Truth) -> bool {
+    truth.pairs.references_m2().iter().all(|pair_m2| !pair_m2.is_nan())
 }
 
 /// A pair at least `least_m` apart is no nearer than this, but for rounding, m².
@@ -278,7 +289,7 @@ mod tests {
         });
         let mut pairs = Distances::new(scenario, params);
         let mut before = Before { moves: random.chance(0.9), ..Before::default() };
-        pairs.carry(&was, &before, true, before.moves);
+        pairs.carry(&was, before.moves, true, before.moves);
         (before.truth, before.positions_m) = (was, then.positions_m);
         let before = random.chance(0.9).then_some(&before);
         [pairs.near_m2(&now, before), f64::INFINITY].map(|near_m2| {

@@ -13,7 +13,7 @@ use std::sync::Arc;
 
 use closeranks_core::settings::params::Params;
 
-use crate::frame::Frame;
+use crate::frame::{Frame, Presence};
 use crate::law::{Law, Verdicts, Violation};
 use crate::monitors::carry::before::Before;
 use crate::monitors::carry::clear::Clear;
@@ -128,12 +128,18 @@ impl<const D: usize> Carry<D> {
     fn carry(&mut self, frame: &Frame<D>, truth: &Truth, before: &Before<D>, [moves, settled]: [bool; 2]) {
         let budget = self.params.controller().promises();
         let lists = self.lists();
-        let inside = budget || frame.phis.iter().all(|phi| *phi >= 0.0);
+        let presence = &frame.presence;
+        let there = frame.phis.iter().zip(&presence.absent).filter(|(_, absent)| !**absent);
+        let inside = budget || there.into_iter().all(|(phi, _)| *phi >= 0.0);
+        // Whoever comes or leaves takes all of a team of `composed` to another φ.
+        let goes_on = budget || !presence.changed;
         for (index, (kept, h)) in self.kept.iter_mut().zip(&truth.h).enumerate() {
             let safe = if lists { self.held.is_kept(index) } else { inside && *h >= 0.0 };
-            *kept = settled && (safe || (*kept && before.settled));
+            let carried = *kept && before.settled && goes_on;
+            let theirs = !presence.bereft[index] && !presence.absent[index];
+            *kept = settled && (safe || (carried && theirs));
         }
-        self.distances.carry(truth, before, inside, moves);
+        self.distances.carry(truth, before.moves && goes_on, inside, moves);
     }
 
     /// True if robots keep lists of links and not sums of weights.
@@ -156,8 +162,12 @@ impl<const D: usize> Carry<D> {
         verdicts: &mut Verdicts,
     ) {
         let budget = self.params.controller().promises();
-        for (robot, index) in (1_u16..).zip(0..truth.h.len()).filter(|(_, k)| !self.malicious[*k]) {
+        let Presence { absent, bereft, .. } = &frame.presence;
+        let normal = |(_, index): &(u16, usize)| !self.malicious[*index] && !absent[*index];
+        for (robot, index) in (1_u16..).zip(0..truth.h.len()).filter(normal) {
             let (h, required) = (truth.h[index], self.rule.required(index));
+            // What somebody took along who left is nobody's fault.
+            let before = before.filter(|_| !bereft[index]);
             let carried = before.filter(|before| before.settled && self.kept[index]);
             let at = |seen, demanded| Violation { tick, robots: [robot, 0], seen, demanded };
             if h < -ROUNDING {

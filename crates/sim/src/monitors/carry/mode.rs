@@ -84,15 +84,19 @@ impl<const D: usize> ModeWatch<D> {
 
     /// Nobody promises or reports what is not so, as far as it can know; and all promise again soon after everything holds.
     pub(crate) fn watch(&mut self, tick: u32, frame: &Frame<D>, truth: &Truth, verdicts: &mut Verdicts) {
-        let stopped = frame.modes.contains(&Mode::Stopped);
+        let absent = &frame.presence.absent;
+        let stopped = frame.modes.iter().zip(absent).any(|(mode, absent)| *mode == Mode::Stopped && !absent);
         let safe = (0..truth.h_own.len())
+            .filter(|robot| !absent[*robot])
             .all(|robot| truth.h_own[robot] >= -H_HAIR && self.can_count(robot, truth))
             && !self.crowd(truth, true).contains(&true);
         let crowded = self.crowd(truth, false);
         // Who senses a robot where it is not may reckon with it long after it has left.
         let reckons =
             frame.missing.iter().zip(&self.malicious).any(|(missing, malicious)| *missing && !malicious);
-        let well = safe && !stopped && !frame.assumptions.broken && !reckons;
+        // Lists must be exchanged with whoever came, and in place of whoever left.
+        let changed = frame.presence.changed && self.params.controller().tells_lists();
+        let well = safe && !stopped && !frame.assumptions.broken && !reckons && !changed;
         if !well {
             self.unwell = Some(tick);
         }
@@ -104,7 +108,8 @@ impl<const D: usize> ModeWatch<D> {
             *last = if *wrong { Some(tick) } else { *last };
         }
         let mut all = true;
-        for (robot, index) in (1_u16..).zip(0..truth.h.len()).filter(|(_, k)| !self.malicious[*k]) {
+        let normal = |(_, index): &(u16, usize)| !self.malicious[*index] && !absent[*index];
+        for (robot, index) in (1_u16..).zip(0..truth.h.len()).filter(normal) {
             let guaranteed = frame.modes[index] == Mode::Guaranteed;
             all &= guaranteed;
             let negative = truth.h_own[index] < 0.0;

@@ -58,12 +58,14 @@ impl Reports {
             return None;
         }
         let (degree, neighbors) = (frame.degrees[index], truth.neighbors[index]);
-        if self.exact && degree != neighbors {
+        // Who reckons with a robot that left silently cannot know better.
+        let exact = self.exact && !frame.assumptions.sensed_wrong[index];
+        if exact && degree != neighbors {
             return Some(Untrue { seen: f64::from(degree), demanded: f64::from(neighbors) });
         }
         let (h, own) = (frame.h[index], truth.h_own[index]);
         let differs = (h - own).abs() > ROUNDING || h.is_nan();
-        if self.exact && !self.lists && differs {
+        if exact && !self.lists && differs {
             return Some(Untrue { seen: h, demanded: own });
         }
         let away_m2 = squared_distance(&frame.references_m[index], &frame.positions_m[index]);

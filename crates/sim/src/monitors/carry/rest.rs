@@ -103,11 +103,9 @@ impl<const D: usize> RestWatch<D> {
     /// ∂h_i/∂x_i of the sum of all weights, 1/m, as robots have it.
     fn gradient(&self, robot: usize, frame: &Frame<D>) -> Vector<D> {
         let own = &frame.positions_m[robot];
-        let offsets = frame
-            .positions_m
-            .iter()
-            .enumerate()
-            .filter(|(other, _)| *other != robot && self.rule.counts(robot, *other));
+        let offsets = frame.positions_m.iter().enumerate().filter(|(other, _)| {
+            *other != robot && self.rule.counts(robot, *other) && !frame.presence.absent[*other]
+        });
         offsets.fold([0.0; D], |sum, (_, other)| {
             let offset_m = subtract(own, other);
             let link: Option<Link<f64>> = self.params.link().link(&offset_m);
