@@ -16,6 +16,8 @@ use closeranks_sim::parse;
 use closeranks_sim::plant::Bodies;
 use closeranks_sim::scenario::start::Start;
 use closeranks_sim::scenario::{Controller, Scenario};
+use closeranks_sim::world::any::AnyGiven;
+use closeranks_sim::world::block::Block;
 use closeranks_sim::world::{Options, initial_values, run, want};
 use divan::Bencher;
 
@@ -162,6 +164,23 @@ fn tick_of_single_robots(bencher: Bencher<'_, '_>, robots: u16) {
         want(&scenario, 0, &mut frame);
         fleet.step(&mut frame, &mut liars);
         bodies.integrate(&mut frame.positions_m, &frame.velocities_m_s);
+    });
+}
+
+/// A tick of sixteen worlds of section V, monitors on, side by side in a block (true) or each alone.
+#[divan::bench(args = [true, false])]
+fn sixteen_worlds(bencher: Bencher<'_, '_>, together: bool) {
+    let seeds: Vec<u64> = (0..16).collect();
+    let blocks = seeds.chunks(if together { Block::MOST } else { 1 });
+    let blocks = blocks.map(|seeds| Block::new(&Scenario::default(), seeds, Options::default()));
+    let mut blocks: Vec<Block> = blocks.collect::<Result<_, _>>().expect("a valid scenario");
+    assert!(blocks.iter().all(|block| block.is_in_lanes() == together));
+    bencher.bench_local(|| {
+        for block in &mut blocks {
+            block
+                .step_with(&[AnyGiven::default(); Block::MOST][..block.worlds().len()])
+                .expect("nothing is given");
+        }
     });
 }
 

@@ -32,6 +32,8 @@ pub struct Frame<const D: usize> {
     pub rows: Vec<Vec<u16>>,
     /// φ_i; NaN where nobody wants to know it, and of a robot that is down.
     pub phis: Vec<f64>,
+    /// The sum of E^c over all links, if whoever computed the tick has it anyway.
+    pub collisions: Option<f64>,
     /// Whether somebody wants to know φ and φ_i, which not every controller uses.
     pub wants_phi: bool,
     /// y_i; for malicious robots what they tell, if they tell all the same.
@@ -177,6 +179,7 @@ impl<const D: usize> Frame<D> {
             counted: vec![Vec::new(); robots],
             rows: vec![Vec::new(); robots],
             phis: vec![f64::NAN; robots],
+            collisions: None,
             wants_phi: true,
             held: values.clone(),
             more_values: Vec::new(),

@@ -1,10 +1,10 @@
-//! Many worlds of one scenario, stepped together on all cores.
+//! Many worlds of one scenario, stepped together on all cores, and side by side on each where the engine can.
 
 use closeranks_core::message::VALUE_MAX;
 use closeranks_sim::scenario as sim;
+use closeranks_sim::world::Options;
 use closeranks_sim::world::any::{AnyGiven, AnyWorld};
-use closeranks_sim::world::given::GivenError;
-use closeranks_sim::world::{Engine, Options, RunError};
+use closeranks_sim::world::block::Block;
 use numpy::{PyArray1, PyReadonlyArray1};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
@@ -20,7 +20,8 @@ use crate::world::numbers;
 #[pyclass(module = "closeranks._native")]
 pub(crate) struct Batch {
     scenario: sim::Scenario,
-    worlds: Vec<AnyWorld>,
+    /// The worlds in order of their seeds.
+    blocks: Vec<Block>,
     /// None for one thread: the caller's, which need not wait for another one.
     pool: Option<ThreadPool>,
 }
@@ -51,28 +52,18 @@ fn check(
     )))
 }
 
-/// Computes so many ticks, all with what is given, but none after the last; leaves robots where the next tick finds them.
-fn advance(world: &mut AnyWorld, given: &AnyGiven<'_>, ticks: u32) -> Result<(), GivenError> {
-    for _ in 0..ticks {
-        if world.is_over() {
-            break;
-        }
-        world.step_with(given)?;
-        if !world.is_over() {
-            world.prepare();
-        }
-    }
-    Ok(())
-}
-
 impl Batch {
+    fn worlds(&self) -> impl Iterator<Item = &AnyWorld> {
+        self.blocks.iter().flat_map(Block::worlds)
+    }
+
     /// What `of` says of every world, one after another.
     fn all<'py, T: numpy::Element + Copy>(
         &self,
         py: Python<'py>,
         of: impl Fn(&AnyWorld) -> &[T],
     ) -> Bound<'py, PyArray1<T>> {
-        let flat: Vec<T> = self.worlds.iter().flat_map(|world| of(world).iter().copied()).collect();
+        let flat: Vec<T> = self.worlds().flat_map(|world| of(world).iter().copied()).collect();
         PyArray1::from_vec(py, flat)
     }
 }
@@ -85,15 +76,10 @@ impl Batch {
         let scenario = scenario.scenario.clone();
         let pool = (jobs != 1).then(|| ThreadPoolBuilder::new().num_threads(jobs).build());
         let pool = pool.transpose().map_err(errors::refused)?;
-        let options =
-            Options { record: false, robustness: false, engine: Engine::Team, ..Options::default() };
-        let of = |seed: &u64| {
-            let mut world = AnyWorld::new(&sim::Scenario { seed: *seed, ..scenario.clone() }, options)?;
-            world.prepare();
-            Ok(world)
-        };
-        let worlds: Result<Vec<AnyWorld>, RunError> = py.detach(|| seeds.iter().map(of).collect());
-        Ok(Self { scenario, worlds: worlds.map_err(errors::scenario)?, pool })
+        let blocks = py.detach(|| Block::of_all(&scenario, &seeds, Options::default()));
+        let mut blocks = blocks.map_err(errors::scenario)?;
+        blocks.iter_mut().for_each(Block::prepare);
+        Ok(Self { scenario, blocks, pool })
     }
 
     /// Computes `ticks` ticks of every world with what is given, flat, held for as long.
@@ -107,31 +93,38 @@ impl Batch {
     ) -> PyResult<()> {
         let (desired, levels, values) =
             (numbers(desired.as_ref())?, numbers(levels.as_ref())?, numbers(values.as_ref())?);
-        let (count, robots) = (self.worlds.len(), usize::from(self.scenario.team.robots));
+        let (count, robots) = (self.worlds().count(), usize::from(self.scenario.team.robots));
         check("desired", desired, count, robots, f64::is_finite)?;
         check("levels", levels, count, robots, f64::is_finite)?;
         check("values", values, count, robots, |value| value.abs() <= VALUE_MAX)?;
-        let (worlds, pool) = (&mut self.worlds, &self.pool);
-        let one = |(index, world): (usize, &mut AnyWorld)| {
+        let mut given = (0..count).map(|index| {
             let part = |array| part(array, index, count);
-            let given = AnyGiven { desired_m_s: part(desired), levels: part(levels), values: part(values) };
-            advance(world, &given, ticks)
-        };
+            AnyGiven { desired_m_s: part(desired), levels: part(levels), values: part(values) }
+        });
+        let pool = &self.pool;
+        let mut parts: Vec<(&mut Block, Vec<AnyGiven<'_>>)> = (self.blocks.iter_mut())
+            .map(|block| {
+                let given = given.by_ref().take(block.worlds().len()).collect();
+                (block, given)
+            })
+            .collect();
+        let one =
+            |(block, given): &mut (&mut Block, Vec<AnyGiven<'_>>)| block.advance(given.as_slice(), ticks);
         let done = py.detach(|| match pool {
-            Some(pool) => pool.install(|| worlds.par_iter_mut().enumerate().try_for_each(one)),
-            None => worlds.iter_mut().enumerate().try_for_each(one),
+            Some(pool) => pool.install(|| parts.par_iter_mut().try_for_each(one)),
+            None => parts.iter_mut().try_for_each(one),
         });
         done.map_err(errors::refused)
     }
 
     #[getter]
     fn ticks_done(&self) -> u32 {
-        self.worlds.first().map_or(0, AnyWorld::ticks_done)
+        self.worlds().next().map_or(0, AnyWorld::ticks_done)
     }
 
     #[getter]
     fn is_over(&self) -> bool {
-        self.worlds.first().is_none_or(AnyWorld::is_over)
+        self.worlds().next().is_none_or(AnyWorld::is_over)
     }
 
     fn positions<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<f64>> {
@@ -173,7 +166,7 @@ impl Batch {
     /// What became of each law in a world.
     fn laws<'py>(&self, py: Python<'py>, world: usize) -> PyResult<Bound<'py, PyDict>> {
         let found =
-            self.worlds.get(world).ok_or_else(|| errors::refused(format!("there is no world {world}")))?;
+            self.worlds().nth(world).ok_or_else(|| errors::refused(format!("there is no world {world}")))?;
         laws(py, &self.scenario, found.verdicts())
     }
 }

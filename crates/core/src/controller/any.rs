@@ -72,6 +72,15 @@ impl<const D: usize> AnyController<D> {
         }
     }
 
+    /// The controller, if many worlds can be computed side by side under it ([`ComposedController::in_lanes`]).
+    #[must_use]
+    pub fn in_lanes(&self) -> Option<ComposedController<D>> {
+        match self {
+            Self::Composed(controller) => controller.in_lanes(),
+            Self::Budget(_) | Self::Links(_) | Self::None(_) => None,
+        }
+    }
+
     /// Who counts for whom ([`Control::need`]).
     #[must_use]
     pub fn need(&self) -> &Need {

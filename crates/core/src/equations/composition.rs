@@ -4,8 +4,8 @@
 //! (docs/theory, `sec:split`).
 
 use crate::equations::barrier::{collision_barrier, degree_barrier};
-use crate::equations::link::{LANES, Link};
-use crate::equations::scaling::{plain_row, scaled_row};
+use crate::equations::link::{Link, PAIRS};
+use crate::equations::scaling::{is_usual, plain_row, scaled_row, usual_row};
 use crate::num::exponential::{exps, vanish};
 use crate::num::number::Number;
 use crate::num::scaled::Scaled;
@@ -67,7 +67,7 @@ impl Composed {
     //= paper eq:composition
     #[must_use]
     pub fn degree_term<N: Number>(&self, level: f64) -> N {
-        N::exp(-self.w_r * degree_barrier(level, self.required))
+        N::exp(self.degree_exponent(level))
     }
 
     /// `E^c_ij = exp(−w_c h^col_ij)` of two robots at squared distance `Δ²`, m².
@@ -75,20 +75,32 @@ impl Composed {
     #[inline]
     #[must_use]
     pub fn collision_term<N: Number>(&self, distance_m2: f64) -> N {
-        N::exp(-self.w_c * collision_barrier(distance_m2, self.distance_min_m))
+        N::exp(self.collision_exponent(distance_m2))
     }
 
     /// [`collision_term`](Self::collision_term) of many pairs, with the bits of each, in place of their squared distances, m².
     pub fn collision_terms(&self, distances_m2: &mut [f64]) {
-        let exponent = |distance_m2: f64| -self.w_c * collision_barrier(distance_m2, self.distance_min_m);
-        let (pairs, rest) = distances_m2.as_chunks_mut::<LANES>();
+        let exponent = |distance_m2: f64| self.collision_exponent(distance_m2);
+        let (pairs, rest) = distances_m2.as_chunks_mut::<PAIRS>();
         for distances_m2 in pairs {
             let exponents = distances_m2.map(exponent);
-            *distances_m2 = if vanish(&exponents) { [0.0; LANES] } else { exps(exponents) };
+            *distances_m2 = if vanish(&exponents) { [0.0; PAIRS] } else { exps(exponents) };
         }
         for distance_m2 in rest {
             *distance_m2 = exp(exponent(*distance_m2));
         }
+    }
+
+    /// The exponent of Ê_k.
+    #[inline]
+    pub(crate) fn degree_exponent(&self, level: f64) -> f64 {
+        -self.w_r * degree_barrier(level, self.required)
+    }
+
+    /// The exponent of E^c_ij.
+    #[inline]
+    pub(crate) fn collision_exponent(&self, distance_m2: f64) -> f64 {
+        -self.w_c * collision_barrier(distance_m2, self.distance_min_m)
     }
 
     /// φ_i and the row `H_i·u ≥ −α φ_i` of one robot, from its own `Ê_i` and its neighbours in order of their number.
@@ -200,6 +212,12 @@ impl<const D: usize, N: Number> Sum<D, N> {
         Self { normal: [N::ZERO; D], degrees: own, collisions: N::ZERO }
     }
 
+    /// The sums behind H_i, behind the first sum of φ_i and behind its last one.
+    #[inline]
+    pub(crate) fn of(normal: [N; D], degrees: N, collisions: N) -> Self {
+        Self { normal, degrees, collisions }
+    }
+
     /// Replaces the first sum of φ_i by `degrees`, that of `Ê_i` and of what all neighbours told.
     #[must_use]
     pub fn with_terms(self, degrees: N) -> Self {
@@ -246,6 +264,17 @@ impl<const D: usize> Sum<D, f64> {
         let largest = self.normal.iter().fold(0.0, |most: f64, component| most.max(component.abs()));
         let ordinary = is_finite(&self.normal) && largest >= VANISHED && phi.is_finite();
         ordinary.then(|| Composition { row: plain_row(&self.normal, composed.alpha, phi), phi })
+    }
+}
+
+impl<const D: usize> Sum<D, f64> {
+    /// φ_i, the row, and whether they are what [`finish`](Self::finish) gives, which is so where all numbers are of a usual size. No
+    /// branches: for many worlds at once.
+    #[inline]
+    pub(crate) fn usual(&self, composed: &Composed) -> (Composition<D>, bool) {
+        let phi = self.phi(composed);
+        let usual = is_usual(&self.normal, composed.alpha, phi);
+        (Composition { row: usual_row(&self.normal, composed.alpha, phi), phi }, usual)
     }
 }
 

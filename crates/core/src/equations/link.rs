@@ -6,7 +6,7 @@ use crate::num::scaled::Scaled;
 use crate::num::{Vector, dot};
 
 /// How many pairs of robots are computed at a time where there are many.
-pub(crate) const LANES: usize = 2;
+pub(crate) const PAIRS: usize = 2;
 
 /// Shape of the link weight.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -61,7 +61,7 @@ impl LinkShape {
         let (pairs, rest) = distances_m2[..count].as_chunks_mut();
         let (pair_slopes, rest_slopes) = slopes[..count].as_chunks_mut();
         for (distances_m2, slopes) in pairs.iter_mut().zip(pair_slopes) {
-            self.link_some::<LANES>(distances_m2, slopes);
+            self.link_some::<PAIRS>(distances_m2, slopes);
         }
         for (distance_m2, slope) in rest.iter_mut().zip(rest_slopes) {
             let link = self.link_at(*distance_m2).unwrap_or(Link::NONE);
@@ -88,7 +88,7 @@ impl LinkShape {
     }
 
     #[inline]
-    fn slack_m2(&self, distance_m2: f64) -> f64 {
+    pub(crate) fn slack_m2(&self, distance_m2: f64) -> f64 {
         self.radius_m * self.radius_m - distance_m2
     }
 
@@ -100,7 +100,7 @@ impl LinkShape {
 
     /// Weight and slope from s and e.
     #[inline]
-    fn link_of<N: Number>(&self, slack_m2: f64, e: N) -> Link<N> {
+    pub(crate) fn link_of<N: Number>(&self, slack_m2: f64, e: N) -> Link<N> {
         let tail = e.to_f64();
         let inverse = 1.0 / (1.0 + tail);
         let steepness = -4.0 * self.q1 * self.q2 * slack_m2 * inverse * inverse;

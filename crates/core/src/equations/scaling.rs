@@ -23,13 +23,28 @@ pub(super) fn scaled_row<const D: usize>(normal: &[Scaled; D], alpha: f64, phi: 
 /// [`scaled_row`] of finite numbers, with its bits. Where all are of a usual size it takes a few multiplications.
 #[inline]
 pub(super) fn plain_row<const D: usize>(normal: &[f64; D], alpha: f64, phi: f64) -> Row<D> {
-    let usual = |number: f64| number.abs() >= USUAL_MIN && number.abs() <= USUAL_MAX;
-    if !(normal.iter().all(|component| usual(*component)) && usual(phi) && usual(alpha)) {
+    if !is_usual(normal, alpha, phi) {
         return scaled_row(&normal.map(Scaled::new), alpha, Scaled::new(phi));
     }
+    usual_row(normal, alpha, phi)
+}
+
+/// True if all numbers are of a usual size.
+#[inline]
+pub(super) fn is_usual<const D: usize>(normal: &[f64; D], alpha: f64, phi: f64) -> bool {
+    let usual = |number: f64| {
+        let (least, most) = (number.abs() >= USUAL_MIN, number.abs() <= USUAL_MAX);
+        least & most
+    };
+    normal.iter().fold(usual(phi) & usual(alpha), |all, component| all & usual(*component))
+}
+
+/// [`scaled_row`] of numbers that are all of a usual size; of others it means nothing.
+#[inline]
+pub(super) fn usual_row<const D: usize>(normal: &[f64; D], alpha: f64, phi: f64) -> Row<D> {
     let largest = normal.iter().fold(0.0, |most: f64, component| most.max(component.abs()));
     // 2^−e of a number in [2^e, 2^(e+1)).
-    let scale = f64::from_bits((2046 - (largest.to_bits() >> 52)) << 52);
+    let scale = f64::from_bits(2046_u64.wrapping_sub(largest.to_bits() >> 52) << 52);
     Row { normal: normal.map(|component| component * scale), bound: limited(phi * -alpha * scale) }
 }
 

@@ -3,6 +3,7 @@
 //! Only +, − and × of IEEE 754 are used, in a fixed order and never fused, so every target and every optimisation level
 //! gives the same bits.
 
+use crate::num::lane::{LANES, Lane};
 use crate::num::scaled::Scaled;
 
 /// Below this, `eˣ` is less than 2⁻¹⁰²² and counts as 0 in `f64`.
@@ -24,6 +25,52 @@ pub fn exp(x: f64) -> f64 {
 #[must_use]
 pub(crate) fn exps<const L: usize>(x: [f64; L]) -> [f64; L] {
     if x.iter().all(|x| x.abs() <= ORDINARY) { x.map(exp_ordinary) } else { x.map(exp) }
+}
+
+/// `eˣ` in every lane, with the bits of [`exp`]. Numbers whose exponential vanishes do not keep the others from the short way.
+#[inline]
+#[must_use]
+pub(crate) fn exps_in_lanes(x: &Lane) -> Lane {
+    if are_ordinary(x) { ordinary_in_lanes(x) } else { far_in_lanes(x) }
+}
+
+#[cold]
+fn far_in_lanes(x: &Lane) -> Lane {
+    let near = x.map(|x| if x < EXP_IS_ZERO { 0.0 } else { x });
+    if !are_ordinary(&near) {
+        return x.map(exp);
+    }
+    let mut powers = ordinary_in_lanes(&near);
+    for k in 0..LANES {
+        powers[k] = if x[k] < EXP_IS_ZERO { 0.0 } else { powers[k] };
+    }
+    powers
+}
+
+#[inline]
+fn are_ordinary(x: &Lane) -> bool {
+    let mut all = true;
+    for x in x {
+        all &= x.abs() <= ORDINARY;
+    }
+    all
+}
+
+/// Loops are apart, because what looks up roots is not vectorised and all else is.
+#[inline]
+fn ordinary_in_lanes(x: &Lane) -> Lane {
+    let (mut steps, mut powers) = ([0; LANES], [0.0; LANES]);
+    let (mut roots, mut tails) = ([0.0; LANES], [0.0; LANES]);
+    for k in 0..LANES {
+        (steps[k], tails[k]) = split(x[k]);
+    }
+    for k in 0..LANES {
+        roots[k] = scaled_root(steps[k]);
+    }
+    for k in 0..LANES {
+        powers[k] = roots[k] + roots[k] * tails[k];
+    }
+    powers
 }
 
 /// True where every `eˣ` counts as 0.
@@ -61,8 +108,14 @@ pub fn exp_scaled(x: f64) -> Scaled {
 #[inline]
 pub(crate) fn exp_ordinary(x: f64) -> f64 {
     let (steps, tail) = split(x);
-    let root = f64::from_bits(root(steps).wrapping_add(steps >> 6 << 52));
+    let root = scaled_root(steps);
     root + root * tail
+}
+
+/// `2ᵏ · 2^(m/64)`, where that is an ordinary `f64`.
+#[inline]
+fn scaled_root(steps: u64) -> f64 {
+    f64::from_bits(root(steps).wrapping_add(steps >> 6 << 52))
 }
 
 /// Up to this |x|, `eˣ` and each part of its sum are ordinary `f64`.
@@ -186,6 +239,21 @@ mod tests {
         for step in 0..400_000 {
             let x = -ORDINARY + f64::from(step) * (2.0 * ORDINARY / 399_999.0);
             assert_eq!(exp_ordinary(x).to_bits(), exp_scaled(x).value().to_bits(), "{x}");
+        }
+    }
+
+    #[test]
+    fn lanes_have_the_bits_of_each() {
+        let strange = [f64::NAN, f64::INFINITY, f64::NEG_INFINITY, -705.0, -0.0, 708.0, 1e300, -710.0];
+        for step in 0..4_000_u32 {
+            let mut x: Lane = core::array::from_fn(|k| {
+                let k = u32::try_from(k).unwrap();
+                -1000.0 + f64::from((step * 7919 + k * 104_729) % 170_001) * 0.01
+            });
+            if step % 5 == 0 {
+                x[(step / 5 % 16) as usize] = strange[(step / 80 % 8) as usize];
+            }
+            assert_eq!(exps_in_lanes(&x).map(f64::to_bits), x.map(|x| exp(x).to_bits()), "{x:?}");
         }
     }
 

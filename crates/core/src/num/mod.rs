@@ -1,6 +1,7 @@
 //! Small vectors, the square root and the exponential. No other place computes a function that platforms differ in.
 
 pub(crate) mod exponential;
+pub mod lane;
 pub mod number;
 pub mod scaled;
 

@@ -73,7 +73,44 @@ fn furthest<const D: usize>(input: &InputBox<D>, normal: &Vector<D>, desired: &V
 fn foot<const D: usize>(desired: &Vector<D>, row: &Row<D>) -> Option<Vector<D>> {
     let square = dot(&row.normal, &row.normal);
     let ordinary = 1e-200 < square && square < 1e200;
-    ordinary.then(|| add_scaled(desired, (row.bound - dot(&row.normal, desired)) / square, &row.normal))
+    ordinary.then(|| perpendicular(desired, row, square))
+}
+
+/// The foot for a row whose normal has this `square`.
+#[inline]
+fn perpendicular<const D: usize>(desired: &Vector<D>, row: &Row<D>, square: f64) -> Vector<D> {
+    add_scaled(desired, (row.bound - dot(&row.normal, desired)) / square, &row.normal)
+}
+
+/// The answer of [`closest`] in the two cases that are there mostly, and whether this is one of them: the desired velocity, cut to
+/// the box, is free, or the foot of an uncut one lies in the box. For boxes alone and normals in [1, 2); no branches, for many
+/// worlds at once.
+#[inline]
+pub(crate) fn closest_mostly<const D: usize>(
+    desired: &Vector<D>,
+    row: &Row<D>,
+    input: &InputBox<D>,
+) -> (Vector<D>, Mostly) {
+    let clipped = input.clip_to_box(desired);
+    let free = dot(&row.normal, &clipped) >= row.bound;
+    let foot = perpendicular(desired, row, dot(&row.normal, &row.normal));
+    let mut active = true;
+    for d in 0..D {
+        active &= clipped[d] == desired[d];
+        active &= input.min_m_s[d] <= foot[d];
+        active &= foot[d] <= input.max_m_s[d];
+    }
+    let velocity = core::array::from_fn(|d| if free { clipped[d] } else { foot[d] });
+    (velocity, Mostly { free, found: free | active })
+}
+
+/// What became of [`closest_mostly`].
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct Mostly {
+    /// The outcome is `Free`, else `Active`.
+    pub(crate) free: bool,
+    /// False in all other cases.
+    pub(crate) found: bool,
 }
 
 /// The points u(λ). Each component rests on the edge of the box nearest to the desired one until λ = `enter`, is free until

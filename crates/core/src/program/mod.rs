@@ -55,7 +55,8 @@ impl<const D: usize> InputBox<D> {
         if self.is_in_ball(&boxed) { boxed } else { self.shortened(u) }
     }
 
-    fn clip_to_box(&self, u: &Vector<D>) -> Vector<D> {
+    #[inline]
+    pub(crate) fn clip_to_box(&self, u: &Vector<D>) -> Vector<D> {
         core::array::from_fn(|d| cut(u[d], self.min_m_s[d], self.max_m_s[d]))
     }
 

@@ -1,7 +1,11 @@
 //! What a robot sees of the links of those around it, link by link: for teams too large for tables, and for those with ranks.
 
+use closeranks_core::controller::Glimpse;
+use closeranks_core::robot::neighbor::Member;
+
 use crate::engine::roster::Roster;
 use crate::engine::sees::Around;
+use crate::frame::Frame;
 
 /// Whom a robot sees in this tick. Memory is a number a robot.
 #[derive(Clone, Debug, Default)]
@@ -59,4 +63,19 @@ pub(crate) fn counting(robot: usize, other: usize, around: &Around, roster: &Ros
     }
     let seen = around.of(robot).iter().map(|half| usize::from(half.other)).chain([robot]);
     seen.filter(|third| roster.counts(other, *third)).count()
+}
+
+/// What whoever sees everybody sees of `member`, where so many are `counted` for each robot.
+pub(crate) fn glimpse<const D: usize>(frame: &Frame<D>, member: Member, counted: &[u16]) -> Glimpse {
+    let other = usize::from(member.id.0) - 1;
+    Glimpse {
+        member,
+        weight: 0.0,
+        told_level: frame.told[other],
+        level: frame.levels[other],
+        degree: counted[other],
+        unseen: 0,
+        unseen_near: 0,
+        low: 0.0,
+    }
 }

@@ -7,6 +7,7 @@ use closeranks_core::robot::Robot;
 use crate::attack::liars::Liars;
 use crate::engine::fleet::Fleet;
 use crate::engine::held::Held;
+use crate::engine::lanes::Lent;
 use crate::engine::team::Team;
 use crate::engine::workers::Workers;
 use crate::faults::edges::Edges;
@@ -17,6 +18,11 @@ use crate::transport::Transport;
 pub(crate) trait Robots<const D: usize>: Send + Sync {
     /// One tick: fills everything in `frame` but positions, desired velocities, references and assumptions.
     fn step(&mut self, frame: &mut Frame<D>, liars: &mut Liars, workers: &dyn Workers);
+
+    /// What computing this team side by side with others takes; `None` where that is not how it is computed.
+    fn lend(&mut self) -> Option<Lent<'_>> {
+        None
+    }
 
     /// What went wrong around the robots in this tick; `None` where nothing can.
     fn edges(&self) -> Option<&Edges<D>> {
@@ -82,6 +88,10 @@ where
 {
     fn step(&mut self, frame: &mut Frame<D>, liars: &mut Liars, workers: &dyn Workers) {
         self.step(frame, liars, workers);
+    }
+
+    fn lend(&mut self) -> Option<Lent<'_>> {
+        self.lend()
     }
 }
 

@@ -8,7 +8,6 @@ use closeranks_core::controller::{AtOnce, Decision, Glimpse, Motion, Neighbor, O
 use closeranks_core::equations::barrier::degree_barrier;
 use closeranks_core::num::{Vector, dot, subtract};
 use closeranks_core::obstacle::Obstacle;
-use closeranks_core::robot::neighbor::Member;
 use closeranks_core::robot::scratch::Scratch;
 use closeranks_core::settings::params::Params;
 
@@ -16,8 +15,9 @@ use crate::attack::liars::Liars;
 use crate::engine::bench::{Bench, Decided};
 use crate::engine::consensus::Consensus;
 use crate::engine::dense::{DENSE_MAX, Dense};
+use crate::engine::lanes::Lent;
 use crate::engine::links::{Linked, Links};
-use crate::engine::marks::{Marks, counting};
+use crate::engine::marks::{Marks, counting, glimpse};
 use crate::engine::phi::Phi;
 use crate::engine::roster::Roster;
 use crate::engine::sees::{Around, Half, Sees};
@@ -126,6 +126,14 @@ impl<const D: usize, C: AtOnce<D> + Copy> Team<D, C> {
             phi.fill(self.robots.links.by_second(), &frame.told, &frame.positions_m, &mut frame.phis);
         }
         self.tick = self.tick.saturating_add(1);
+    }
+
+    /// Lends what computing the team side by side with others takes: a small one without ranks and obstacles, under a controller
+    /// that is computed so.
+    pub(crate) fn lend(&mut self) -> Option<Lent<'_>> {
+        let Self { robots, consensus, tick, .. } = self;
+        let can = robots.params.controller().in_lanes().is_some() && robots.map.is_empty();
+        (can && robots.sees.is_some()).then_some(Lent { consensus, roster: &robots.roster, tick })
     }
 
     /// Decides for every robot, a piece of the team for each worker.
@@ -369,21 +377,6 @@ impl<const D: usize, C: AtOnce<D> + Copy> Robots<D, C> {
         let in_range = radius_m * radius_m - dot(&offset_m, &offset_m) >= 0.0;
         let known = self.controller.know(&glimpse(frame, self.roster.member(other), self.links.counted()));
         in_range.then_some(Neighbor { member: self.roster.member(other), offset_m, pair: None, known })
-    }
-}
-
-/// What whoever sees everybody sees of `member`, where so many are `counted` for each robot.
-fn glimpse<const D: usize>(frame: &Frame<D>, member: Member, counted: &[u16]) -> Glimpse {
-    let other = usize::from(member.id.0) - 1;
-    Glimpse {
-        member,
-        weight: 0.0,
-        told_level: frame.told[other],
-        level: frame.levels[other],
-        degree: counted[other],
-        unseen: 0,
-        unseen_near: 0,
-        low: 0.0,
     }
 }
 

@@ -167,7 +167,7 @@ impl<const D: usize> Monitors<D> {
         }
         self.heard.hear(frame);
         if frame.wants_phi {
-            self.watch_composition(tick);
+            self.watch_composition(tick, frame.collisions);
         }
         self.watch_programs(tick, frame);
         if broken(&self.verdicts) > before {
@@ -204,13 +204,9 @@ impl<const D: usize> Monitors<D> {
 
     /// φ of the true levels, of the paper's weight whatever the controller.
     //= paper eq:composition
-    fn watch_composition(&mut self, tick: u32) {
-        let (composed, radius_m) = (self.composed, self.params.link().radius_m);
-        let near = self.truth.pairs.references_m2().iter().filter(|pair| **pair <= radius_m * radius_m);
-        self.collisions.clear();
-        self.collisions.extend(near);
-        composed.collision_terms(&mut self.collisions);
-        let collisions = self.collisions.iter().fold(0.0, |sum, term| sum + term);
+    fn watch_composition(&mut self, tick: u32, collisions: Option<f64>) {
+        let collisions = collisions.filter(|_| self.plain).unwrap_or_else(|| self.collisions());
+        let composed = self.composed;
         let there = self.truth.paper_levels.iter().filter(|level| !level.is_nan());
         let degrees: f64 = there.map(|level| composed.degree_term::<f64>(*level)).sum();
         let phi = 1.0 - degrees - collisions;
@@ -218,6 +214,16 @@ impl<const D: usize> Monitors<D> {
         if phi < 0.0 {
             self.broke(Law::Composition, Violation { tick, robots: [0, 0], seen: phi, demanded: 0.0 });
         }
+    }
+
+    /// The sum of E^c over all links.
+    fn collisions(&mut self) -> f64 {
+        let (composed, radius_m) = (self.composed, self.params.link().radius_m);
+        let near = self.truth.pairs.references_m2().iter().filter(|pair| **pair <= radius_m * radius_m);
+        self.collisions.clear();
+        self.collisions.extend(near);
+        composed.collision_terms(&mut self.collisions);
+        self.collisions.iter().fold(0.0, |sum, term| sum + term)
     }
 
     fn watch_programs(&mut self, tick: u32, frame: &Frame<D>) {

@@ -87,6 +87,11 @@ impl Pairs {
         if self.positions_m2.is_empty() { &self.references_m2 } else { &self.positions_m2 }
     }
 
+    /// True if positions are the references.
+    pub(crate) fn is_of_positions(&self) -> bool {
+        self.positions_m2.is_empty()
+    }
+
     /// True if only near pairs are there.
     pub(crate) fn is_sparse(&self) -> bool {
         self.sparse

@@ -95,7 +95,57 @@ impl AnyWorld {
 
     /// Computes the next tick with what is `given` from outside; refused as [`World::step_with`] does.
     pub fn step_with(&mut self, given: &AnyGiven<'_>) -> Result<(), GivenError> {
-        dispatch!(self, world => step_with(world, given))
+        dispatch!(self, world => {
+            let given = given_to(world, given)?;
+            world.step_with(&given).map(|_| ())
+        })
+    }
+
+    /// Whether what is `given` is refused.
+    pub(crate) fn check(&self, given: &AnyGiven<'_>) -> Result<(), GivenError> {
+        dispatch!(self, world => given_to(world, given)?.check(world.frame().positions_m.len()))
+    }
+
+    /// The first part of a tick: robots move, and are asked for what is `given`, which was checked.
+    pub(crate) fn begin_with(&mut self, given: &AnyGiven<'_>) -> Result<(), GivenError> {
+        dispatch!(self, world => {
+            let given = given_to(world, given)?;
+            world.begin();
+            world.give(&given);
+            world.ask();
+        });
+        Ok(())
+    }
+
+    /// The second part, for worlds that are computed alone.
+    pub(crate) fn compute(&mut self) {
+        dispatch!(self, world => world.compute());
+    }
+
+    /// The third part.
+    pub(crate) fn settle(&mut self) {
+        dispatch!(self, world => world.settle());
+    }
+
+    /// True if its team can be computed side by side with others.
+    pub(crate) fn goes_in_lanes(&mut self) -> bool {
+        dispatch!(self, world => world.in_lane().is_some())
+    }
+
+    /// The world, if it is in the plane.
+    pub(crate) fn plane(&mut self) -> Option<&mut World<2>> {
+        if let Self::Plane(world) = self { Some(world) } else { None }
+    }
+
+    /// The world, if it is in space.
+    pub(crate) fn space(&mut self) -> Option<&mut World<3>> {
+        if let Self::Space(world) = self { Some(world) } else { None }
+    }
+
+    /// As [`World::digest`].
+    #[must_use]
+    pub fn digest(&self) -> Option<u64> {
+        dispatch!(self, world => world.digest())
     }
 
     /// The last tick as whoever watches the run sees it; none before the first one.
@@ -189,7 +239,8 @@ impl AnyWorld {
     }
 }
 
-fn step_with<const D: usize>(world: &mut World<D>, given: &AnyGiven<'_>) -> Result<(), GivenError> {
+/// What is given to a world of this dimension.
+fn given_to<'a, const D: usize>(world: &World<D>, given: &AnyGiven<'a>) -> Result<Given<'a, D>, GivenError> {
     let robots = world.frame().positions_m.len();
     let desired_m_s = match given.desired_m_s.map(<[f64]>::as_chunks::<D>) {
         Some((_, rest)) if !rest.is_empty() => {
@@ -198,6 +249,5 @@ fn step_with<const D: usize>(world: &mut World<D>, given: &AnyGiven<'_>) -> Resu
         }
         desired => desired.map(|(desired, _): (&[Vector<D>], _)| desired),
     };
-    world.step_with(&Given { desired_m_s, levels: given.levels, values: given.values })?;
-    Ok(())
+    Ok(Given { desired_m_s, levels: given.levels, values: given.values })
 }

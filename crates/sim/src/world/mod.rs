@@ -1,6 +1,7 @@
 //! The world: one tick after another, and a run as the loop over it.
 
 pub mod any;
+pub mod block;
 mod door;
 pub mod given;
 mod outcome;
@@ -18,6 +19,7 @@ use crate::controllers::{Answer, Global, TeamView, Velocities};
 use crate::engine;
 pub use crate::engine::Engine;
 use crate::engine::judge::Judge;
+use crate::engine::lanes::{InLane, Lanes};
 use crate::engine::phi::PaperPhi;
 use crate::engine::robots::Robots;
 use crate::engine::workers::{Alone, Workers};
@@ -200,11 +202,16 @@ impl<const D: usize> World<D> {
     pub fn step_with(&mut self, given: &Given<'_, D>) -> Result<&Frame<D>, GivenError> {
         given.check(self.frame.positions_m.len())?;
         self.begin();
+        self.give(given);
+        Ok(self.end())
+    }
+
+    /// Takes what is given in place of what the scenario says.
+    fn give(&mut self, given: &Given<'_, D>) {
         if let Some(desired_m_s) = given.desired_m_s {
             self.frame.desired_m_s.copy_from_slice(desired_m_s);
         }
         self.liars.give(given.levels, given.values);
-        Ok(self.end())
     }
 
     /// Moves everybody to the next tick and asks where they want to go.
@@ -223,7 +230,37 @@ impl<const D: usize> World<D> {
     fn end(&mut self) -> &Frame<D> {
         let tick = self.done;
         self.ask();
+        self.compute();
+        self.settle();
+        self.collector.watch(&self.scenario, &self.frame, &self.monitors);
+        if let Some(record) = &mut self.record {
+            let (tick_s, required) = (self.scenario.tick_s(), record.required_degree);
+            record.push(&Snapshot::new(tick, tick_s, required, &self.frame, self.monitors.truth()));
+        }
+        self.watch_round(tick);
+        &self.frame
+    }
+
+    /// Lets all robots decide.
+    fn compute(&mut self) {
+        self.frame.collisions = None;
         self.robots.step(&mut self.frame, &mut self.liars, self.workers.as_ref());
+    }
+
+    /// Its team for an engine that computes many side by side; `None` if it is not computed so.
+    pub(crate) fn in_lane(&mut self) -> Option<InLane<'_, D>> {
+        let team = self.robots.lend().filter(|_| self.scenario.absences.is_empty())?;
+        Some(InLane { frame: &mut self.frame, liars: &mut self.liars, team })
+    }
+
+    /// That engine, for worlds like this one.
+    pub(crate) fn lanes(&self) -> Option<Lanes<D>> {
+        Lanes::new(&self.params, self.frame.positions_m.len())
+    }
+
+    /// What comes of it for the world: the rest of the frame, and the laws.
+    fn settle(&mut self) {
+        let tick = self.done;
         if let Some(exchange) = &mut self.exchange {
             exchange.step(tick, &mut self.frame, self.robots.as_ref(), self.liars.given_values());
         }
@@ -236,20 +273,13 @@ impl<const D: usize> World<D> {
         }
         self.judge.judge(&mut self.frame, self.robots.as_ref(), &self.bodies);
         self.monitors.watch(tick, &self.frame);
-        self.collector.watch(&self.scenario, &self.frame, &self.monitors);
         for index in 0..self.frame.values.len() {
             [self.frame.one_level[index], self.frame.one_value[index]] = self.liars.tells_alike(index);
-        }
-        if let Some(record) = &mut self.record {
-            let (tick_s, required) = (self.scenario.tick_s(), record.required_degree);
-            record.push(&Snapshot::new(tick, tick_s, required, &self.frame, self.monitors.truth()));
         }
         if let Some(digest) = &mut self.digest {
             digest.watch(&self.frame);
         }
-        self.watch_round(tick);
-        self.done = self.done.saturating_add(1);
-        &self.frame
+        self.done = tick.saturating_add(1);
     }
 
     /// What robots are asked for: what they want, or what a controller with global state makes of it.

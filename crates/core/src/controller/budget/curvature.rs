@@ -1,6 +1,6 @@
 //! How fast, and how sharply, a link can weaken within one tick.
 
-use crate::equations::link::{LANES, LinkShape};
+use crate::equations::link::{LinkShape, PAIRS};
 use crate::num::exp;
 use crate::num::exponential::exps;
 
@@ -89,7 +89,7 @@ impl Curvature {
 
     /// [`bend_max`](Self::bend_max) of many pairs, in place of their distances, m.
     pub fn bends_max(&self, distances_m: &mut [f64], move_max_m: f64, error_m: f64) {
-        let (pairs, rest) = distances_m.as_chunks_mut::<LANES>();
+        let (pairs, rest) = distances_m.as_chunks_mut::<PAIRS>();
         for distances_m in pairs {
             *distances_m = self.bend_some(*distances_m, move_max_m, error_m);
         }

@@ -87,6 +87,10 @@ impl<const D: usize> Distances<D> {
         before: Option<&Before<D>>,
         verdicts: &mut Verdicts,
     ) {
+        if self.all_are_far(near_m2, truth) {
+            self.least_m2 = self.least_m2.min(truth.least_m2);
+            return;
+        }
         let positions_m2 = truth.pairs.positions_m2();
         let mut least_m2 = self.least_m2;
         truth.pairs.each(|place, robots| {
@@ -100,6 +104,17 @@ impl<const D: usize> Distances<D> {
             }
         });
         self.least_m2 = least_m2;
+    }
+
+    /// True if nobody need be looked at: all pairs are there, robots are at their references, and of no pair anything need be left but
+    /// the least distance, to which none is near.
+    fn all_are_far(&self, near_m2: f64, truth: &Truth) -> bool {
+        let least_m = self.kept.distance_min_m;
+        let far = truth.least_m2 >= near_m2 && truth.least_m2 >= least_m * least_m;
+        far && all_are_there(truth)
+            && self.kept.gamma_c == 1.0
+            && !truth.pairs.is_sparse()
+            && truth.pairs.is_of_positions()
     }
 
     /// A pair that is farther apart than the root of this, m², was not too near since the tick before.
@@ -174,6 +189,12 @@ impl<const D: usize> Distances<D> {
     /// nothing is promised.
     pub(crate) fn carry(&mut self, truth: &Truth, moved: bool, inside: bool, moves: bool) {
         let limit_m2 = limit_m2(self.kept.distance_min_m, truth);
+        if moves && inside && truth.least_m2 >= limit_m2 && all_are_there(truth) {
+            self.apart.clear();
+            self.apart.resize(truth.pairs.references_m2().len(), true);
+            self.far_apart = true;
+            return;
+        }
         let mut scratch = core::mem::take(&mut self.scratch);
         scratch.clear();
         scratch.extend(truth.pairs.references_m2().iter().enumerate().map(|(place, pair_m2)| {
@@ -194,6 +215,11 @@ struct Pair {
     distance_m2: f64,
     /// See [`Distances::rooms_m2`].
     rooms_m2: Option<[f64; 2]>,
+}
+
+/// False if some robot is absent: its distances are no numbers.
+fn all_are_there(truth: &Truth) -> bool {
+    truth.pairs.references_m2().iter().all(|pair_m2| !pair_m2.is_nan())
 }
 
 /// A pair at least `least_m` apart is no nearer than this, but for rounding, m².

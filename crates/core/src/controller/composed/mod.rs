@@ -3,6 +3,8 @@
 //! It is exactly as printed: there is no recovery and no slack. The one choice is the split (docs/theory, `sec:split`).
 //! The equations are in [`crate::equations::composition`].
 
+pub mod lanes;
+
 use crate::controller::clearance::Clearance;
 use crate::controller::{AtOnce, Batch, Control, Decision, Glimpse, Motion, Neighbor, Own, Standing, View};
 use crate::equations::composition::{Composed, Composition, PhiSplit, Sum, TERM_LARGE, Term};
@@ -76,6 +78,15 @@ impl<const D: usize> ComposedController<D> {
             reach: settings.reach(),
             clearance: Clearance::new(settings),
             hold_s: settings.clock.hold_max().as_secs_f64(),
+        }
+    }
+
+    /// The sums behind φ_i and H_i as the split wants them.
+    #[inline]
+    fn row(&self, sums: &Sums<D>) -> Sum<D, f64> {
+        match self.composed.split {
+            PhiSplit::Neighbors => sums.row.with_terms(sums.terms),
+            PhiSplit::Own => sums.row,
         }
     }
 
@@ -239,11 +250,7 @@ impl<const D: usize> AtOnce<D> for ComposedController<D> {
         scratch: &mut Scratch<'_, D>,
     ) -> Decision<D> {
         // Beside a huge Ê no slope counts as 0, so pairs that were left out might matter.
-        let row = match self.composed.split {
-            PhiSplit::Neighbors => sums.row.with_terms(sums.terms),
-            PhiSplit::Own => sums.row,
-        };
-        let plain = row.finish(&self.composed).filter(|_| sums.terms < TERM_LARGE);
+        let plain = self.row(sums).finish(&self.composed).filter(|_| sums.terms < TERM_LARGE);
         let Composition { row, phi } = plain.unwrap_or_else(|| self.careful(own, neighbors));
         let solution = if scratch.map.is_empty() && self.reach.ball_m().is_none() {
             closest(&motion.desired_m_s, &row, &self.input)

@@ -1,0 +1,182 @@
+//! Worlds side by side have the bits of each alone: of its digest, and of what became of the laws.
+#![expect(clippy::unwrap_used, reason = "helpers of tests")]
+
+use core::time::Duration;
+
+use closeranks_core::equations::composition::PhiSplit;
+use closeranks_core::obstacle::Obstacle;
+use closeranks_core::settings::{Clock, ComposedSettings, LinkSettings, Team};
+use closeranks_sim::attack::{LevelAttack, MotionAttack, ValueAttack};
+use closeranks_sim::plant::Plant;
+use closeranks_sim::scenario::desired::Desired;
+use closeranks_sim::scenario::start::Start;
+use closeranks_sim::scenario::{Controller, Limits, Scenario};
+use closeranks_sim::world::Options;
+use closeranks_sim::world::any::{AnyGiven, AnyWorld};
+use closeranks_sim::world::block::Block;
+
+const OPTIONS: Options = Options {
+    record: false,
+    digest: true,
+    robustness: false,
+    without_phi: false,
+    engine: closeranks_sim::world::Engine::Team,
+};
+
+fn short(name: &str) -> Scenario {
+    Scenario { name: name.into(), duration_s: 0.3, start: random(1.3, 0.4), ..Scenario::default() }
+}
+
+fn random(half_side_m: f64, distance_min_m: f64) -> Start {
+    Start::Random { half_side_m, distance_min_m }
+}
+
+fn alone(scenario: &Scenario, seed: u64) -> AnyWorld {
+    let mut world = AnyWorld::new(&Scenario { seed, ..scenario.clone() }, OPTIONS).unwrap();
+    while !world.is_over() {
+        world.step();
+    }
+    world
+}
+
+/// So many worlds side by side against each alone; whether they were in lanes.
+#[track_caller]
+fn same_bits(scenario: &Scenario, worlds: u64) -> bool {
+    let seeds: Vec<u64> = (0..worlds).map(|k| 3 * k + 1).collect();
+    let mut block = Block::new(scenario, &seeds, OPTIONS).unwrap();
+    block.advance(&vec![AnyGiven::default(); seeds.len()], u32::MAX).unwrap();
+    assert_eq!(block.worlds().len(), seeds.len());
+    for (seed, world) in seeds.iter().zip(block.worlds()) {
+        let alone = alone(scenario, *seed);
+        assert_eq!(world.ticks_done(), alone.ticks_done());
+        assert_eq!(world.digest(), alone.digest(), "seed {seed} of {}", scenario.name);
+        assert_eq!(world.verdicts(), alone.verdicts(), "seed {seed} of {}", scenario.name);
+    }
+    block.is_in_lanes()
+}
+
+#[test]
+fn the_papers_attacks_and_any_number_of_worlds() {
+    for (worlds, attack) in
+        [(16, LevelAttack::None), (7, LevelAttack::Bias(-2.5)), (13, LevelAttack::Bias(3.5))]
+    {
+        assert!(same_bits(&Scenario { attack: attack.into(), ..short("attack") }, worlds));
+    }
+    assert!(!same_bits(&short("few"), 3), "few worlds are not worth it");
+}
+
+/// Starts so wide that links break and form, so narrow that robots collide, and all on one line, where rows have components that are 0.
+#[test]
+fn starts_of_all_kinds() {
+    for (half_side_m, distance_min_m) in [(2.6, 0.3), (0.6, 0.05), (30.0, 0.3), (1000.0, 0.3)] {
+        assert!(same_bits(&Scenario { start: random(half_side_m, distance_min_m), ..short("start") }, 16));
+    }
+    let line = (0..11).map(|k| vec![0.5 * f64::from(k) - 2.5, 0.0]).collect();
+    assert!(same_bits(&Scenario { start: Start::Listed(line), ..short("line") }, 6));
+    assert!(same_bits(&Scenario { start: Start::Hexagon { spacing_m: 0.6 }, ..short("hexagon") }, 6));
+}
+
+#[test]
+fn teams_of_other_sizes_in_the_plane_and_in_space() {
+    for (robots, faults) in [(2, 0), (3, 1), (6, 1), (29, 4), (64, 3)] {
+        let (malicious, team) = ((1..=faults).collect(), Team { robots, faults });
+        let start = random(0.32 * f64::from(robots).sqrt() + 0.3, 0.2);
+        assert!(same_bits(&Scenario { malicious, team, start, duration_s: 0.2, ..short("size") }, 9));
+    }
+    let too_many =
+        Scenario { team: Team { robots: 65, faults: 2 }, start: random(4.0, 0.2), ..short("large") };
+    assert!(!same_bits(&Scenario { duration_s: 0.05, ..too_many }, 6));
+    let cube = Scenario {
+        dimension: 3,
+        start: random(0.9, 0.4),
+        team: Team { robots: 12, faults: 2 },
+        limits: Limits { input_min_m_s: vec![-1.5; 3], input_max_m_s: vec![1.5; 3], ..short("cube").limits },
+        ..short("cube")
+    };
+    assert!(same_bits(&cube, 10));
+}
+
+/// Lies so wild that plain exponentials overflow, and clusters in which slopes vanish below what `f64` holds.
+#[test]
+fn levels_and_radii_beyond_the_range_of_f64() {
+    for bias in [-60.0, -16.0, 60.0, 900_000.0, -900_000.0] {
+        for radius_m in [3.0, 9.0] {
+            let link = LinkSettings { radius_m, ..short("wild").link };
+            assert!(same_bits(
+                &Scenario { attack: LevelAttack::Bias(bias).into(), link, ..short("wild") },
+                7
+            ));
+        }
+    }
+    let link = LinkSettings { radius_m: 30.0, q2: 0.9, ..short("cluster").link };
+    assert!(same_bits(&Scenario { link, ..short("cluster") }, 7));
+}
+
+#[test]
+fn lies_that_change_motions_plants_and_splits() {
+    let random_levels = LevelAttack::Random { min: -20.0, max: 20.0 };
+    let sine = LevelAttack::Sine { amplitude: 5.0, period_s: 0.2 };
+    for attack in [random_levels, sine, LevelAttack::Replay { age_s: 0.1 }] {
+        assert!(same_bits(&Scenario { attack: attack.into(), ..short("lies") }, 8));
+    }
+    for attack in [ValueAttack::Sway, ValueAttack::None, ValueAttack::Extreme] {
+        assert!(same_bits(&Scenario { attack: attack.into(), ..short("values") }, 8));
+    }
+    for desired in [Desired::Gather, Desired::Outward, Desired::Wander, Desired::Hold] {
+        assert!(same_bits(&Scenario { desired, ..short("desired") }, 8));
+    }
+    let own = ComposedSettings { phi_split: PhiSplit::Own, ..short("own").composed };
+    assert!(same_bits(&Scenario { composed: own, attack: LevelAttack::Bias(3.5).into(), ..short("own") }, 8));
+    assert!(same_bits(&Scenario { plant: Plant::Lag { lag_s: 0.05 }, ..short("lag") }, 8));
+    let clock = Clock { level_period: Duration::from_millis(20), ..short("slow").clock };
+    assert!(same_bits(&Scenario { clock, duration_s: 1.2, ..short("slow") }, 8));
+}
+
+/// What lanes are not for goes one by one, with the same answers.
+#[test]
+fn what_is_not_computed_in_lanes_is_computed_all_the_same() {
+    for controller in [Controller::Budget, Controller::Links, Controller::None] {
+        assert!(!same_bits(&Scenario { controller, duration_s: 0.2, ..short("controller") }, 6));
+    }
+    assert!(!same_bits(&Scenario { attack: ValueAttack::Split.into(), ..short("faces") }, 6));
+    assert!(!same_bits(&Scenario { attack: MotionAttack::Flee.into(), ..short("runaways") }, 6));
+    let mut amid = short("obstacles");
+    amid.obstacles.list.push(Obstacle::disc([0.9, 0.9, 0.0], 0.2));
+    assert!(!same_bits(&amid, 6));
+    let slow = Limits { speed_max_m_s: 1.6, ..short("disc").limits };
+    assert!(!same_bits(&Scenario { limits: slow, ..short("disc") }, 6));
+}
+
+/// Arrays that are given reach the world they are for, and a bad one is refused before any world is stepped.
+#[test]
+fn what_is_given_reaches_its_world() {
+    let scenario = Scenario { duration_s: 0.2, ..short("given") };
+    let seeds: Vec<u64> = (0..16).collect();
+    let mut block = Block::new(&scenario, &seeds, OPTIONS).unwrap();
+    assert!(block.is_in_lanes());
+    let desired = |seed: u64| vec![0.05 * f64::from(u32::try_from(seed).unwrap()) - 0.4; 22];
+    let levels = |seed: u64| vec![f64::from(u32::try_from(seed).unwrap()); 11];
+    let all: Vec<_> = seeds.iter().map(|seed| (desired(*seed), levels(*seed), vec![7.0; 11])).collect();
+    let mut given: Vec<AnyGiven<'_>> = all
+        .iter()
+        .map(|(desired, levels, values)| AnyGiven {
+            desired_m_s: Some(desired),
+            levels: Some(levels),
+            values: Some(values),
+        })
+        .collect();
+    for _ in 0..30 {
+        block.step_with(&given).unwrap();
+    }
+    for (index, world) in block.worlds().iter().enumerate() {
+        let mut alone = AnyWorld::new(&Scenario { seed: seeds[index], ..scenario.clone() }, OPTIONS).unwrap();
+        for _ in 0..30 {
+            alone.step_with(&given[index]).unwrap();
+        }
+        assert_eq!(world.digest(), alone.digest(), "world {index}");
+    }
+    let bad = vec![f64::NAN; 11];
+    given[11].values = Some(&bad);
+    assert!(block.step_with(&given).is_err());
+    assert!(block.worlds().iter().all(|world| world.ticks_done() == 30));
+}
