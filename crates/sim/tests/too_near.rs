@@ -1,5 +1,4 @@
 //! Two robots that start nearer to each other than robots may be: they say so, come apart by themselves, and then promise.
-#![expect(clippy::unwrap_used, reason = "helpers of tests")]
 
 use closeranks_core::num::{length, subtract};
 use closeranks_core::program::Outcome;
