@@ -4,11 +4,17 @@
 #
 #     crates/node/tests/ros2/rclpy.sh [program]     by default target/release/closeranks-node beside Cargo.toml
 #
-# The bridge is rclpy_bridge.py, or the program in BRIDGE (one with zenoh-plugin-ros2dds), which is started with the router's endpoint.
+# The bridge is rclpy_bridge.py, or the program in BRIDGE, which is started with the router's endpoint. With zenoh-plugin-ros2dds that is
+#
+#     apt-get install cmake libclang-dev && (cd crates/node/tests/ros2/bridge && cargo build)
+#     BRIDGE=crates/node/tests/ros2/bridge/target/debug/bridge crates/node/tests/ros2/rclpy.sh
+#
 # PYTHON names an interpreter that has the packages already.
 set -euo pipefail
 here=$(cd "$(dirname "$0")" && pwd)
 node=$(realpath "${1:-$here/../../target/release/closeranks-node}")
+BRIDGE=${BRIDGE:+$(realpath "$BRIDGE")}
+export BRIDGE
 if [ -z "${INSIDE:-}" ]; then
   python=${PYTHON:-}
   if [ -z "$python" ]; then
@@ -27,6 +33,9 @@ ip link set lo multicast on
 ip route add 239.255.0.0/16 dev lo
 export ROS_DISTRO=kilted FASTDDS_BUILTIN_TRANSPORTS=UDPv4
 unset ROS_AUTOMATIC_DISCOVERY_RANGE
+# The DDS of the plugin: on the loopback alone.
+loopback='<Interfaces><NetworkInterface address="127.0.0.1" multicast="true"/></Interfaces><AllowMulticast>true</AllowMulticast>'
+export CYCLONEDDS_URI="<CycloneDDS><Domain><General>$loopback</General></Domain></CycloneDDS>"
 work=$(mktemp -d)
 trap 'kill $(jobs -p) 2> /dev/null || true; wait 2> /dev/null || true; rm -rf "$work"' EXIT
 cd "$work"

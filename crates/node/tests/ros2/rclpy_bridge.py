@@ -1,4 +1,4 @@
-"""A bridge between DDS and Zenoh in the form of zenoh-plugin-ros2dds, for machines on which that plugin is not built: a key of Zenoh is the
+"""A bridge between DDS and Zenoh in the form of zenoh-plugin-ros2dds, for machines on which that plugin (bridge/) is not built: a key of Zenoh is the
 topic, a payload is the CDR of the message, nothing is attached. rclpy hands over bytes and looks into none of them."""
 
 import os
