@@ -177,7 +177,7 @@ fn a_part_of_a_choice_that_can_never_be_run_is_refused() {
     refused(
         whole,
         "3",
-        "`team.robot` is not a field here, allowed is `robots`, `faults`, `malicious`, `ranks`",
+        "`team.robot` is not a field here, allowed is `robots`, `faults`, `malicious`, `ranks`, `absent`",
     );
 }
 
