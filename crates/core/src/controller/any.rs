@@ -72,7 +72,7 @@ impl<const D: usize> AnyController<D> {
         }
     }
 
-    /// The controller, if many worlds can be computed side by side under it ([`ComposedController::in_lanes`]).
+    /// The controller, if many worlds can be computed side by side under it.
     #[must_use]
     pub fn in_lanes(&self) -> Option<ComposedController<D>> {
         match self {

@@ -3,7 +3,7 @@
 //! | engine | computes |
 //! | --- | --- |
 //! | [`team`] | controllers whose decisions rest on levels and links alone |
-//! | [`lanes`] | teams of many worlds under `composed` side by side ([`crate::world::block`]) |
+//! | `lanes` | teams of many worlds under `composed` side by side ([`crate::world::block`]) |
 //! | [`held`] | `links`, whose robots keep lists from tick to tick |
 //! | [`fleet`] | everything, robot by robot; where everybody hears the same they hand over what they tell, else it goes as bytes |
 
