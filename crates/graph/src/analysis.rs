@@ -69,7 +69,7 @@ pub fn analyze(
     analyze_with(graph, effort, &mut Meter::new(effort.nodes, report))
 }
 
-/// The same within `meter`, which may have threads to lend. Of `effort` only the memory is used.
+/// Answers all questions within `meter`, which may have threads to lend. Of `effort` only the memory is used.
 //= paper def:robustness
 pub fn analyze_with(graph: &Graph, effort: &Effort, meter: &mut Meter<'_>) -> Analysis {
     let mut robustness = Robustness::new(graph, effort);

@@ -79,7 +79,7 @@ impl<const D: usize, const N: usize, const K: usize> SizedRobot<D, N, K> {
         self.robot.tick(desired, &mut self.memory.scratch())
     }
 
-    /// The same among the obstacles of `map`; see [`Scratch::among`](crate::robot::scratch::Scratch::among).
+    /// Ends the tick as [`tick`](Self::tick) does, among the obstacles of `map`; see [`Scratch::among`](crate::robot::scratch::Scratch::among).
     pub fn tick_among(&mut self, desired: Vector<D>, map: &[Obstacle<D>]) -> Output<D> {
         self.robot.tick(desired, &mut self.memory.scratch().among(map))
     }

@@ -1,4 +1,4 @@
-//! The same robot of many worlds at once, with the bits of each.
+//! This decides for the same robot of many worlds at once, with the bits of each.
 //!
 //! Every function has one loop over the lanes, without branches, and calls the formulas that a robot on its own uses. Numbers that are
 //! not of a usual size come out as no decision; whoever computes the worlds then decides for that robot alone.
