@@ -118,7 +118,7 @@ impl Links {
                 peer.hold.is_listed()
                     && deal.stretched
                     && (deal.engaged || let_go)
-                    && (!is_counted || counted > keep)
+                    && counted >= keep + usize::from(is_counted)
             };
             let mut farthest: Option<&mut Peer<D>> = None;
             for peer in slots.iter_mut().map(|slot| &mut slot.peer).filter(|peer| loose(peer)) {
@@ -144,7 +144,7 @@ impl Links {
                 deal.bar();
             }
             let reach_m = if all { self.begun_m() } else { NEAR * self.radius_m };
-            let near = dot(&slot.offset_m, &slot.offset_m) <= reach_m * reach_m && !(all && deal.released);
+            let near = dot(&slot.offset_m, &slot.offset_m) <= reach_m * reach_m;
             if !hold.is_listed() && (impatient || near) {
                 deal.released = false;
                 hold.list(last);
