@@ -8,6 +8,7 @@ use closeranks_core::robot::report::Mode;
 
 use crate::engine::workers::Workers;
 use crate::law::Verdicts;
+use crate::monitors::glance::Glance;
 use crate::output::snapshot::Snapshot;
 use crate::scenario::Scenario;
 use crate::world::given::{Given, GivenError};
@@ -122,9 +123,22 @@ impl AnyWorld {
         dispatch!(self, world => world.compute());
     }
 
-    /// The third part.
-    pub(crate) fn settle(&mut self) {
-        dispatch!(self, world => world.settle());
+    /// The first part where nothing is given.
+    pub(crate) fn begin(&mut self) {
+        dispatch!(self, world => {
+            world.begin();
+            world.ask();
+        });
+    }
+
+    /// Takes the tick that was computed into the summary.
+    pub(crate) fn collect(&mut self) {
+        dispatch!(self, world => world.collect());
+    }
+
+    /// The third part, if need be from a `glance` at the tick.
+    pub(crate) fn settle(&mut self, glance: Option<&Glance>) {
+        dispatch!(self, world => world.settle(glance));
     }
 
     /// True if its team can be computed side by side with others.

@@ -6,6 +6,7 @@ mod door;
 pub mod given;
 mod outcome;
 mod script;
+pub mod together;
 
 use std::sync::Arc;
 
@@ -25,6 +26,7 @@ use crate::engine::robots::Robots;
 use crate::engine::workers::{Alone, Workers};
 use crate::frame::Frame;
 use crate::monitors::Monitors;
+use crate::monitors::glance::Glance;
 use crate::monitors::robustness::{Round, Watcher};
 use crate::output::digest::Digest;
 use crate::output::record::Record;
@@ -231,8 +233,8 @@ impl<const D: usize> World<D> {
         let tick = self.done;
         self.ask();
         self.compute();
-        self.settle();
-        self.collector.watch(&self.scenario, &self.frame, &self.monitors);
+        self.settle(None);
+        self.collect();
         if let Some(record) = &mut self.record {
             let (tick_s, required) = (self.scenario.tick_s(), record.required_degree);
             record.push(&Snapshot::new(tick, tick_s, required, &self.frame, self.monitors.truth()));
@@ -255,11 +257,11 @@ impl<const D: usize> World<D> {
 
     /// That engine, for worlds like this one.
     pub(crate) fn lanes(&self) -> Option<Lanes<D>> {
-        Lanes::new(&self.params, self.frame.positions_m.len())
+        Lanes::new(&self.params, self.scenario.malicious_mask())
     }
 
-    /// What comes of it for the world: the rest of the frame, and the laws.
-    fn settle(&mut self) {
+    /// What comes of it for the world: the rest of the frame, and the laws, if need be from a `glance` at the tick.
+    fn settle(&mut self, glance: Option<&Glance>) {
         let tick = self.done;
         if let Some(exchange) = &mut self.exchange {
             exchange.step(tick, &mut self.frame, self.robots.as_ref(), self.liars.given_values());
@@ -272,14 +274,20 @@ impl<const D: usize> World<D> {
             phi.fill(&mut self.frame, |robot| edges.is_some_and(|edges| edges.downtime.down(robot)));
         }
         self.judge.judge(&mut self.frame, self.robots.as_ref(), &self.bodies);
-        self.monitors.watch(tick, &self.frame);
-        for index in 0..self.frame.values.len() {
+        self.monitors.watch_with(tick, &self.frame, glance);
+        let liars = self.monitors.malicious().iter().enumerate().filter(|(_, lies)| **lies);
+        for (index, _) in liars {
             [self.frame.one_level[index], self.frame.one_value[index]] = self.liars.tells_alike(index);
         }
         if let Some(digest) = &mut self.digest {
             digest.watch(&self.frame);
         }
         self.done = tick.saturating_add(1);
+    }
+
+    /// Takes the tick into the summary.
+    fn collect(&mut self) {
+        self.collector.watch(&self.scenario, &self.frame, &self.monitors);
     }
 
     /// What robots are asked for: what they want, or what a controller with global state makes of it.
