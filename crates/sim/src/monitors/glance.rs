@@ -157,7 +157,7 @@ fn place<const D: usize>(
     for along_m in own_m {
         for k in 0..LANES {
             span_m[k] = larger(along_m[k].abs(), span_m[k]);
-            finite[k] += along_m[k] - along_m[k];
+            finite[k] += 0.0 * along_m[k];
         }
     }
 }

@@ -181,16 +181,14 @@ impl<const D: usize> Lanes<D> {
     fn write(&mut self, robot: usize, decision: &DecisionInLanes<D>, worlds: &mut [InLane<'_, D>]) {
         for (lane, world) in worlds.iter_mut().enumerate() {
             let (frame, roster) = (&mut *world.frame, world.team.roster);
-            let Decision { velocity_m_s, outcome, phi, .. } = match decision.of(lane) {
-                Some(decision) => decision,
-                None => {
-                    self.glances.is_unusual(lane);
-                    alone::decide(&self.controller, robot, roster, frame, &mut self.memory.lend())
-                }
-            };
-            if outcome == Outcome::Infeasible {
+            let decided = decision.of(lane);
+            if decided.is_none_or(|decision| decision.outcome == Outcome::Infeasible) {
                 self.glances.is_unusual(lane);
             }
+            let decided = decided.unwrap_or_else(|| {
+                alone::decide(&self.controller, robot, roster, frame, &mut self.memory.lend())
+            });
+            let Decision { velocity_m_s, outcome, phi, .. } = decided;
             let (degree, h, need) = (frame.degrees[robot], frame.h[robot], roster.need(robot));
             let standing = Standing { degree, need, h, phi, outcome, untold: 0, missing: 0, reason: None };
             frame.velocities_m_s[robot] = velocity_m_s;
