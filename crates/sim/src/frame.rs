@@ -135,8 +135,6 @@ pub struct Assumptions {
     /// True if some robot may not be where it counts itself within what is stated: it sensed wrong, is away from its reference, began
     /// anew, or goes on without having looked. What others do makes no difference.
     pub misplaced: bool,
-    /// Robots that returned in this tick and have forgotten whom they counted on.
-    pub forgot: Vec<bool>,
     /// True if some normal robot did not run, or began anew. Rounds of consensus rest on it, safety does not.
     pub unsteady: bool,
 }
@@ -149,10 +147,9 @@ impl Assumptions {
         Self {
             broken: false,
             sensed_wrong: none.clone(),
-            unsensed: none.clone(),
+            unsensed: none,
             renewed: false,
             misplaced: false,
-            forgot: none,
             unsteady: false,
         }
     }

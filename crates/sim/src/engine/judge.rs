@@ -67,9 +67,6 @@ impl Judge {
         for (index, unsensed) in frame.assumptions.unsensed.iter_mut().enumerate() {
             *unsensed = edges.is_some_and(|edges| edges.sight.misses(index));
         }
-        for (index, forgot) in frame.assumptions.forgot.iter_mut().enumerate() {
-            *forgot = edges.is_some_and(|edges| edges.downtime.reborn(index));
-        }
         frame.assumptions.misplaced = misplaced || frame.assumptions.renewed;
         frame.assumptions.broken =
             self.disobeyed || frame.assumptions.misplaced || frame.assumptions.sensed_wrong.contains(&true);

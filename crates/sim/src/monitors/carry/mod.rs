@@ -136,9 +136,7 @@ impl<const D: usize> Carry<D> {
         for (index, (kept, h)) in self.kept.iter_mut().zip(&truth.h).enumerate() {
             let safe = if lists { self.held.is_kept(index) } else { inside && *h >= 0.0 };
             let carried = *kept && before.settled && goes_on;
-            // Who has forgotten its links keeps those on whom it counts again.
-            let remembers = !lists || !frame.assumptions.forgot[index];
-            let theirs = remembers && !presence.bereft[index] && !presence.absent[index];
+            let theirs = !presence.bereft[index] && !presence.absent[index];
             *kept = settled && (safe || (carried && theirs));
         }
         self.distances.carry(truth, before.moves && goes_on, inside, moves);
@@ -168,9 +166,8 @@ impl<const D: usize> Carry<D> {
         let normal = |(_, index): &(u16, usize)| !self.malicious[*index] && !absent[*index];
         for (robot, index) in (1_u16..).zip(0..truth.h.len()).filter(normal) {
             let (h, required) = (truth.h[index], self.rule.required(index));
-            // What somebody took along who left is nobody's fault, and so are links that were forgotten.
-            let forgot = self.lists() && frame.assumptions.forgot[index];
-            let before = before.filter(|_| !bereft[index] && !forgot);
+            // What somebody took along who left is nobody's fault.
+            let before = before.filter(|_| !bereft[index]);
             let carried = before.filter(|before| before.settled && self.kept[index]);
             let at = |seen, demanded| Violation { tick, robots: [robot, 0], seen, demanded };
             if h < -ROUNDING {
