@@ -45,6 +45,11 @@ pub(super) fn check(reader: &mut Reader, scenario: &Scenario) {
         3 => obstacles::<3>(reader, scenario),
         _ => obstacles::<2>(reader, scenario),
     }
+    if let Some(why) = scenario.refuses_strangers() {
+        let with: Vec<_> = Controller::ALL.iter().filter(|of| of.row().runs_among_strangers()).collect();
+        let names: Vec<_> = with.iter().map(|of| of.name()).collect();
+        reader.refuse("teams", why, format!("several teams only under {}", names.join(", ")));
+    }
     if reader.is_clean() {
         match scenario.dimension {
             3 => ranks::<3>(reader, scenario),

@@ -12,6 +12,7 @@ mod problem;
 pub(crate) mod reader;
 pub(crate) mod rows;
 mod section;
+mod teams;
 pub(crate) mod value;
 
 pub use checks::ROWS_MAX;
@@ -38,6 +39,9 @@ pub fn scenario(text: &str) -> Result<Scenario, Vec<Problem>> {
 /// The scenario of a text that names `files` beside it ([`named`]).
 pub fn scenario_with(text: &str, files: &Files) -> Result<Scenario, Vec<Problem>> {
     let table = table(text)?;
+    if teams::are_in(table.get_ref()) {
+        return teams::scenario(table.get_ref(), files);
+    }
     let mut reader = reader::Reader::new(files);
     let scenario = fields::read(&mut reader, table.get_ref());
     if reader.is_clean() {
@@ -53,6 +57,9 @@ pub(crate) fn misread(text: &str, files: &Files) -> Vec<Problem> {
         Ok(table) => table,
         Err(problems) => return problems,
     };
+    if teams::are_in(table.get_ref()) {
+        return teams::misread(table.get_ref(), files);
+    }
     let mut reader = reader::Reader::new(files);
     fields::read(&mut reader, table.get_ref());
     reader.finish()

@@ -1,6 +1,7 @@
 //! The theorem of `budget` from tick to tick: what was safe stays safe wherever its assumptions hold.
 
 mod before;
+pub(crate) mod between;
 mod clear;
 mod distance;
 mod held;

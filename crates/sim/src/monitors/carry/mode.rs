@@ -14,7 +14,7 @@ use crate::law::{Law, Verdicts, Violation};
 use crate::monitors::carry::report::{Reports, Untrue};
 use crate::monitors::carry::time::{fraction, longer_ago, since};
 use crate::monitors::rule::Rule;
-use crate::monitors::truth::{ROUNDING, Truth};
+use crate::monitors::truth::{ROUNDING, Stranger, Truth};
 use crate::scenario::Scenario;
 
 /// Ticks in which all must have noticed that everything holds again.
@@ -162,7 +162,9 @@ impl<const D: usize> ModeWatch<D> {
             let least_m = (kept.distance_min_m - 2.0 * kept.errors.offset_m).max(0.0);
             least_m * least_m - blur_m2
         };
-        if truth.least_m2 >= limit_m2 {
+        let near = |stranger: &&Stranger| stranger.distance_m2 < limit_m2;
+        let mut strangers = truth.strangers.iter().filter(near).peekable();
+        if truth.least_m2 >= limit_m2 && strangers.peek().is_none() {
             return Vec::new();
         }
         let mut crowded = vec![false; truth.h_own.len()];
@@ -172,6 +174,10 @@ impl<const D: usize> ModeWatch<D> {
                 (crowded[first], crowded[second]) = (true, true);
             }
         });
+        for stranger in strangers {
+            let free = stranger.disobedient || self.free && self.malicious[stranger.robot];
+            crowded[stranger.robot] |= anybody || !free;
+        }
         crowded
     }
 

@@ -91,13 +91,17 @@ impl<const D: usize> RestWatch<D> {
         };
         let least_m = self.params.kept().distance_min_m * (1.0 + ROUNDING) + self.blur_m;
         let places_m2 = truth.pairs.references_m2();
+        let short_m = |pair_m2: f64| {
+            let near = pair_m2 < least_m * least_m;
+            if near { (0.5 * (least_m - sqrt(pair_m2)) + self.blur_m).min(most_m) } else { 0.0 }
+        };
         truth.pairs.each(|place, ends| {
-            if ends.contains(&robot) && places_m2[place] < least_m * least_m {
-                let short_m = 0.5 * (least_m - sqrt(places_m2[place])) + self.blur_m;
-                demand_m += short_m.min(most_m);
+            if ends.contains(&robot) {
+                demand_m += short_m(places_m2[place]);
             }
         });
-        demand_m
+        let strangers = truth.strangers.iter().filter(|stranger| stranger.robot == robot);
+        strangers.fold(demand_m, |demand_m, stranger| demand_m + short_m(stranger.distance_m2))
     }
 
     /// ∂h_i/∂x_i of the sum of all weights, 1/m, as robots have it.
