@@ -58,6 +58,11 @@ impl<const D: usize, const N: usize, const K: usize> SizedRobot<D, N, K> {
         self.robot.observe_stranger(other, position)
     }
 
+    /// See [`Robot::dismiss`].
+    pub fn dismiss(&mut self, id: RobotId) {
+        self.robot.dismiss(id);
+    }
+
     /// See [`Robot::share`].
     pub fn share(&mut self) -> Option<Message> {
         self.robot.share(&mut self.memory.scratch())

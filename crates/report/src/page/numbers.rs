@@ -5,7 +5,7 @@ use closeranks_sim::monitors::robustness::{narrowest, weakest};
 use closeranks_sim::output::attendance::Attendance;
 use closeranks_sim::output::conduct::Conduct;
 use closeranks_sim::scenario::Scenario;
-use closeranks_sim::world::Run;
+use closeranks_sim::world::{Run, TeamRun};
 use serde_json::{Map, Value, json};
 
 use super::table::uses_phi;
@@ -73,6 +73,7 @@ pub fn numbers(scenario: &Scenario, run: &Run, program: Program<'_>) -> Map<Stri
     let mut numbers = if let Value::Object(numbers) = numbers { numbers } else { Map::new() };
     numbers.extend(conduct(&summary.conduct).into_iter().chain(clear(scenario, extremes.clear_min_m)));
     numbers.extend(presence(scenario, &summary.attendance));
+    numbers.extend(teams(scenario, run, program));
     if let Some(ranks) = ranks(scenario) {
         let first = summary.void.first.map(|(tick, robot, liars)| {
             json!({ "time_s": f64::from(tick) * scenario.tick_s(), "robot": robot, "listened_to": liars })
@@ -81,6 +82,22 @@ pub fn numbers(scenario: &Scenario, run: &Run, program: Program<'_>) -> Map<Stri
         numbers.insert("void".to_owned(), json!({ "rounds": summary.void.rounds, "first": first }));
     }
     numbers
+}
+
+/// What each of several teams came to by itself; its robots have numbers of their own there.
+fn teams(scenario: &Scenario, run: &Run, program: Program<'_>) -> Option<(String, Value)> {
+    let alone = |(team, came): (&Scenario, &TeamRun)| {
+        let TeamRun { summary, rounds } = came.clone();
+        let run = Run { record: None, digest: None, rounds, summary, teams: Vec::new() };
+        let mut numbers = self::numbers(team, &run, program);
+        for shared in ["version", "commit", "digest"] {
+            numbers.remove(shared);
+        }
+        numbers.insert("robots".to_owned(), json!(team.team.robots));
+        Value::Object(numbers)
+    };
+    let all: Vec<Value> = scenario.teams.iter().zip(&run.teams).map(alone).collect();
+    (!all.is_empty()).then(|| ("teams".to_owned(), json!(all)))
 }
 
 /// Who came and went, if anybody does.

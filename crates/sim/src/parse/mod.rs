@@ -51,6 +51,12 @@ pub fn scenario_with(text: &str, files: &Files) -> Result<Scenario, Vec<Problem>
     if problems.is_empty() { Ok(scenario) } else { Err(problems) }
 }
 
+/// True if this is the text of several teams.
+#[must_use]
+pub fn has_teams(text: &str) -> bool {
+    table(text).is_ok_and(|table| teams::are_in(table.get_ref()))
+}
+
 /// What is not understood in a text, each field by itself: its team and its start are not looked at.
 pub(crate) fn misread(text: &str, files: &Files) -> Vec<Problem> {
     let table = match table(text) {

@@ -71,6 +71,8 @@ struct Team<'text> {
     place: Range<usize>,
     /// How many robots the others have.
     strangers: u16,
+    /// The fields of the whole text in whose place it has its own.
+    own: Vec<String>,
     /// The text as if it were of this team alone.
     table: DeTable<'text>,
 }
@@ -86,11 +88,9 @@ impl Team<'_> {
             Some((head, rest)) => (head, format!(".{rest}")),
             None => (problem.field.as_str(), String::new()),
         };
-        let inside = self.place.start <= problem.span.start && problem.span.end <= self.place.end;
         let field = match head {
             "team" => format!("teams[{}]{rest}", self.index),
-            "name" if inside => format!("teams[{}].name", self.index),
-            _ if inside && OWN.contains(&head) => format!("teams[{}].{head}{rest}", self.index),
+            _ if self.own.iter().any(|own| own == head) => format!("teams[{}].{head}{rest}", self.index),
             _ => return problem,
         };
         let span = if problem.span == (0..0) { self.place.clone() } else { problem.span };
@@ -135,18 +135,17 @@ fn listed<'text>(table: &DeTable<'text>) -> Result<Vec<Team<'text>>, Vec<Problem
         let (found, allowed) = (format!("{robots} robots in all"), format!("at most {ROBOTS_MAX}"));
         return Err(refuse(value.span(), "teams", found, allowed));
     }
-    let team = |(index, item): (usize, &Spanned<DeValue<'text>>)| Team {
-        index,
-        place: item.span(),
-        strangers: u16::try_from(robots - sizes[index]).unwrap_or(u16::MAX),
-        table: alone(table, item),
+    let team = |(index, item): (usize, &Spanned<DeValue<'text>>)| {
+        let (table, own) = alone(table, item);
+        let strangers = u16::try_from(robots - sizes[index]).unwrap_or(u16::MAX);
+        Team { index, place: item.span(), strangers, own, table }
     };
     Ok(items.iter().enumerate().map(team).collect())
 }
 
-/// The whole text with what the `item` of one team has.
-fn alone<'text>(table: &DeTable<'text>, item: &Spanned<DeValue<'text>>) -> DeTable<'text> {
-    let mut alone = table.clone();
+/// The whole text with what the `item` of one team has, and the fields of the text in whose place that stands.
+fn alone<'text>(table: &DeTable<'text>, item: &Spanned<DeValue<'text>>) -> (DeTable<'text>, Vec<String>) {
+    let (mut alone, mut own) = (table.clone(), Vec::new());
     alone.remove("teams");
     let mut team = DeTable::new();
     for (key, value) in item.get_ref().as_table().into_iter().flatten() {
@@ -154,13 +153,14 @@ fn alone<'text>(table: &DeTable<'text>, item: &Spanned<DeValue<'text>>) -> DeTab
         if name == "name" || OWN.contains(&name) {
             alone.remove(name);
             alone.insert(key.clone(), value.clone());
+            own.push(name.to_owned());
         } else {
             team.insert(key.clone(), value.clone());
         }
     }
     let key = Spanned::new(item.span(), Cow::Borrowed("team"));
     alone.insert(key, Spanned::new(item.span(), DeValue::Table(team)));
-    alone
+    (alone, own)
 }
 
 /// What is shared is read for every team, and told once.

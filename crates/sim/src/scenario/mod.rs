@@ -255,6 +255,17 @@ impl Scenario {
         Ok(positions_m)
     }
 
+    /// Which of several teams robot `index` is of, both counted from 0; 0 where there is one team.
+    #[must_use]
+    pub fn team_of(&self, index: usize) -> usize {
+        let mut robots = 0;
+        let is_of = |team: &Self| {
+            robots += usize::from(team.team.robots);
+            index < robots
+        };
+        self.teams.iter().position(is_of).unwrap_or(0)
+    }
+
     /// Which robots are malicious, by index from 0.
     #[must_use]
     pub fn malicious_mask(&self) -> Vec<bool> {

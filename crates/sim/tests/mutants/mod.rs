@@ -2,6 +2,7 @@
 
 pub(crate) mod obstacles;
 pub(crate) mod presence;
+pub(crate) mod teams;
 
 /// A broken program: what is wrong, the law that must notice, and the lines that are other than they should be.
 pub(crate) struct Mutant {

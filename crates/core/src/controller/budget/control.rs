@@ -81,6 +81,7 @@ impl<const D: usize> BudgetController<D> {
         before_m_s: &Vector<D>,
     ) -> Decision<D> {
         self.clearance.push(position_m, map, &mut rows.program);
+        self.clearance.recover(position_m, map, rows);
         let Move { displacement_m, outcome, doubt } = rows.decide(&self.desired_m(before_m_s));
         let velocity = displacement_m.map(|component| component / self.hold_s);
         Decision { velocity_m_s: self.input.clip(&velocity), outcome, phi: None, doubt }

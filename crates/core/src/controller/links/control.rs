@@ -96,6 +96,7 @@ impl<const D: usize> LinksController<D> {
         let desired_m = motion.desired_m_s.map(|component| component * self.hold_s);
         let mut rows = self.links.rows(others, &desired_m, self.reach, scratch.rows);
         self.clearance.push(&motion.position_m, scratch.map, &mut rows.program);
+        self.clearance.recover(&motion.position_m, scratch.map, &mut rows);
         let moved = rows.decide(&motion.before_m_s.map(|component| component * self.hold_s));
         let velocity = moved.displacement_m.map(|component| component / self.hold_s);
         let uncounted = (counted < usize::from(self.links.keep(own))).then_some(Reason::Uncounted);

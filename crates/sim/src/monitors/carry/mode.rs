@@ -83,13 +83,22 @@ impl<const D: usize> ModeWatch<D> {
     }
 
     /// Nobody promises or reports what is not so, as far as it can know; and all promise again soon after everything holds.
-    pub(crate) fn watch(&mut self, tick: u32, frame: &Frame<D>, truth: &Truth, verdicts: &mut Verdicts) {
+    /// `obstructed` says for each robot whether it may seem to be, and whether it is, too near to an obstacle.
+    pub(crate) fn watch(
+        &mut self,
+        tick: u32,
+        frame: &Frame<D>,
+        truth: &Truth,
+        obstructed: &[[bool; 2]],
+        verdicts: &mut Verdicts,
+    ) {
         let absent = &frame.presence.absent;
         let stopped = frame.modes.iter().zip(absent).any(|(mode, absent)| *mode == Mode::Stopped && !absent);
         let safe = (0..truth.h_own.len())
             .filter(|robot| !absent[*robot])
             .all(|robot| truth.h_own[robot] >= -H_HAIR && self.can_count(robot, truth))
-            && !self.crowd(truth, true).contains(&true);
+            && !self.crowd(truth, true).contains(&true)
+            && !obstructed.iter().zip(&self.malicious).any(|([seems, _], malicious)| *seems && !malicious);
         let crowded = self.crowd(truth, false);
         // Who senses a robot where it is not may reckon with it long after it has left.
         let reckons =
@@ -118,7 +127,8 @@ impl<const D: usize> ModeWatch<D> {
             }
             let at = |seen| Violation { tick, robots: [robot, 0], seen, demanded: 0.0 };
             let knows = !frame.assumptions.sensed_wrong[index] && !frame.assumptions.unsensed[index];
-            if guaranteed && knows && self.untrue(index, truth, &crowded) {
+            let is_obstructed = obstructed.get(index).is_some_and(|[_, is]| *is);
+            if guaranteed && knows && (is_obstructed || self.untrue(index, truth, &crowded)) {
                 let misled =
                     !longer_ago(self.wrong[index], tick, self.told_ticks) || !self.exact && self.broken;
                 let covered = (!self.params.controller().tells_lists() || !misled) && truth.is_local;
