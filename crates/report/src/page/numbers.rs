@@ -72,6 +72,10 @@ pub fn numbers(scenario: &Scenario, run: &Run, program: Program<'_>) -> Map<Stri
     });
     let mut numbers = if let Value::Object(numbers) = numbers { numbers } else { Map::new() };
     numbers.extend(conduct(&summary.conduct).into_iter().chain(clear(scenario, extremes.clear_min_m)));
+    if scenario.consensus.dimension > 1 {
+        let spreads: Vec<f64> = extremes.spreads.into_iter().take(scenario.consensus.dimension).collect();
+        numbers.insert("spreads".to_owned(), json!(spreads));
+    }
     numbers.extend(presence(scenario, &summary.attendance));
     numbers.extend(teams(scenario, run, program));
     if let Some(ranks) = ranks(scenario) {

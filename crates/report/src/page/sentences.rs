@@ -90,7 +90,8 @@ pub fn teams(scenario: &Scenario) -> Option<String> {
     let mut first = 1;
     let of = |team: &Scenario| {
         let (robots, faults) = (team.team.robots, team.team.faults);
-        let from = core::mem::replace(&mut first, first + robots);
+        let from = first;
+        first += robots;
         format!("robots {from} to {} are `{}` with F = {faults}", from + robots - 1, team.name)
     };
     let teams: Vec<String> = scenario.teams.iter().map(of).collect();

@@ -61,6 +61,7 @@ pub fn watched<E: From<RunError>>(
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::world::World;
 
     #[test]
     fn parts_are_the_record_of_the_whole_run() {

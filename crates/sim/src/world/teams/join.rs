@@ -19,16 +19,16 @@ pub(super) fn frame<'a, const D: usize>(frames: impl Iterator<Item = &'a Frame<D
     all.h = gather(frames.clone(), |frame| &frame.h);
     all.phis = gather(frames.clone(), |frame| &frame.phis);
     all.held = gather(frames.clone(), |frame| &frame.held);
-    all.more_values = columns(frames.clone(), |frame| &frame.more_values);
-    all.more_held = columns(frames.clone(), |frame| &frame.more_held);
+    all.more_values = columns(&frames, |frame| &frame.more_values);
+    all.more_held = columns(&frames, |frame| &frame.more_held);
     all.one_level = gather(frames.clone(), |frame| &frame.one_level);
     all.one_value = gather(frames.clone(), |frame| &frame.one_value);
     all.outcomes = gather(frames.clone(), |frame| &frame.outcomes);
     all.missing = gather(frames.clone(), |frame| &frame.missing);
     all.modes = gather(frames.clone(), |frame| &frame.modes);
     all.down = gather(frames.clone(), |frame| &frame.down);
-    all.presence = presence(frames.clone().map(|frame| &frame.presence));
-    all.assumptions = assumptions(frames.clone().map(|frame| &frame.assumptions));
+    all.presence = presence(&frames.clone().map(|frame| &frame.presence));
+    all.assumptions = assumptions(&frames.clone().map(|frame| &frame.assumptions));
     all.wants_phi = frames.clone().any(|frame| frame.wants_phi);
     all.links = frames.map(|frame| frame.links).sum();
     all
@@ -42,18 +42,18 @@ pub(super) fn truth<'a>(truths: impl Iterator<Item = &'a Truth> + Clone) -> Trut
     all
 }
 
-fn presence<'a>(all: impl Iterator<Item = &'a Presence> + Clone) -> Presence {
+fn presence<'a>(all: &(impl Iterator<Item = &'a Presence> + Clone)) -> Presence {
     Presence {
         absent: gather(all.clone(), |one| &one.absent),
         unannounced: gather(all.clone(), |one| &one.unannounced),
         arrived: gather(all.clone(), |one| &one.arrived),
         dismissed: gather(all.clone(), |one| &one.dismissed),
         bereft: gather(all.clone(), |one| &one.bereft),
-        changed: all.map(|one| one.changed).fold(false, |any, one| any || one),
+        changed: all.clone().any(|one| one.changed),
     }
 }
 
-fn assumptions<'a>(all: impl Iterator<Item = &'a Assumptions> + Clone) -> Assumptions {
+fn assumptions<'a>(all: &(impl Iterator<Item = &'a Assumptions> + Clone)) -> Assumptions {
     let any = |of: fn(&Assumptions) -> bool| all.clone().any(of);
     Assumptions {
         broken: any(|one| one.broken),
@@ -74,7 +74,7 @@ fn gather<'a, O: 'a, T: Clone + 'a>(
 
 /// Numbers of values beyond the first: a list for each, of the robots of all teams.
 fn columns<'a, const D: usize>(
-    frames: impl Iterator<Item = &'a Frame<D>> + Clone,
+    frames: &(impl Iterator<Item = &'a Frame<D>> + Clone),
     of: impl Fn(&'a Frame<D>) -> &'a Vec<Vec<f64>>,
 ) -> Vec<Vec<f64>> {
     let count = frames.clone().map(|frame| of(frame).len()).min().unwrap_or(0);

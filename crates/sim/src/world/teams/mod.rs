@@ -198,7 +198,7 @@ impl<const D: usize> Teams<D> {
         self.join();
         self.between.watch(tick, &self.frame);
         self.verdicts = together::verdicts(
-            self.worlds.iter().map(World::verdicts).zip(&self.places),
+            &self.worlds.iter().map(World::verdicts).zip(&self.places),
             self.between.verdicts(),
         );
         if let Some(digest) = &mut self.digest {
@@ -292,7 +292,7 @@ impl<const D: usize> Teams<D> {
         let teams: Vec<TeamRun> =
             summaries.zip(self.team_rounds).map(|(summary, rounds)| TeamRun { summary, rounds }).collect();
         let summary =
-            together::summary(&self.scenario, &teams, &self.places, &self.frame, least_m, self.verdicts);
+            together::summary(&self.scenario, &teams, &self.places, &self.frame, least_m, &self.verdicts);
         Run {
             record: self.record,
             digest: self.digest.map(Digest::value),

@@ -16,7 +16,7 @@ use crate::world::TeamRun;
 
 /// The verdicts on all laws, of each team whose robots have these numbers, and of robots of different teams.
 pub(super) fn verdicts<'a>(
-    teams: impl Iterator<Item = (&'a Verdicts, &'a Range<usize>)> + Clone,
+    teams: &(impl Iterator<Item = (&'a Verdicts, &'a Range<usize>)> + Clone),
     between: &Verdicts,
 ) -> Verdicts {
     Verdicts::together(|law| {
@@ -75,7 +75,7 @@ pub(super) fn summary<const D: usize>(
     places: &[Range<usize>],
     frame: &Frame<D>,
     least_m: f64,
-    verdicts: Verdicts,
+    verdicts: &Verdicts,
 ) -> Summary {
     let all = || teams.iter().map(|team| &team.summary);
     let normal: Vec<f64> = scenario.teams.iter().map(normal_robots).collect();
@@ -86,9 +86,9 @@ pub(super) fn summary<const D: usize>(
     let most = |of: &dyn Fn(&Summary) -> f64| all().map(of).fold(0.0, f64::max);
     let liars = all().filter_map(|summary| summary.liar_distance_m);
     Summary {
-        start: start(all()),
-        extremes: extremes(all().map(|summary| summary.extremes), least_m),
-        verdicts,
+        start: start(&all()),
+        extremes: extremes(&all().map(|summary| summary.extremes), least_m),
+        verdicts: *verdicts,
         gyration_m: gyration(&frame.positions_m),
         links: all().map(|summary| summary.links).sum(),
         liar_distance_m: liars.min_by(f64::total_cmp),
@@ -107,7 +107,7 @@ pub(super) fn summary<const D: usize>(
         recovery_s: most(&|summary| summary.recovery_s),
         malicious_below: all().map(|summary| summary.malicious_below).sum(),
         void: void(all(), places),
-        attendance: attendance(all(), places),
+        attendance: attendance(&all(), places),
         rounds: all().map(|summary| summary.rounds).max().unwrap_or(0),
         ticks: all().map(|summary| summary.ticks).max().unwrap_or(0),
     }
@@ -117,7 +117,7 @@ fn normal_robots(team: &Scenario) -> f64 {
     f64::from(team.team.robots) - f64::from(small(team.malicious.len()))
 }
 
-fn start<'a>(all: impl Iterator<Item = &'a Summary> + Clone) -> StartSummary {
+fn start<'a>(all: &(impl Iterator<Item = &'a Summary> + Clone)) -> StartSummary {
     let least = |of: &dyn Fn(&StartSummary) -> f64| {
         all.clone().map(|summary| of(&summary.start)).fold(f64::INFINITY, f64::min)
     };
@@ -130,7 +130,7 @@ fn start<'a>(all: impl Iterator<Item = &'a Summary> + Clone) -> StartSummary {
     }
 }
 
-fn extremes(all: impl Iterator<Item = Extremes> + Clone, least_m: f64) -> Extremes {
+fn extremes(all: &(impl Iterator<Item = Extremes> + Clone), least_m: f64) -> Extremes {
     let least = |of: &dyn Fn(&Extremes) -> f64| all.clone().map(|one| of(&one)).fold(f64::INFINITY, f64::min);
     // What every team must have reached is reached with the last of them, if by all.
     let last = |of: &dyn Fn(&Extremes) -> Option<u32>| {
@@ -149,6 +149,7 @@ fn extremes(all: impl Iterator<Item = Extremes> + Clone, least_m: f64) -> Extrem
         safe_from: last(&|one| one.safe_from),
         rounds_to_agree: last(&|one| one.rounds_to_agree),
         spread: all.clone().map(|one| one.spread).fold(0.0, f64::max),
+        spreads: [0, 1, 2].map(|place| all.clone().map(|one| one.spreads[place]).fold(0.0, f64::max)),
     }
 }
 
@@ -160,7 +161,7 @@ fn void<'a>(all: impl Iterator<Item = &'a Summary> + Clone, places: &[Range<usiz
     Void { first: first.min_by_key(|(tick, ..)| *tick), rounds: all.map(|summary| summary.void.rounds).sum() }
 }
 
-fn attendance<'a>(all: impl Iterator<Item = &'a Summary> + Clone, places: &[Range<usize>]) -> Attendance {
+fn attendance<'a>(all: &(impl Iterator<Item = &'a Summary> + Clone), places: &[Range<usize>]) -> Attendance {
     let first = all.clone().zip(places).filter_map(|(summary, place)| {
         let (tick, robot, why) = summary.attendance.first?;
         Some((tick, robot + small(place.start), why))
