@@ -6,7 +6,6 @@ pub(crate) mod common;
 mod fields;
 mod files;
 mod gone;
-mod inline;
 mod lists;
 mod problem;
 pub(crate) mod reader;
@@ -16,8 +15,7 @@ mod teams;
 pub(crate) mod value;
 
 pub use checks::ROWS_MAX;
-pub use files::{FILE_MAX, Files, named};
-pub use inline::inlined;
+pub use files::{FILE_MAX, Files, inlined, named};
 pub use problem::Problem;
 
 use toml::Spanned;

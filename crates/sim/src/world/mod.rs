@@ -38,6 +38,7 @@ use crate::world::any::AnyWorld;
 use crate::world::door::Door;
 use crate::world::given::{Given, GivenError};
 pub use crate::world::outcome::{Options, Run, RunError, TeamRun};
+use crate::world::script::rest;
 pub use crate::world::script::{initial_numbers, initial_values, want};
 
 /// Runs `scenario` from the first tick to the last. `progress` is called before each tick with its number.
@@ -394,12 +395,5 @@ impl<const D: usize> World<D> {
             summary,
             teams: Vec::new(),
         }
-    }
-}
-
-/// Whoever is absent wants nothing.
-fn rest<const D: usize>(absent: &[bool], wishes_m_s: &mut [Vector<D>]) {
-    for (wish, _) in wishes_m_s.iter_mut().zip(absent).filter(|(_, absent)| **absent) {
-        *wish = [0.0; D];
     }
 }

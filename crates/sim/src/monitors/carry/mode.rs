@@ -98,11 +98,7 @@ impl<const D: usize> ModeWatch<D> {
     ) {
         let absent = &frame.presence.absent;
         let stopped = frame.modes.iter().zip(absent).any(|(mode, absent)| *mode == Mode::Stopped && !absent);
-        let safe = (0..truth.h_own.len())
-            .filter(|robot| !absent[*robot])
-            .all(|robot| truth.h_own[robot] >= -H_HAIR && self.can_count(robot, truth))
-            && !self.crowd(truth, true).contains(&true)
-            && !obstructed.iter().zip(&self.malicious).any(|([seems, _], malicious)| *seems && !malicious);
+        let safe = self.is_safe(frame, truth, obstructed);
         let crowded = self.crowd(truth, false);
         // Who senses a robot where it is not may reckon with it long after it has left.
         let reckons =
@@ -169,6 +165,17 @@ impl<const D: usize> ModeWatch<D> {
             self.trusted.extend(liars.map(|liar| [robot, liar]));
         }
         deserted
+    }
+
+    /// True if nobody lacks anything: neighbours, distances to robots, distances to obstacles.
+    fn is_safe(&self, frame: &Frame<D>, truth: &Truth, obstructed: &[[bool; 2]]) -> bool {
+        let absent = &frame.presence.absent;
+        let mut obstructed = obstructed.iter().zip(&self.malicious);
+        (0..truth.h_own.len())
+            .filter(|robot| !absent[*robot])
+            .all(|robot| truth.h_own[robot] >= -H_HAIR && self.can_count(robot, truth))
+            && !self.crowd(truth, true).contains(&true)
+            && !obstructed.any(|([seems, _], malicious)| *seems && !malicious)
     }
 
     /// True unless a normal robot keeps lists and may not find as many as it must count on. Where malicious robots move as they like that

@@ -1,5 +1,9 @@
 //! Files beside a scenario. Nobody here opens them: whoever does hands their texts over.
 
+mod inline;
+
+pub use inline::inlined;
+
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
@@ -46,7 +50,7 @@ impl FromIterator<(String, Result<String, String>)> for Files {
 #[must_use]
 pub fn named(text: &str) -> Vec<String> {
     let mut found = Vec::new();
-    if let Ok(table) = super::table(text) {
+    if let Ok(table) = crate::parse::table(text) {
         walk_table(table.get_ref(), &mut found);
     }
     found.sort_unstable();

@@ -2,8 +2,8 @@
 
 use toml::Value;
 
-use super::files::Files;
-use super::rows::csv;
+use super::Files;
+use crate::parse::rows::csv;
 use crate::scenario::route::{KINDS, Listed};
 
 /// The text with the rows of its files in it, so that it can be run without them; comments are lost. The text itself if it
