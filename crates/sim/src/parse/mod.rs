@@ -4,7 +4,7 @@ mod checks;
 pub(crate) mod column;
 pub(crate) mod common;
 mod fields;
-mod files;
+pub(crate) mod files;
 mod gone;
 mod lists;
 mod problem;
@@ -14,8 +14,9 @@ mod section;
 mod teams;
 pub(crate) mod value;
 
+pub use crate::scenario::inline::inlined;
 pub use checks::ROWS_MAX;
-pub use files::{FILE_MAX, Files, inlined, named};
+pub use files::{FILE_MAX, Files, named};
 pub use problem::Problem;
 
 use toml::Spanned;

@@ -3,6 +3,7 @@
 pub mod absences;
 mod derived;
 pub mod desired;
+pub(crate) mod inline;
 pub mod liars;
 pub mod obstacles;
 pub mod ranks;

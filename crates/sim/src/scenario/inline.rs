@@ -2,7 +2,7 @@
 
 use toml::Value;
 
-use super::Files;
+use crate::parse::files::Files;
 use crate::parse::rows::csv;
 use crate::scenario::route::{KINDS, Listed};
 

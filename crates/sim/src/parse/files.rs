@@ -1,9 +1,5 @@
 //! Files beside a scenario. Nobody here opens them: whoever does hands their texts over.
 
-mod inline;
-
-pub use inline::inlined;
-
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
@@ -24,7 +20,7 @@ impl Files {
     }
 
     /// What the file `name` says, or why it cannot be read; `None` if nobody read it.
-    pub(super) fn get(&self, name: &str) -> Option<Result<&str, &str>> {
+    pub(crate) fn get(&self, name: &str) -> Option<Result<&str, &str>> {
         self.0.get(name).map(|text| text.as_deref().map_err(String::as_str))
     }
 
