@@ -140,11 +140,9 @@ impl<const D: usize> Door<D> {
                 return Some(Refused::Robot { other, distance_m, needed_m: self.needed_m });
             }
         }
-        for x in &frame.strangers.positions_m {
-            let distance_m = sqrt(squared_distance(x, place_m));
-            if distance_m < self.needed_m {
-                return Some(Refused::Stranger { distance_m, needed_m: self.needed_m });
-            }
+        let apart = frame.strangers.positions_m.iter().map(|x| sqrt(squared_distance(x, place_m)));
+        if let Some(distance_m) = apart.into_iter().find(|apart_m| *apart_m < self.needed_m) {
+            return Some(Refused::Stranger { distance_m, needed_m: self.needed_m });
         }
         let gaps = self.obstacles.iter().map(|one| gap_m(one, place_m));
         let distance_m = gaps.fold(f64::INFINITY, f64::min);
