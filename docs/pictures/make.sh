@@ -45,7 +45,7 @@ cp elemental/graph.svg made/elemental.svg
 answer "$program" run scenarios/inside-overstating.toml -q -o moving
 cp moving/animation.svg made/animation.svg
 answer "$program" run scenarios/teams.toml -q -o teams
-cp teams/overview.png made/teams.png
+cp teams/overview.svg made/teams.svg
 answer "$program" run scenarios/unfiltered.toml -q -o run
 answer "$program" check run/run.parquet -q -o unfiltered
 cp unfiltered/robustness.svg made/unfiltered-robustness.svg
