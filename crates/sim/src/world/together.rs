@@ -45,7 +45,7 @@ enum Shape {
 impl Shape {
     /// Of a world of `scenario`; `None` if it is plain from the scenario that it goes alone.
     fn of(scenario: &Scenario) -> Option<Self> {
-        if usize::from(scenario.team.robots) > DENSE_MAX {
+        if usize::from(scenario.team.robots) > DENSE_MAX || !scenario.teams.is_empty() {
             return None;
         }
         match scenario.dimension {
