@@ -7,6 +7,7 @@ use closeranks_core::robot::neighbor::Slot;
 
 use crate::attack::liars::{Face, Liars};
 use crate::engine::fleet::{Fleet, id};
+use crate::frame::Frame;
 use crate::transport::{Bytes, Parcel, Transport};
 
 impl<const D: usize, T: Transport> Fleet<D, T> {
@@ -121,6 +122,34 @@ impl<const D: usize, T: Transport> Fleet<D, T> {
             };
             let _ = message.map(|message| robot.receive_notice(id(*sender), &message.to(id(*receiver))));
         }
+    }
+
+    /// Robots of other teams that are near are heard too, a tick late. Nobody listens to them.
+    //= theory sec:strangers
+    pub(super) fn overhear(&mut self, frame: &Frame<D>) {
+        let (team, told) = (self.robots.len(), &frame.strangers.told);
+        if told.is_empty() {
+            return;
+        }
+        for (receiver, robot) in self.robots.iter_mut().enumerate() {
+            if self.edges.downtime.down(receiver) {
+                continue;
+            }
+            self.others.clear();
+            self.others.extend(robot.strangers().iter().map(|slot| usize::from(slot.id().0) - 1));
+            for sender in &self.others {
+                if let Some(Some(bytes)) = told.get(sender - team) {
+                    let _ = robot.receive_bytes(id(*sender), bytes);
+                }
+            }
+        }
+    }
+
+    /// What each robot told everybody in this tick, as bytes.
+    pub(crate) fn told(&mut self) -> Vec<Option<Bytes>> {
+        let Self { robots, outbox, buffer, .. } = self;
+        let messages = robots.iter().zip(&*outbox);
+        messages.map(|(robot, message)| encode(robot, message.as_ref()?, buffer)).collect()
     }
 }
 
