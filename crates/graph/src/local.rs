@@ -3,7 +3,7 @@
 use crate::effort::{Meter, Stopped};
 use crate::graph::Graph;
 use crate::graph::set::NodeSet;
-use crate::search::peel::Needs;
+use crate::roles::{self, Liars, Question, Split};
 
 /// Whether `malicious` is an F-total set: at most F nodes.
 //= paper ftotal
@@ -56,55 +56,19 @@ impl LocalWitness {
     }
 }
 
-/// A witness against resilience to F-local malicious nodes, or `None` if there is none, by trying all sets.
+/// A witness against resilience to F-local malicious nodes, or `None` if there is none, by a search over the roles of all nodes.
 ///
-/// Every F-local set times every bipartition, up to 4ⁿ/2 in all: for n up to 12 or so. One set counts as one node of `meter`.
-/// `None` is implied by (2F+1)-robustness and implies (F+1,F+1)-robustness, since F-total sets are F-local.
+/// One place of the search counts as one node of `meter`. `None` is implied by (2F+1)-robustness and implies (F+1,F+1)-robustness,
+/// since F-total sets are F-local.
+//= theory sec:local
 pub fn witness(graph: &Graph, f: usize, meter: &mut Meter<'_>) -> Result<Option<LocalWitness>, Stopped> {
-    let all = graph.nodes().bits();
-    let needs = Needs::<u128>::new(graph, f + 1);
-    let mut malicious = all;
-    loop {
-        meter.spend(1)?;
-        if is_local(graph, NodeSet::from_bits(malicious), f)
-            && let Some((first, second)) = sides(&needs, all, malicious, meter)?
-        {
-            let (first, second) = (NodeSet::from_bits(first), NodeSet::from_bits(second));
-            let found = LocalWitness { f, malicious: NodeSet::from_bits(malicious), first, second };
-            debug_assert!(found.holds(graph), "{found:?}");
-            return Ok(Some(found));
-        }
-        if malicious == 0 {
-            return Ok(None);
-        }
-        malicious = (malicious - 1) & all;
-    }
-}
-
-fn sides(
-    needs: &Needs<u128>,
-    all: u128,
-    malicious: u128,
-    meter: &mut Meter<'_>,
-) -> Result<Option<(u128, u128)>, Stopped> {
-    // The last node is on the second side: the sides may trade places.
-    let field = all >> 1;
-    let side = |half: u128| {
-        let helpers = half & malicious;
-        let normal = needs.peel(half, half & !malicious, helpers, 0);
-        (normal != 0).then_some(normal | helpers)
-    };
-    let mut half = field;
-    while half != 0 {
-        meter.spend(1)?;
-        if let Some(first) = side(half)
-            && let Some(second) = side(all & !half)
-        {
-            return Ok(Some((first, second)));
-        }
-        half = (half - 1) & field;
-    }
-    Ok(None)
+    let question = Question { r: f.saturating_add(1), liars: Liars::Local };
+    let found = roles::split(graph, question, meter)?;
+    Ok(found.map(|Split { liars, first, second }| {
+        let witness = LocalWitness { f, malicious: liars, first, second };
+        debug_assert!(witness.holds(graph), "{witness:?}");
+        witness
+    }))
 }
 
 /// Largest F such that W-MSR(F) withstands every F-local set of malicious nodes, −1 if it fails without any.
