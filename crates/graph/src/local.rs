@@ -1,9 +1,12 @@
 //! Adversaries that are few in every neighbourhood (F-local) instead of few in all (F-total).
 
+use crate::bounds::f_by_degree;
+use crate::decide::Robustness;
 use crate::effort::{Meter, Stopped};
 use crate::graph::Graph;
 use crate::graph::set::NodeSet;
 use crate::roles::{self, Liars, Question, Split};
+use crate::verdict::Interval;
 
 /// Whether `malicious` is an F-total set: at most F nodes.
 //= paper ftotal
@@ -71,16 +74,25 @@ pub fn witness(graph: &Graph, f: usize, meter: &mut Meter<'_>) -> Result<Option<
     }))
 }
 
-/// Largest F such that W-MSR(F) withstands every F-local set of malicious nodes, −1 if it fails without any.
+/// Largest F such that W-MSR(F) withstands every F-local set of malicious nodes, −1 if it fails without any, and a witness against the next F
+/// if one was found.
 ///
-/// Exact, by [`witness`] for F = 0, 1, …: at least floor((r_max − 1)/2) and at most F_max.
-pub fn f_max(graph: &Graph, meter: &mut Meter<'_>) -> Result<i32, Stopped> {
-    let mut f = -1;
-    for asked in 0..graph.node_count().div_ceil(2) {
-        if witness(graph, asked, meter)?.is_some() {
-            break;
+/// It is at least floor((r_max − 1)/2) and what degrees prove, and at most F_max. Asked are the bounds that `robustness` knows, then
+/// [`witness`] from below; an interval if the effort ends before.
+//= theory sec:local
+pub fn f_max(robustness: &Robustness<'_>, meter: &mut Meter<'_>) -> (Interval, Option<LocalWitness>) {
+    let graph = robustness.graph();
+    let by_degrees = f_by_degree(graph, graph.nodes()).and_then(|f| i32::try_from(f).ok());
+    let by_robustness = (robustness.r_known().least - 1).div_euclid(2);
+    let most = robustness.f_known().most;
+    let mut known = Interval { least: by_degrees.unwrap_or(-1).max(by_robustness).min(most), most };
+    while known.exactly().is_none() {
+        let asked = usize::try_from(known.least + 1).unwrap_or(0);
+        match witness(graph, asked, meter) {
+            Ok(None) => known.least += 1,
+            Ok(found) => return (Interval { most: known.least, ..known }, found),
+            Err(Stopped) => break,
         }
-        f += 1;
     }
-    Ok(f)
+    (known, None)
 }

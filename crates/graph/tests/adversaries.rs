@@ -5,7 +5,9 @@ mod common;
 
 use closeranks_graph::analysis::largest;
 use closeranks_graph::connectivity::node_connectivity;
+use closeranks_graph::decide::Robustness;
 use closeranks_graph::definition::{is_reachable, is_robust};
+use closeranks_graph::effort::Effort;
 use closeranks_graph::graph::Graph;
 use closeranks_graph::graph::set::NodeSet;
 use closeranks_graph::leaders::{closed_set, followers, is_strongly_robust, strong_r_max};
@@ -149,7 +151,12 @@ fn roles_say_what_the_definition_says() {
 fn local_resilience_lies_between_r_and_f_total() {
     for seed in 0..120_u64 {
         let graph = sample(seed, 8);
-        let local = with_meter(|meter| local::f_max(&graph, meter)).unwrap();
+        let robustness = Robustness::new(&graph, &Effort::UNLIMITED);
+        let (local, witness) = with_meter(|meter| local::f_max(&robustness, meter));
+        let local = local.exactly().unwrap();
+        assert!(witness.is_none_or(|witness| witness.holds(&graph) && witness.f as i32 == local + 1));
+        assert!(local < 0 || !is_split(&graph, local.cast_unsigned() as usize), "{graph:?}");
+        assert!(is_split(&graph, (local + 1).cast_unsigned() as usize), "{graph:?}");
         let (r_max, f_max) = largest(&graph);
         let (r_max, f_max) = (r_max.exactly().unwrap(), f_max.exactly().unwrap());
         assert!(local <= f_max && f_max < r_max.max(1), "{graph:?}");

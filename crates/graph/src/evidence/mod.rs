@@ -4,6 +4,7 @@
 //! The check looks at every edge a few times. `proofs/evidence.v` has the same check with a proof that a claim which passes is
 //! true; `proofs/check.sh` holds the two against each other. As text evidence carries its network, see [`Evidence::text`].
 
+mod search;
 mod text;
 
 use alloc::vec;
@@ -12,8 +13,11 @@ use core::fmt;
 
 pub use text::EvidenceError;
 
+use crate::graph::set::NODE_LIMIT;
 use crate::network::Network;
 use crate::ranks::{Order, Wrong};
+use crate::roles::{Flaw, Refutation};
+pub use search::{CHOICES_MAX, of_order, of_robust};
 
 /// A claim about a network. Not checked: see [`Evidence::check`].
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -46,6 +50,24 @@ pub enum Claim {
     /// It survives F liars around each node, because of an order.
     //= theory thm:ranks
     Ranks(Order),
+    /// It is (r,s)-robust, because of the choices that a search made.
+    //= theory sec:roles
+    Search {
+        /// The r of (r,s).
+        r: usize,
+        /// The s of (r,s).
+        s: usize,
+        /// The choices.
+        refutation: Refutation,
+    },
+    /// It survives F liars around each node, because of an order whose core has no split, and that because of the choices that a search made.
+    //= theory thm:ranks-exact
+    SearchedRanks {
+        /// The order.
+        order: Order,
+        /// The choices; nodes are places in the core, from 0.
+        refutation: Refutation,
+    },
 }
 
 /// Why evidence proves nothing.
@@ -67,7 +89,7 @@ pub enum Refused {
         /// s − 1.
         most: usize,
     },
-    /// An r of 0, of which nothing is proved by degrees.
+    /// An r or s of 0, of which nothing is proved by degrees or choices.
     Zero,
     /// A node hears too few others.
     Degree {
@@ -80,6 +102,13 @@ pub enum Refused {
     },
     /// The order is wrong.
     Order(Wrong),
+    /// More nodes than a search takes.
+    Large {
+        /// How many there are.
+        nodes: usize,
+    },
+    /// The choices of a search are wrong.
+    Choices(Flaw),
 }
 
 impl fmt::Display for Refused {
@@ -93,11 +122,13 @@ impl fmt::Display for Refused {
             Self::Exempt { count, most } => {
                 write!(f, "{count} members hear r nodes or more outside of their set, allowed are {most}")
             }
-            Self::Zero => write!(f, "r is 0, allowed is 1 or more"),
+            Self::Zero => write!(f, "r or s is 0, allowed is 1 or more"),
             Self::Degree { node, heard, least } => {
                 write!(f, "node {node} hears {heard} others, allowed are {least} or more")
             }
             Self::Order(wrong) => wrong.fmt(f),
+            Self::Large { nodes } => write!(f, "a search of {nodes} nodes, allowed are up to {NODE_LIMIT}"),
+            Self::Choices(flaw) => flaw.fmt(f),
         }
     }
 }
@@ -111,6 +142,8 @@ impl Evidence {
             Claim::NotRobust { r, s, sets } => refutes(&self.network, *r, *s, sets),
             Claim::Degrees { r } => degrees(&self.network, *r),
             Claim::Ranks(order) => order.counts(&self.network).map(|_| ()).map_err(Refused::Order),
+            Claim::Search { r, s, refutation } => search::robust(&self.network, *r, *s, refutation),
+            Claim::SearchedRanks { order, refutation } => search::ranks(&self.network, order, refutation),
         }
     }
 }

@@ -7,12 +7,21 @@
 //! hears 1 0
 //! hears 2 0 1
 //! hears 3 2
-//! not-robust 2 1                r and s; or `robust-by-degrees 2`, r; or `ranks 1`, F
-//! set 0 1                       S₁ and S₂; after `ranks` `core ..` and `rest ..`; after degrees nothing
+//! not-robust 2 1                the claim, here r and s
+//! set 0 1                       what proves it, here S₁ and S₂
 //! set 3
 //! ```
 //!
-//! Lines that begin with `#` are remarks.
+//! | claim | then |
+//! | --- | --- |
+//! | `not-robust R S` | `set ..` twice |
+//! | `robust-by-degrees R` | |
+//! | `ranks F` | `core ..`, `rest ..` |
+//! | `robust-by-search R S` | `roots N`, N lines `root ..` |
+//! | `ranks-by-search F` | `core ..`, `rest ..`, `roots N`, N lines `root ..` |
+//!
+//! A line `root` has the node that is honest in S₁, then pairs of a node and a sum of roles, as [`crate::roles::Choice`] says; of
+//! `ranks-by-search` nodes are places in the core, from 0. Lines that begin with `#` are remarks.
 
 use alloc::string::String;
 use alloc::vec::Vec;
@@ -23,6 +32,7 @@ use super::{Claim, Evidence};
 use crate::formats::NETWORK_TEXT_LIMIT;
 use crate::network::{NETWORK_LIMIT, Network};
 use crate::ranks::Order;
+use crate::roles::{Choice, Refutation, Root};
 
 const FIRST_LINE: &str = "closeranks certificate 1";
 
@@ -63,10 +73,17 @@ impl Evidence {
             }
             Claim::Degrees { r } => drop(writeln!(text, "robust-by-degrees {r}")),
             Claim::Ranks(order) => {
-                let _ = write!(text, "ranks {}\ncore", order.f);
-                push(&mut text, &order.core);
-                text.push_str("rest");
-                push(&mut text, &order.rest);
+                let _ = writeln!(text, "ranks {}", order.f);
+                push_order(&mut text, order);
+            }
+            Claim::Search { r, s, refutation } => {
+                let _ = writeln!(text, "robust-by-search {r} {s}");
+                push_roots(&mut text, refutation);
+            }
+            Claim::SearchedRanks { order, refutation } => {
+                let _ = writeln!(text, "ranks-by-search {}", order.f);
+                push_order(&mut text, order);
+                push_roots(&mut text, refutation);
             }
         }
         text
@@ -92,6 +109,24 @@ fn push(text: &mut String, nodes: &[u32]) {
         let _ = write!(text, " {node}");
     }
     text.push('\n');
+}
+
+fn push_order(text: &mut String, order: &Order) {
+    text.push_str("core");
+    push(text, &order.core);
+    text.push_str("rest");
+    push(text, &order.rest);
+}
+
+fn push_roots(text: &mut String, refutation: &Refutation) {
+    let _ = writeln!(text, "roots {}", refutation.roots.len());
+    for Root { node, choices } in &refutation.roots {
+        let _ = write!(text, "root {node}");
+        for Choice { node, roles } in choices {
+            let _ = write!(text, " {node} {roles}");
+        }
+        text.push('\n');
+    }
 }
 
 struct Lines<'a> {
@@ -144,7 +179,7 @@ impl<'a> Lines<'a> {
     }
 
     fn claim(&mut self, count: usize) -> Result<Claim, EvidenceError> {
-        const ALLOWED: &str = "`not-robust R S`, `robust-by-degrees R` or `ranks F`";
+        const ALLOWED: &str = "`not-robust R S`, `robust-by-degrees R`, `robust-by-search R S`, `ranks F` or `ranks-by-search F`";
         let line = self.next().ok_or_else(|| self.refuse(ALLOWED))?;
         let (word, rest) = line.split_once(' ').unwrap_or((line, ""));
         let numbers: Option<Vec<usize>> = all(rest);
@@ -154,11 +189,42 @@ impl<'a> Lines<'a> {
             }
             ("robust-by-degrees", Some(&[r])) => Ok(Claim::Degrees { r }),
             ("ranks", Some(&[f])) if f <= NETWORK_LIMIT => {
-                let (core, rest) = (self.nodes("core", count)?, self.nodes("rest", count)?);
-                Ok(Claim::Ranks(Order { f, core, rest }))
+                Ok(Claim::Ranks(self.order(f, count)?))
+            }
+            ("robust-by-search", Some(&[r, s])) => {
+                Ok(Claim::Search { r, s, refutation: self.roots(count)? })
+            }
+            ("ranks-by-search", Some(&[f])) if f <= NETWORK_LIMIT => {
+                Ok(Claim::SearchedRanks { order: self.order(f, count)?, refutation: self.roots(count)? })
             }
             _ => Err(self.refuse(ALLOWED)),
         }
+    }
+
+    fn order(&mut self, f: usize, count: usize) -> Result<Order, EvidenceError> {
+        Ok(Order { f, core: self.nodes("core", count)?, rest: self.nodes("rest", count)? })
+    }
+
+    fn roots(&mut self, count: usize) -> Result<Refutation, EvidenceError> {
+        const ALLOWED: &str = "`roots` and the number of roots, at most as many as there are nodes";
+        let roots: Vec<usize> = self.numbers("roots", ALLOWED)?;
+        let &[roots] = &roots[..] else { return Err(self.refuse(ALLOWED)) };
+        if roots > count {
+            return Err(self.refuse(ALLOWED));
+        }
+        Ok(Refutation { roots: (0..roots).map(|_| self.root()).collect::<Result<_, _>>()? })
+    }
+
+    fn root(&mut self) -> Result<Root, EvidenceError> {
+        const ALLOWED: &str = "`root`, a node, and pairs of a node and a sum of roles from 1 to 31";
+        let numbers: Vec<u32> = self.numbers("root", ALLOWED)?;
+        let Some((&node, pairs)) = numbers.split_first() else { return Err(self.refuse(ALLOWED)) };
+        let choice = |pair: &[u32]| match *pair {
+            [node, roles @ 1..=31] => u8::try_from(roles).ok().map(|roles| Choice { node, roles }),
+            _ => None,
+        };
+        let choices: Option<Vec<Choice>> = pairs.chunks(2).map(choice).collect();
+        Ok(Root { node, choices: choices.ok_or_else(|| self.refuse(ALLOWED))? })
     }
 
     /// A set of nodes; at most as many as the network has.
@@ -195,7 +261,16 @@ mod tests {
     fn what_is_written_is_read() {
         let order = Order { f: 1, core: vec![0, 2], rest: vec![1] };
         let sets = [vec![0], vec![2, 1]];
-        for claim in [Claim::NotRobust { r: 2, s: 1, sets }, Claim::Degrees { r: 3 }, Claim::Ranks(order)] {
+        let choices = vec![Choice { node: 2, roles: 9 }, Choice { node: 1, roles: 1 }];
+        let roots = vec![Root { node: 1, choices }, Root { node: 0, choices: vec![] }];
+        let refutation = Refutation { roots };
+        for claim in [
+            Claim::NotRobust { r: 2, s: 1, sets },
+            Claim::Degrees { r: 3 },
+            Claim::Ranks(order.clone()),
+            Claim::Search { r: 1, s: 2, refutation: refutation.clone() },
+            Claim::SearchedRanks { order, refutation },
+        ] {
             let evidence = triangle(claim);
             assert_eq!(Evidence::from_text(&evidence.text()), Ok(evidence));
         }
