@@ -1,4 +1,4 @@
-(* Reads certificates of `closeranks check --certificate` and asks the extracted checkers of evidence.v.
+(* Reads certificates of `closeranks check --certificate` and asks the extracted checkers of evidence.v and roles.v.
 
      certificate FILE            says what is proved, or that nothing is; exit code 0 or 1
      certificate --stream FILE   many certificates, each followed by a line `verdict yes` or `verdict no` of another checker: says
@@ -34,6 +34,30 @@ let rec network node count lines =
        | _ -> raise Refused)
     | [] -> raise Refused
 
+(* A domain from a sum of roles: honest in S1 1, honest in S2 2, neither 4, a liar with S1 8, a liar with S2 16. *)
+let domain sum =
+  if sum < 1 || sum > 31 then raise Refused;
+  let bit k = sum land k <> 0 in
+  { Evidence_checker.h1 = bit 1; h2 = bit 2; ne = bit 4; l1 = bit 8; l2 = bit 16 }
+
+let rec choices = function
+  | [] -> []
+  | node :: sum :: rest -> (node, domain sum) :: choices rest
+  | [_] -> raise Refused
+
+(* `roots N`, then N lines `root ..`, and nothing else; at most as many as there are nodes. *)
+let roots count lines =
+  match lines with
+  | first :: lines ->
+    (match after "roots" first with
+     | [number] when number <= count && number = List.length lines ->
+       let root line = match after "root" line with
+         | node :: rest -> node, choices rest
+         | [] -> raise Refused in
+       List.map root lines
+     | _ -> raise Refused)
+  | [] -> raise Refused
+
 let judge lines =
   let lines = List.filter (fun line -> line = "" || line.[0] <> '#') lines in
   match lines with
@@ -56,6 +80,18 @@ let judge lines =
        (match after "ranks" claim with
         | [f] ->
           Evidence_checker.order_check network f (after "core" core) (after "rest" others),
+          Printf.sprintf "survives any %d liars around each node" f
+        | _ -> raise Refused)
+     | claim :: proof when starts "robust-by-search" ->
+       (match after "robust-by-search" claim with
+        | [r; s] ->
+          Evidence_checker.search_check network r s (roots count proof),
+          Printf.sprintf "(%d,%d)-robust" r s
+        | _ -> raise Refused)
+     | claim :: core :: others :: proof when starts "ranks-by-search" ->
+       (match after "ranks-by-search" claim with
+        | [f] ->
+          Evidence_checker.searched_order_check network f (after "core" core) (after "rest" others) (roots count proof),
           Printf.sprintf "survives any %d liars around each node" f
         | _ -> raise Refused)
      | _ -> raise Refused)

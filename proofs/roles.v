@@ -354,6 +354,8 @@ have [dv | dv] := parted m (fit'.2 v vn).
 exact: IH shut sp (put_fits fit' vn dv).
 Qed.
 
+Arguments close : simpl never.
+
 (* Roots. *)
 Definition even st := forall v, mirror (nth none st v) = nth none st v.
 
@@ -371,10 +373,219 @@ move=> /andP []; rewrite ltbE => vn; case E : (close _ _ _) => [[|]|] // shut sp
 have no h : split h -> fits st h -> h v = First -> False.
   move=> sph fith hv; apply: (close_sound E sph); apply: put_fits => //.
   by have := fith.2 v vn; rewrite hv /= => ->.
-case fv : (f v).
+have ev' : even (set_nth none st v (minus (nth none st v) honest_inside)).
+  move=> u; rewrite nth_set_nth /=; case: eqP => [_ | _]; last exact: ev.
+  have n1 : l1 (nth none st v) = l2 (nth none st v) := congr1 l2 (ev v).
+  by rewrite /minus /mirror /= !andbF n1.
+have later : may (minus (nth none st v) honest_inside) (f v) -> False.
+  by move=> mv; apply: (IH _ f ev' shut sp); exact: put_fits.
+have mv := fit.2 v vn; case fv : (f v) mv later => /= mv later.
 - exact: no sp fit fv.
 - by apply: (no (swap \o f)); [exact: split_swap | exact: even_fits | rewrite /= fv].
-all: apply: (IH _ f _ shut sp); last by (apply: put_fits => //; have := fit.2 v vn; rewrite fv /= => ->).
-all: by move=> u; rewrite nth_set_nth /=; case: eqP => // _; rewrite -[in RHS](ev v).
+- by apply: later; rewrite mv.
+- by apply: later; rewrite mv.
+- by apply: later; rewrite mv.
 Qed.
 End Split.
+
+Definition start (n : nat) := nseq n every.
+Lemma start_even n : even (start n).
+Proof. by move=> v; rewrite nth_nseq; case: ifP. Qed.
+Lemma start_fits g f : fits g (start (size g)) f.
+Proof. by split=> [|v vn]; rewrite ?size_nseq // nth_nseq vn; case: (f v). Qed.
+
+Definition search_check g r s roots :=
+  [&& network_ok g, Nat.ltb 0 r, Nat.ltb 0 s & close_roots g r (Total s) (start (size g)) roots].
+
+Definition place u (s : seq nat) := find (Nat.eqb u) s.
+Definition core_network (g : network) core : network :=
+  map (fun v => map (fun u => place u core) (filter (fun u => member u core) (heard g v))) core.
+Definition searched_order_check g F core rest roots :=
+  [&& network_ok g, distinct (core ++ rest), inside g (core ++ rest), Nat.eqb (size core + size rest) (size g),
+      walk g F core rest & close_roots (core_network g core) F.+1 Local (start (size core)) roots].
+
+(* Sets as roles. *)
+Section Sets.
+Variables (g : network) (ok : network_ok g) (r : nat) (lim : limit) (D S1 S2 : {set 'I_(size g)}).
+Definition kind u := if u \in S1 then (if u \in D then LiarFirst else First)
+  else if u \in S2 then (if u \in D then LiarSecond else Second) else if u \in D then LiarFirst else Neither.
+Definition roles_of u := if insub u is Some i then kind i else Neither.
+Definition few_in_set : Prop := match lim with
+  | Total s => is_true (#|D| < s) | Local => forall v, v \notin D -> #|N v :&: D| < r end.
+Hypothesis dis : [disjoint S1 & S2].
+Hypotheses (n1 : S1 :\: D != set0) (n2 : S2 :\: D != set0).
+Hypothesis stay1 : forall v, v \in S1 :\: D -> #|N v :\: S1| < r.
+Hypothesis stay2 : forall v, v \in S2 :\: D -> #|N v :\: S2| < r.
+Hypothesis fewD : few_in_set.
+
+Lemma roles_ofE (u : 'I_(size g)) : roles_of u = kind u.
+Proof. by rewrite /roles_of valK. Qed.
+
+Lemma lies_kind u : lies (kind u) = (u \in D).
+Proof. rewrite /kind; by case: (_ \in S1); case: (_ \in S2); case: (_ \in D). Qed.
+
+Lemma lies_heard (v : 'I_(size g)) : count (fun u => lies (roles_of u)) (heard g v) = #|N v :&: D|.
+Proof.
+rewrite -(card_count ok); congr #|pred_of_set _|; apply/setP => u.
+by rewrite !inE roles_ofE lies_kind.
+Qed.
+
+Lemma lies_all : count (fun u => lies (roles_of u)) (iota 0 (size g)) = #|D|.
+Proof.
+rewrite -size_filter -(@card_nodes g) ?filter_uniq ?iota_uniq //; last first.
+  by apply/insideP => u; rewrite mem_filter mem_iota => /andP [].
+congr #|pred_of_set _|; apply/setP => u.
+by rewrite inE mem_filter mem_iota leq0n add0n ltn_ord roles_ofE lies_kind !andbT.
+Qed.
+
+Lemma split_of_sets : split g r lim roles_of.
+Proof.
+split.
+- have [v] := set0Pn _ n1; rewrite inE => /andP [vD v1]; exists v => //.
+  by rewrite roles_ofE /kind v1 (negPf vD).
+- have [v] := set0Pn _ n2; rewrite inE => /andP [vD v2]; exists v => //.
+  by rewrite roles_ofE /kind (disjointFl dis v2) v2 (negPf vD).
+- move=> v vn; rewrite -[v]/(val (Ordinal vn)) roles_ofE => kv.
+  have /stay1 : Ordinal vn \in S1 :\: D by move: kv; rewrite /kind inE; do ?case: (Ordinal vn \in _).
+  apply: leq_ltn_trans; rewrite -(card_count ok); apply/subset_leq_card/subsetP => u.
+  by rewrite !inE roles_ofE /kind => /andP [-> ]; do ?case: (u \in _).
+- move=> v vn; rewrite /= -[v]/(val (Ordinal vn)) roles_ofE => kv.
+  have /stay2 : Ordinal vn \in S2 :\: D by move: kv; rewrite /kind inE; do ?case: (Ordinal vn \in _).
+  apply: leq_ltn_trans; rewrite -(card_count ok); apply/subset_leq_card/subsetP => u.
+  rewrite !inE /= roles_ofE /kind => /andP [-> ]; case u2 : (u \in S2) => //.
+  by rewrite (disjointFl dis u2); do ?case: (u \in _).
+- move: fewD; rewrite /few_in_set /few; case: lim => [s|] fw; first by rewrite lies_all.
+  move=> v vn; rewrite -[v]/(val (Ordinal vn)) roles_ofE lies_kind => /fw.
+  by rewrite lies_heard.
+Qed.
+End Sets.
+
+Theorem search_sound g r s roots : search_check g r s roots -> robust (@N g) r s.
+Proof.
+move=> /and4P [ok _ _ shut] S1 S2 n1 n2 dis.
+have [/eqP E|r1] := boolP (reach (@N g) r S1 == S1); first by constructor 1.
+have [/eqP E|r2] := boolP (reach (@N g) r S2 == S2); first by constructor 2.
+constructor 3; rewrite leqNgt; apply/negP => fw.
+pose D := reach (@N g) r S1 :|: reach (@N g) r S2.
+have sub S : reach (@N g) r S \subset S by apply/subsetP => v; rewrite inE => /andP [].
+have inD1 v : v \in S1 -> (v \in D) = (v \in reach (@N g) r S1).
+  by move=> v1; rewrite inE [v \in reach _ _ S2]inE (disjointFr dis v1) orbF.
+have inD2 v : v \in S2 -> (v \in D) = (v \in reach (@N g) r S2).
+  by move=> v2; rewrite inE [v \in reach _ _ S1]inE (disjointFl dis v2).
+have stay (S : {set 'I_(size g)}) v : v \in S -> v \notin reach (@N g) r S -> #|N v :\: S| < r.
+  by move=> vS; rewrite inE vS -ltnNge.
+apply: (roots_sound ok (@start_even _) shut _ (start_fits _ (roles_of D S1 S2))).
+apply: split_of_sets => //.
+- apply: contraNneq r1 => empty; rewrite eqEsubset sub; apply/subsetP => v v1.
+  by have := in_set0 v; rewrite -empty inE v1 andbT inD1 // => /negbFE.
+- apply: contraNneq r2 => empty; rewrite eqEsubset sub; apply/subsetP => v v2.
+  by have := in_set0 v; rewrite -empty inE v2 andbT inD2 // => /negbFE.
+- by move=> v; rewrite inE => /andP [vD v1]; apply: stay => //; rewrite -inD1.
+- by move=> v; rewrite inE => /andP [vD v2]; apply: stay => //; rewrite -inD2.
+- by apply: leq_ltn_trans fw; rewrite cardsU leq_subr.
+Qed.
+
+(* thm:ranks-exact *)
+Section Order.
+Variables (g : network) (F : nat) (core rest : seq nat).
+Hypotheses (ok : network_ok g) (dis : uniq (core ++ rest)) (ins : inside g (core ++ rest)).
+Hypothesis everybody : forall v, v < size g -> v \in core ++ rest.
+Hypothesis walked : walk g F core rest.
+
+Lemma placeE u : place u core = index u core.
+Proof. by apply: eq_find => w /=; rewrite eqbE eq_sym. Qed.
+
+Lemma core_in v : v \in core -> v < size g.
+Proof. by move=> vc; apply: (insideP _ _ ins); rewrite mem_cat vc. Qed.
+
+Lemma core_heard i : i < size core -> heard (core_network g core) i =
+  map (fun u => place u core) (filter (fun u => member u core) (heard g (nth 0 core i))).
+Proof. by move=> ic; rewrite /heard (nth_map 0). Qed.
+
+Lemma core_count (P : pred role) (f : nat -> role) i : i < size core ->
+  count (fun k => P (f (nth 0 core k))) (heard (core_network g core) i) <= count (fun u => P (f u)) (heard g (nth 0 core i)).
+Proof.
+move=> ic; rewrite core_heard // count_map count_filter; apply: sub_count => u /= /andP [Pu].
+by rewrite memberE => uc; move: Pu; rewrite placeE nth_index.
+Qed.
+
+Lemma core_ok : network_ok (core_network g core).
+Proof.
+apply/allP => i; rewrite mem_iota /= size_map => ic; rewrite core_heard //.
+have vc := mem_nth 0 ic; have [us _ no] := evidence.row ok (Ordinal (core_in vc)).
+apply/and3P; split.
+- rewrite distinctE map_inj_in_uniq ?filter_uniq // => u w; rewrite !mem_filter !memberE !placeE.
+  by move=> /andP [uc _] /andP [wc _] e; rewrite -(nth_index 0 uc) e nth_index.
+- apply/insideP => k /mapP [u]; rewrite mem_filter memberE placeE => /andP [uc _] ->.
+  by rewrite size_map index_mem.
+- rewrite memberE; apply/negP => /mapP [u]; rewrite mem_filter memberE placeE => /andP [uc uv] e.
+  have vu : nth 0 core i = u by rewrite e nth_index.
+  by move: no; rewrite /= {1}vu uv.
+Qed.
+
+Lemma rest_not_first f before others : split g F.+1 Local f -> walk g F before others ->
+  {in others, forall v, v < size g} -> {in before, forall u, f u <> First} -> {in others, forall v, f v <> First}.
+Proof.
+move=> [_ _ s1 _ fw]; elim: others before => //= w t IH before /andP [many later] inn none_before.
+have wF : f w <> First.
+  move=> fw1; have wn := inn w (mem_head _ _); have out := s1 w wn fw1.
+  have := fw w wn; rewrite fw1 => /(_ isT) liars; move: many; rewrite lebE.
+  have : count (member^~ before) (heard g w) <=
+      count (fun u => ~~ inside1 (f u)) (heard g w) + count (fun u => lies (f u)) (heard g w).
+    rewrite -count_predUI; apply: (leq_trans _ (leq_addr _ _)); apply: sub_count => u /=.
+    by rewrite memberE => /none_before; case: (f u).
+  move=> le1 le2; have := leq_trans le2 le1; lia.
+move=> v; rewrite inE => /orP [/eqP -> // | vt]; apply: (IH (w :: before) later) => //.
+- by move=> u ut; apply: inn; rewrite inE ut orbT.
+- by move=> u; rewrite inE => /orP [/eqP -> // | ub]; exact: none_before.
+Qed.
+
+Theorem core_decides roots f :
+  close_roots (core_network g core) F.+1 Local (start (size core)) roots -> ~ split g F.+1 Local f.
+Proof.
+move=> shut sp.
+have in_rest : {in rest, forall v, v < size g}.
+  by move=> v vr; apply: (insideP _ _ ins); rewrite mem_cat vr orbT.
+have in_core h : split g F.+1 Local h -> exists2 v, v \in core & h v = First.
+  move=> sph; have [[v vn hv] _ _ _ _] := sph.
+  case: (boolP (has (fun u => if h u is First then true else false) core)) => [/hasP [u uc] | /hasPn no].
+    by case hu : (h u) => // _; exists u.
+  have no_core : {in core, forall u, h u <> First} by move=> u uc hu; have := no u uc; rewrite hu.
+  have no_rest := rest_not_first sph walked in_rest no_core.
+  by have := everybody vn; rewrite mem_cat => /orP [/no_core | /no_rest].
+have [v vc fv] := in_core f sp.
+have [w wc] := in_core _ (split_swap sp); rewrite /= => fw.
+have {}fw : f w = Second by case: (f w) fw.
+have [_ _ s1 s2 fwl] := sp.
+have sz : size (core_network g core) = size core by rewrite size_map.
+apply: (@roots_sound _ F.+1 Local core_ok (start (size core)) roots (fun i => f (nth 0 core i))) => //.
+- exact: start_even.
+- split.
+  + by exists (index v core); rewrite ?sz ?index_mem ?nth_index.
+  + by exists (index w core); rewrite ?sz ?index_mem ?nth_index.
+  + move=> i; rewrite sz => ic fi; apply: leq_ltn_trans (s1 _ (core_in (mem_nth 0 ic)) fi).
+    exact: (core_count (fun k => ~~ inside1 k) f ic).
+  + move=> i; rewrite sz => ic fi; apply: leq_ltn_trans (s2 _ (core_in (mem_nth 0 ic)) fi).
+    exact: (core_count (fun k => ~~ inside1 (swap k)) f ic).
+  + move=> i; rewrite sz => ic fi; apply: leq_ltn_trans (fwl _ (core_in (mem_nth 0 ic)) fi).
+    exact: (core_count lies f ic).
+- by rewrite -sz; exact: start_fits.
+Qed.
+End Order.
+
+Theorem searched_order_sound g F core rest roots : searched_order_check g F core rest roots ->
+  forall D S1 S2 : {set 'I_(size g)}, (forall v, v \notin D -> #|N v :&: D| <= F) ->
+  [disjoint S1 & S2] -> S1 :\: D != set0 -> S2 :\: D != set0 ->
+  ~ forall S, S = S1 \/ S = S2 -> forall v, v \in S :\: D -> #|N v :\: S| <= F.
+Proof.
+move=> /and5P [ok dis ins cnt /andP [walked shut]] D S1 S2 fewD apart n1 n2 stay.
+have u : uniq (core ++ rest) by rewrite -distinctE.
+have everybody v : v < size g -> v \in core ++ rest.
+  move=> vn; have {}cnt : size core + size rest = size g by apply/eqP; move: cnt; rewrite eqbE.
+  have full : nodes g (core ++ rest) = setT.
+    by apply/eqP; rewrite eqEcard subsetT cardsT card_ord card_nodes ?size_cat ?cnt ?leqnn.
+  by have := in_setT (Ordinal vn); rewrite -full inE.
+have sp : split g F.+1 Local (roles_of D S1 S2).
+  by apply: split_of_sets => // v; [apply: (stay S1) | apply: (stay S2)]; auto.
+exact: (core_decides ok u ins everybody walked shut sp).
+Qed.
