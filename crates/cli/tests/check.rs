@@ -394,7 +394,20 @@ fn a_certificate_is_written_once_and_passes_its_check() {
         let (errors, exit) = run(&complete, &all);
         assert!(errors.contains("cannot write the certificate") && exit == Some(2), "{errors}");
     }
-    let (errors, exit) = run(&make(&["wheel", "9"]), &["--F", "1", "--certificate", "none.txt"]);
-    assert!(errors.contains("nothing but a search proves this answer") && exit == Some(2), "{errors}");
+    for (graph, arguments, line) in [
+        (&["wheel", "9"][..], &["--F", "1"][..], "robust-by-search 2 2"),
+        (&["bipartite", "6", "6"], &["--F", "1", "--local"], "ranks-by-search 1"),
+    ] {
+        let file = format!("{}.txt", graph[0]);
+        let (errors, exit) = run(&make(graph), &[arguments, &["--certificate", &file]].concat());
+        assert_eq!((errors.as_str(), exit), ("", Some(0)), "{file}");
+        let certificate = read(&file);
+        assert!(certificate.lines().any(|found| found == line), "{certificate}");
+        closeranks_graph::evidence::Evidence::from_text(&certificate).unwrap().check().unwrap();
+    }
+    let limits = ["--effort", "10", "--certificate", "none.txt"];
+    let (errors, exit) =
+        run(&make(&["bipartite", "6", "6"]), &[&["--F", "1", "--local"][..], &limits].concat());
+    assert!(errors.contains("no certificate was written to `none.txt`") && exit == Some(2), "{errors}");
     assert!(!folder.path().join("none.txt").exists());
 }

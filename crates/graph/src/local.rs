@@ -2,11 +2,14 @@
 
 use crate::bounds::f_by_degree;
 use crate::decide::Robustness;
+use crate::definition::Witness;
 use crate::effort::{Meter, Stopped};
 use crate::graph::Graph;
 use crate::graph::set::NodeSet;
+use crate::network::Network;
+use crate::ranks::{self, Order};
 use crate::roles::{self, Liars, Question, Split};
-use crate::verdict::Interval;
+use crate::verdict::{Interval, Verdict};
 
 /// Whether `malicious` is an F-total set: at most F nodes.
 //= paper ftotal
@@ -74,13 +77,60 @@ pub fn witness(graph: &Graph, f: usize, meter: &mut Meter<'_>) -> Result<Option<
     }))
 }
 
+/// How it is known that W-MSR(F) withstands every F-local set of malicious nodes.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Withstands {
+    /// Every node hears F + floor(n/2) others.
+    //= theory thm:contraction
+    Degrees,
+    /// It is (2F+1)-robust.
+    Robustness,
+    /// An order of its nodes, [`ranks`].
+    //= theory thm:ranks-exact
+    Ranks(Order),
+    /// No roles of the nodes are a split.
+    Search,
+}
+
+/// Nodes of the search that each relative of the question may take before the question itself is asked.
+const SHORT: u64 = 1 << 13;
+
+/// Whether W-MSR(F) withstands every F-local set of malicious nodes, or a witness that it does not.
+///
+/// Degrees, (2F+1)-robustness and ranks are enough, (F+1,F+1)-robustness is necessary; the robustness is asked for a short while. What is
+/// left is [`witness`].
+//= theory sec:local
+pub fn decide(
+    robustness: &mut Robustness<'_>,
+    f: usize,
+    meter: &mut Meter<'_>,
+) -> Result<Result<Withstands, LocalWitness>, Stopped> {
+    let graph = robustness.graph();
+    if f_by_degree(graph, graph.nodes()).is_some_and(|most| f <= most) {
+        return Ok(Ok(Withstands::Degrees));
+    }
+    let (enough, least) = (f.saturating_mul(2).saturating_add(1), f.saturating_add(1));
+    let short = meter.within(SHORT, |meter| Ok(robustness.decide(enough, 1, meter)))?;
+    if let Some(Verdict::Robust(_)) = short {
+        return Ok(Ok(Withstands::Robustness));
+    }
+    let short = meter.within(SHORT, |meter| Ok(robustness.decide(least, least, meter)))?;
+    if let Some(Verdict::NotRobust(Witness { exempt, first, second, .. })) = short {
+        return Ok(Err(LocalWitness { f, malicious: exempt, first, second }));
+    }
+    if let Some(order) = ranks::order(&Network::from(graph), f) {
+        return Ok(Ok(Withstands::Ranks(order)));
+    }
+    Ok(witness(graph, f, meter)?.map_or(Ok(Withstands::Search), Err))
+}
+
 /// Largest F such that W-MSR(F) withstands every F-local set of malicious nodes, −1 if it fails without any, and a witness against the next F
 /// if one was found.
 ///
-/// It is at least floor((r_max − 1)/2) and what degrees prove, and at most F_max. Asked are the bounds that `robustness` knows, then
-/// [`witness`] from below; an interval if the effort ends before.
+/// It is at least floor((r_max − 1)/2) and what degrees prove, and at most F_max. What `robustness` knows of these is not asked again;
+/// an interval if the effort ends before.
 //= theory sec:local
-pub fn f_max(robustness: &Robustness<'_>, meter: &mut Meter<'_>) -> (Interval, Option<LocalWitness>) {
+pub fn f_max(robustness: &mut Robustness<'_>, meter: &mut Meter<'_>) -> (Interval, Option<LocalWitness>) {
     let graph = robustness.graph();
     let by_degrees = f_by_degree(graph, graph.nodes()).and_then(|f| i32::try_from(f).ok());
     let by_robustness = (robustness.r_known().least - 1).div_euclid(2);
@@ -88,11 +138,12 @@ pub fn f_max(robustness: &Robustness<'_>, meter: &mut Meter<'_>) -> (Interval, O
     let mut known = Interval { least: by_degrees.unwrap_or(-1).max(by_robustness).min(most), most };
     while known.exactly().is_none() {
         let asked = usize::try_from(known.least + 1).unwrap_or(0);
-        match witness(graph, asked, meter) {
-            Ok(None) => known.least += 1,
-            Ok(found) => return (Interval { most: known.least, ..known }, found),
+        match decide(robustness, asked, meter) {
+            Ok(Ok(_)) => known.least += 1,
+            Ok(Err(found)) => return (Interval { most: known.least, ..known }, Some(found)),
             Err(Stopped) => break,
         }
+        known.most = known.most.min(robustness.f_known().most);
     }
     (known, None)
 }

@@ -151,8 +151,8 @@ fn roles_say_what_the_definition_says() {
 fn local_resilience_lies_between_r_and_f_total() {
     for seed in 0..120_u64 {
         let graph = sample(seed, 8);
-        let robustness = Robustness::new(&graph, &Effort::UNLIMITED);
-        let (local, witness) = with_meter(|meter| local::f_max(&robustness, meter));
+        let mut robustness = Robustness::new(&graph, &Effort::UNLIMITED);
+        let (local, witness) = with_meter(|meter| local::f_max(&mut robustness, meter));
         let local = local.exactly().unwrap();
         assert!(witness.is_none_or(|witness| witness.holds(&graph) && witness.f as i32 == local + 1));
         assert!(local < 0 || !is_split(&graph, local.cast_unsigned() as usize), "{graph:?}");

@@ -3,8 +3,8 @@
 use core::ops::ControlFlow;
 
 use closeranks_graph::analysis::{Analysis, analyze};
-use closeranks_graph::definition::Witness;
 use closeranks_graph::decide::Robustness;
+use closeranks_graph::definition::Witness;
 use closeranks_graph::effort::{Effort, Meter, Progress};
 use closeranks_graph::formats::{Format, Named, write};
 use closeranks_graph::graph::Graph;
@@ -71,8 +71,8 @@ fn local(graph: &Graph, known: &Analysis) -> (i32, i32) {
         return (least, known.f_max.most);
     }
     let mut go_on = |_: &Progress| ControlFlow::Continue(());
-    let robustness = Robustness::new(graph, &Effort::UNLIMITED);
-    let exact = local::f_max(&robustness, &mut Meter::new(u64::MAX, &mut go_on)).0.exactly().unwrap();
+    let mut robustness = Robustness::new(graph, &Effort::UNLIMITED);
+    let exact = local::f_max(&mut robustness, &mut Meter::new(u64::MAX, &mut go_on)).0.exactly().unwrap();
     assert!((least..=known.f_max.most).contains(&exact), "{exact} is not in {least} to {}", known.f_max.most);
     (exact, exact)
 }

@@ -188,12 +188,8 @@ impl<'a> Lines<'a> {
                 Ok(Claim::NotRobust { r, s, sets: [self.nodes("set", count)?, self.nodes("set", count)?] })
             }
             ("robust-by-degrees", Some(&[r])) => Ok(Claim::Degrees { r }),
-            ("ranks", Some(&[f])) if f <= NETWORK_LIMIT => {
-                Ok(Claim::Ranks(self.order(f, count)?))
-            }
-            ("robust-by-search", Some(&[r, s])) => {
-                Ok(Claim::Search { r, s, refutation: self.roots(count)? })
-            }
+            ("ranks", Some(&[f])) if f <= NETWORK_LIMIT => Ok(Claim::Ranks(self.order(f, count)?)),
+            ("robust-by-search", Some(&[r, s])) => Ok(Claim::Search { r, s, refutation: self.roots(count)? }),
             ("ranks-by-search", Some(&[f])) if f <= NETWORK_LIMIT => {
                 Ok(Claim::SearchedRanks { order: self.order(f, count)?, refutation: self.roots(count)? })
             }

@@ -2,15 +2,15 @@
 
 use crate::effort::Meter;
 use crate::graph::Graph;
-use crate::local;
 use crate::network::Network;
+use crate::roles::{self, Liars, Question};
 
 /// Largest core that is given to the exact search.
 pub(super) const CORE_MAX: usize = 16;
 /// All attempts for one order together may visit so many places of the search.
-pub(super) const EFFORT: u64 = 1 << 20;
+pub(super) const EFFORT: u64 = 1 << 18;
 /// One question about one core may visit so many.
-const QUESTION: u64 = 1 << 17;
+const QUESTION: u64 = 1 << 14;
 
 /// Whether `core` by itself survives F liars around each of its nodes: no set of liars splits it.
 //= theory thm:ranks-exact
@@ -20,7 +20,8 @@ pub(super) fn survives(network: &Network, core: &[u32], f: usize, meter: &mut Me
     }
     let Some(graph) = inside(network, core) else { return false };
     let is_wide = graph.degree_min() > f;
-    is_wide && matches!(meter.within(QUESTION, |meter| local::witness(&graph, f, meter)), Ok(Some(None)))
+    let question = Question { r: f + 1, liars: Liars::Local };
+    is_wide && matches!(meter.within(QUESTION, |meter| roles::split(&graph, question, meter)), Ok(Some(None)))
 }
 
 /// The network among the nodes of a core; `None` if it is no graph that can be searched.
@@ -52,8 +53,9 @@ mod tests {
             let network = Network::from(&graph);
             let all: Vec<u32> = (0..u32::try_from(graph.node_count()).unwrap()).collect();
             for f in 0..3 {
-                let witness = local::witness(&graph, f, &mut meter).unwrap();
-                assert_eq!(survives(&network, &all, f, &mut meter), witness.is_none(), "F = {f}");
+                let question = Question { r: f + 1, liars: Liars::Local };
+                let split = roles::split(&graph, question, &mut meter).unwrap();
+                assert_eq!(survives(&network, &all, f, &mut meter), split.is_none(), "F = {f}");
             }
         }
     }

@@ -60,11 +60,7 @@ pub struct Split {
 
 /// A split, or `None` if there is none. One place of the search is one node of `meter`.
 //= theory sec:roles
-pub fn split(
-    graph: &Graph,
-    question: Question,
-    meter: &mut Meter<'_>,
-) -> Result<Option<Split>, Stopped> {
+pub fn split(graph: &Graph, question: Question, meter: &mut Meter<'_>) -> Result<Option<Split>, Stopped> {
     if graph.node_count() <= 64 {
         Search::new(Rules::<u64>::new(graph, question), None).all(graph, meter)
     } else {
@@ -95,4 +91,3 @@ fn check(graph: &Graph, question: Question, refutation: &Refutation) -> Result<(
     }
     if rules.conclude(open).is_none() { Ok(()) } else { Err(Flaw::Open) }
 }
-

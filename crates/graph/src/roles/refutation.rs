@@ -94,11 +94,7 @@ pub(super) fn check_root<W: Word>(
     let node = node_of(rules, root.node)?;
     let one = W::one(node);
     let rest = close(rules, open.only(one, HONEST[0]), &root.choices, root.node)?;
-    if rest.is_empty() {
-        Ok(open.without(one, HONEST[0] | HONEST[1]))
-    } else {
-        Err(Flaw::Many(root.node))
-    }
+    if rest.is_empty() { Ok(open.without(one, HONEST[0] | HONEST[1])) } else { Err(Flaw::Many(root.node)) }
 }
 
 /// The choices that are left when every place below `domains` is closed. Each choice parts the roles of a node, so that this is at most
