@@ -7,7 +7,8 @@
 
    `counted_is_held`: if normal robot i counts on normal robot j, then j has a row for i, and i one for j. Any number of
    robots; messages are lost, late, doubled and reordered; robots begin anew without memory, alone or for one neighbour;
-   robots in A say what they like to whom they like. Assumed: the numbers of a normal robot rise over all its lives, and
+   robots in A say what they like to whom they like. `anew`: j keeps that row although i forgets everything, if i lists j
+   from its first message on. Assumed: the numbers of a normal robot rise over all its lives, and
    nobody sends in the name of a normal robot.
 
    The network is a set of all messages that were ever sent. Any of them may arrive at any time, any number of times. *)
@@ -198,25 +199,58 @@ case: st => [k l|k l|k n lt|k l m sm|k l|k n le|k m kA].
   + by move=> m1 m2 [s1 | []] // le [s2 | []] //; exact: li.
 Qed.
 
-(* lem:counted *)
-Theorem counted_is_held s i j : reachable s -> i \notin A -> j \notin A ->
-  counts (holds s i j) -> active (holds s i j) /\ active (holds s j i).
+(* Of lem:counted what j needs to know: it has acknowledged a message of i, from which on all messages of i list it. *)
+Lemma row_while_listed s i j a m : reachable s -> i \notin A -> j \notin A ->
+  (forall m', sent s i m' -> a < number m' -> listed (says m' j)) ->
+  sent s j m -> a < acked (says m i) -> active (holds s j i).
 Proof.
-move=> re iA jA; have I := invariant_holds re iA jA; have J := invariant_holds re jA iA.
-rewrite /counts; case Es: (since _) => [a|//] ak; split; first by rewrite /active /lists Es.
+move=> re iA jA all mj ak; have J := invariant_holds re jA iA.
 apply/orP; right; apply/negP => /andP [knows]; case Eh: (heard _) => [w|//] nl.
-(* m acknowledges to i what i counts on; m' is the newest message of i that j has; m'' showed j that i knows its life. *)
-have [m mj [Em _]] := known_said I (leq_ltn_trans (leq0n _) ak).
+(* m' is the newest message of i that j has; m'' showed j that i knows its life. *)
 have [m' mi Ew] := heard_sent J Eh.
 have [m'' mi' [Em'' older]] := known_said J (leq_ltn_trans (leq0n _) knows).
-rewrite Eh Ew /= in older; rewrite Ew /= in nl.
-have old : number m' <= a.
-  by rewrite leqNgt; apply/negP => lt; move: nl; rewrite (all_list I Es mi lt).
-rewrite Em in ak; rewrite Em'' in knows.
+rewrite Eh Ew /= in older; rewrite Ew /= in nl; rewrite Em'' in knows.
+have old : number m' <= a by rewrite leqNgt; apply/negP => lt; move: nl; rewrite (all _ mi lt).
 have [earlier | present] := leqP (number m) (born (holds s j i)).
   have lt := lives J mj earlier mi' knows.
   by have := leq_trans (leq_trans lt older) old; rewrite leqNgt ltnS (ltnW ak).
 have := ack_heard J mj present; rewrite Eh Ew /= leqNgt => /negP; apply.
 exact: leq_ltn_trans old ak.
+Qed.
+
+(* lem:counted *)
+Theorem counted_is_held s i j : reachable s -> i \notin A -> j \notin A ->
+  counts (holds s i j) -> active (holds s i j) /\ active (holds s j i).
+Proof.
+move=> re iA jA; have I := invariant_holds re iA jA.
+rewrite /counts; case Es: (since _) => [a|//] ak; split; first by rewrite /active /lists Es.
+have [m mj [Em _]] := known_said I (leq_ltn_trans (leq0n _) ak).
+apply: (@row_while_listed s i j a m) => //; last by rewrite -Em.
+by move=> m' mi lt; exact: (all_list I Es mi lt).
+Qed.
+
+(* Steps in which i sends no message that does not list j, whatever else happens: i may begin anew, and j too. *)
+Inductive lists_on (i j : V) (s : state) : state -> Prop :=
+| Nothing : lists_on i j s s
+| Another s' s'' : lists_on i j s s' -> step s' s'' ->
+    (forall m, sent s'' i m -> sent s' i m \/ listed (says m j)) -> lists_on i j s s''.
+
+Lemma sent_stays s s' i m : step s s' -> sent s i m -> sent s' i m.
+Proof. by case=> //= *; left. Qed.
+
+(* thm:anew, the row of j: i counted on j, forgets everything, and lists j from its first message on. *)
+Theorem anew s s' i j : reachable s -> i \notin A -> j \notin A ->
+  counts (holds s i j) -> lists_on i j s s' -> active (holds s' j i).
+Proof.
+move=> re iA jA; have I := invariant_holds re iA jA.
+rewrite /counts; case Es: (since _) => [a|//] ak on.
+have [m mj [Em _]] := known_said I (leq_ltn_trans (leq0n _) ak).
+suff [re' [all mj']] : reachable s' /\
+    (forall m', sent s' i m' -> a < number m' -> listed (says m' j)) /\ sent s' j m.
+  by apply: (@row_while_listed s' i j a m) => //; rewrite -Em.
+elim: on => [|{}s' s'' _ [re' [all mj']] st new].
+  by split=> //; split=> // m' mi lt; exact: (all_list I Es mi lt).
+split; first exact: Step re' st.
+by split=> [m' /new [mi lt | li _] //|]; [exact: all mi lt | exact: sent_stays st mj'].
 Qed.
 End Protocol.

@@ -17,7 +17,7 @@ cell() {
   awk -v of="$1" '
     /gyration/ { widths = 1 }
     $1 == of && NF >= 4 && !seen { broken = $3; seen = 1 }
-    $1 == of && widths { width = $2 }
+    $1 == of && widths && NF > 1 { width = $NF }
     END { printf "%s%s", width, (broken > 0 ? " (" broken " broken)" : "") }' out.txt
 }
 

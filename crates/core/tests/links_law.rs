@@ -1,19 +1,22 @@
-//! The theorem of `links`: a link that is counted on is never longer than R, whatever is lost or late, and whoever begins anew.
+//! The theorems of `links`: a link that is counted on is never longer than R, whatever is lost or late, and whoever begins anew; and who counted
+//! on enough keeps enough neighbours, also if it begins anew.
 #![expect(clippy::unwrap_used, reason = "helpers of tests")]
 
 mod seeded;
 
 use core::time::Duration;
 
-use closeranks_core::controller::links::wire::bytes_max;
-use closeranks_core::num::{Vector, add_scaled, dot, subtract};
+use closeranks_core::controller::links::wire::{LinkMessage, bytes_max};
+use closeranks_core::num::{Vector, add_scaled, dot, sqrt, subtract};
 use closeranks_core::{
-    Clock, Controller, Instant, LinksSettings, Mode, Params, RobotId, Settings, SizedRobot, Team,
+    Clock, Controller, Errors, Instant, LinksSettings, Mode, Params, RobotId, Settings, SizedRobot, Team,
 };
 use seeded::Seeded;
 
 const ROBOTS: usize = 6;
 const TICK_MS: u64 = 50;
+/// So many neighbours a robot must count on.
+const NEED: usize = 4;
 
 /// Robots that go where they like through a network that loses half of all messages and delivers the others late.
 struct World<const D: usize> {
@@ -23,6 +26,11 @@ struct World<const D: usize> {
     late: Vec<(u64, usize, usize, Vec<u8>)>,
     /// When each began anew.
     born: [u64; ROBOTS],
+    /// Who counted on enough once.
+    kept: [bool; ROBOTS],
+    /// By how much the place of each robot is sensed wrong, m: at most `error_m` for each part of it.
+    error_m: f64,
+    errors_m: [Vector<D>; ROBOTS],
     random: Seeded,
 }
 
@@ -31,12 +39,13 @@ fn id(index: usize) -> RobotId {
 }
 
 impl<const D: usize> World<D> {
-    fn new(seed: u64) -> Self {
+    fn new(seed: u64, error_m: f64) -> Self {
         let period = Duration::from_millis(TICK_MS);
         let settings = Settings {
             team: Team { robots: 6, faults: 1 },
             clock: Clock { level_period: period, value_period: period, ..Clock::default() },
             controller: Controller::Links(LinksSettings { gamma: Some(1.0), ..LinksSettings::default() }),
+            errors: Errors { position_m: error_m * sqrt(3.0), ..Errors::default() },
             ..Settings::default()
         };
         let params = Params::new(settings).unwrap();
@@ -51,6 +60,9 @@ impl<const D: usize> World<D> {
             wishes_m_s: [[0.0; D]; ROBOTS],
             late: Vec::new(),
             born: [0; ROBOTS],
+            kept: [false; ROBOTS],
+            error_m,
+            errors_m: [[0.0; D]; ROBOTS],
             random: Seeded(seed),
         }
     }
@@ -62,6 +74,8 @@ impl<const D: usize> World<D> {
                 self.born[me] = tick;
             }
             if self.chance(0.1) {
+                self.errors_m[me] =
+                    core::array::from_fn(|_| self.random.between(-self.error_m, self.error_m));
                 self.wishes_m_s[me] = core::array::from_fn(|_| self.random.between(-1.5, 1.5));
             }
         }
@@ -89,10 +103,11 @@ impl<const D: usize> World<D> {
     fn sense(&mut self, tick: u64) {
         let now = Instant::from_nanos(tick * TICK_MS * 1_000_000);
         for me in 0..ROBOTS {
-            self.robots[me].sense(now, self.positions_m[me]).unwrap();
+            let sensed_m = |robot: usize| add_scaled(&self.positions_m[robot], 1.0, &self.errors_m[robot]);
+            self.robots[me].sense(now, sensed_m(me)).unwrap();
             for other in (0..ROBOTS).filter(|other| *other != me) {
                 if self.square_m2(me, other) <= 9.0 {
-                    self.robots[me].observe(id(other), self.positions_m[other]).unwrap();
+                    self.robots[me].observe(id(other), sensed_m(other)).unwrap();
                 }
             }
         }
@@ -105,7 +120,10 @@ impl<const D: usize> World<D> {
             let output = self.robots[me].tick(self.wishes_m_s[me]);
             let others: Vec<RobotId> = self.robots[me].counted().collect();
             assert!(others.iter().all(|other| self.square_m2(me, usize::from(other.0) - 1) <= 9.0));
-            assert!(output.report.mode != Mode::Guaranteed || others.len() >= 4, "{others:?}");
+            assert!(output.report.mode != Mode::Guaranteed || others.len() >= NEED, "{others:?}");
+            self.kept[me] |= others.len() >= NEED;
+            let near = (0..ROBOTS).filter(|other| *other != me && self.square_m2(me, *other) <= 9.0).count();
+            assert!(!self.kept[me] || near >= NEED, "robot {me} had enough once, and has {near} now");
             assert!(self.born[me] < tick || others.is_empty(), "a new life counts on nobody");
             counted += others.len();
             *velocity_m_s = output.velocity_m_s;
@@ -127,8 +145,8 @@ impl<const D: usize> World<D> {
     }
 }
 
-fn run<const D: usize>(seed: u64) {
-    let mut world = World::<D>::new(seed);
+fn run<const D: usize>(seed: u64, error_m: f64) {
+    let mut world = World::<D>::new(seed, error_m);
     let (mut counted, mut far) = (0, 0);
     for tick in 0..400 {
         world.tick(tick);
@@ -143,7 +161,35 @@ fn run<const D: usize>(seed: u64) {
 #[test]
 fn a_link_that_is_counted_on_stays_a_link() {
     for seed in 0..40 {
-        run::<2>(seed);
-        run::<3>(seed);
+        run::<2>(seed, 0.0);
+        run::<3>(seed, 0.0);
     }
+}
+
+//= theory thm:anew type=test
+#[test]
+fn so_it_does_with_errors() {
+    for seed in 0..40 {
+        run::<2>(seed, 0.02);
+        run::<3>(seed, 0.02);
+    }
+}
+
+/// Whether a robot that remembers nothing lists somebody that it senses so far away, in its first message. Positions are wrong by up to 2 cm.
+fn lists_at(distance_m: f64) -> bool {
+    let mut world = World::<2>::new(1, 0.02 / sqrt(3.0));
+    let (robot, mut bytes) = (&mut world.robots[0], [0; bytes_max(6, 3)]);
+    robot.sense(Instant::START, [0.0; 2]).unwrap();
+    robot.observe(id(1), [distance_m, 0.0]).unwrap();
+    let message = robot.share().unwrap();
+    let length = robot.encode(&message, &mut bytes).unwrap();
+    let message = LinkMessage::<2>::parse(&bytes[..length]).unwrap();
+    message.items().any(|item| item.id == id(1) && item.entry.listed)
+}
+
+//= theory thm:anew type=test
+#[test]
+fn who_begins_anew_lists_whoever_may_be_in_range() {
+    assert!(lists_at(2.99) && lists_at(3.039));
+    assert!(!lists_at(3.05));
 }

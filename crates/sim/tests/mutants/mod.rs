@@ -310,7 +310,7 @@ pub(crate) const MUTANTS: [Mutant; 42] = [
     Mutant {
         name: "links: one release too many",
         law: "degree",
-        lines: &[(POLICY, "(!is_counted || counted > keep)", "(!is_counted || counted >= keep)")],
+        lines: &[(POLICY, "counted >= keep + usize::from(is_counted)", "counted >= keep")],
     },
     Mutant {
         name: "links: free liars counted as normal",

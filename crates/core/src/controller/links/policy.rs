@@ -1,4 +1,4 @@
-//! Who releases whom: the rule "reserve". It decides how far a team gets. No guarantee rests on it, so it uses whatever is told.
+//! Who releases whom: the rule "reserve". It decides how far a team gets, and uses whatever is told.
 //!
 //! A robot has so many slots as robots in range can be counted beyond what it must keep, and promises them to those with whom it
 //! would end farthest apart if both got their wish for [`Links::horizon_s`]. A pair that promised each other is *engaged*. It
@@ -11,6 +11,9 @@
 //! price_i   = the least V of the engaged if all b_i are engaged; 0 if slots are left; ∞ if b_i = 0
 //! release   = engaged, listed and stretched j, largest V first, while more are counted on than must be
 //! ```
+//!
+//! Who counts on too few, as whoever begins anew does, releases nobody and lists everybody who may be in range. This alone is no matter of
+//! taste: thm:anew rests on it.
 //!
 //! A promise that is of no use for a while lapses. Who goes on listing a robot that has stopped listing it is listed again, because
 //! its row is active anyway, and is barred for a time that doubles.
@@ -109,7 +112,8 @@ impl Links {
         self.need.counts(own, slot.member()) && in_range && slot.peer.told_within(now, HEARD).is_some()
     }
 
-    /// Releases who is to be released, as long as enough are counted on, and follows those who have let go.
+    /// Releases who is to be released and follows those who have let go, as long as enough are counted on.
+    //= theory thm:anew
     fn release<const D: usize>(slots: &mut [Slot<D>], mut counted: usize, keep: usize) {
         loop {
             let loose = |peer: &Peer<D>| {
@@ -118,7 +122,7 @@ impl Links {
                 peer.hold.is_listed()
                     && deal.stretched
                     && (deal.engaged || let_go)
-                    && (!is_counted || counted > keep)
+                    && counted >= keep + usize::from(is_counted)
             };
             let mut farthest: Option<&mut Peer<D>> = None;
             for peer in slots.iter_mut().map(|slot| &mut slot.peer).filter(|peer| loose(peer)) {
@@ -133,7 +137,7 @@ impl Links {
         }
     }
 
-    /// Lists who is near, who does not let go, and with `all` who is in range.
+    /// Lists who is near, who does not let go, and with `all` who may be in range.
     fn list<const D: usize>(&self, own: Member, slots: &mut [Slot<D>], last: Number, all: bool) {
         for slot in slots.iter_mut().filter(|slot| slot.sensed && self.need.counts(own, slot.member())) {
             let Peer { hold, deal, .. } = &mut slot.peer;
@@ -143,8 +147,8 @@ impl Links {
             if impatient && deal.released {
                 deal.bar();
             }
-            let reach_m = if all { self.begun_m() } else { NEAR * self.radius_m };
-            let near = dot(&slot.offset_m, &slot.offset_m) <= reach_m * reach_m && !(all && deal.released);
+            let reach_m = if all { self.begun_m() + self.errors.offset_m } else { NEAR * self.radius_m };
+            let near = dot(&slot.offset_m, &slot.offset_m) <= reach_m * reach_m;
             if !hold.is_listed() && (impatient || near) {
                 deal.released = false;
                 hold.list(last);

@@ -10,6 +10,7 @@ use crate::attack::{Attack, ListsAttack, MotionAttack};
 use crate::faults::Clocks;
 use crate::faults::network::Network;
 use crate::frame::Frame;
+use crate::geometry::squared_distance;
 use crate::law::{Law, Verdicts, Violation};
 use crate::monitors::carry::report::{Reports, Untrue};
 use crate::monitors::carry::time::{fraction, longer_ago, since};
@@ -44,6 +45,8 @@ pub(crate) struct ModeWatch<const D: usize> {
     reports: Reports,
     /// The last tick in which a robot could have noticed anything wrong.
     unwell: Option<u32>,
+    /// Normal robots, by index, with malicious ones that move as they like, on whom they counted in the tick before.
+    trusted: Vec<[usize; 2]>,
     /// Robot-ticks of normal robots, those of them guaranteed, and those with a negative own h.
     counted: [u64; 3],
     /// Longest time from the end of trouble until all were guaranteed again, in ticks.
@@ -77,6 +80,7 @@ impl<const D: usize> ModeWatch<D> {
             params,
             // Lists must have been exchanged once.
             unwell: params.controller().tells_lists().then_some(0),
+            trusted: Vec::new(),
             counted: [0; 3],
             recovery_ticks: 0,
         }
@@ -94,8 +98,9 @@ impl<const D: usize> ModeWatch<D> {
         // Who senses a robot where it is not may reckon with it long after it has left.
         let reckons =
             frame.missing.iter().zip(&self.malicious).any(|(missing, malicious)| *missing && !malicious);
-        // Lists must be exchanged with whoever came, and in place of whoever left.
-        let changed = frame.presence.changed && self.params.controller().tells_lists();
+        // Lists must be exchanged with whoever came, and in place of whoever left the team or went out of range.
+        let changed =
+            self.params.controller().tells_lists() && (frame.presence.changed | self.deserted(frame));
         let well = safe && !stopped && !frame.assumptions.broken && !reckons && !changed;
         if !well {
             self.unwell = Some(tick);
@@ -134,6 +139,26 @@ impl<const D: usize> ModeWatch<D> {
         if well && !all {
             self.recovery_ticks = self.recovery_ticks.max(since(self.unwell, tick).min(tick));
         }
+    }
+
+    /// True if a malicious robot that moves as it likes has gone beyond R of a normal one that counted on it in the tick before.
+    fn deserted(&mut self, frame: &Frame<D>) -> bool {
+        if !self.free {
+            return false;
+        }
+        let radius_m = self.params.kept().link.radius_m;
+        let gone = |&[robot, liar]: &[usize; 2]| {
+            squared_distance(&frame.references_m[robot], &frame.references_m[liar]) > radius_m * radius_m
+        };
+        let deserted = self.trusted.iter().any(gone);
+        self.trusted.clear();
+        for (robot, counted) in frame.counted.iter().enumerate().filter(|(robot, _)| !self.malicious[*robot])
+        {
+            let liars =
+                counted.iter().map(|number| usize::from(*number) - 1).filter(|other| self.malicious[*other]);
+            self.trusted.extend(liars.map(|liar| [robot, liar]));
+        }
+        deserted
     }
 
     /// True unless a normal robot keeps lists and may not find as many as it must count on. Where malicious robots move as they like that
