@@ -58,6 +58,36 @@ let roots count lines =
      | _ -> raise Refused)
   | [] -> raise Refused
 
+(* Whole numbers as Coq has them. *)
+let rec positive n =
+  if n = 1 then Evidence_checker.XH
+  else if n land 1 = 1 then Evidence_checker.XI (positive (n lsr 1)) else Evidence_checker.XO (positive (n lsr 1))
+let whole n =
+  if n = 0 then Evidence_checker.Z0 else if n > 0 then Evidence_checker.Zpos (positive n) else Evidence_checker.Zneg (positive (-n))
+
+let signed word =
+  let digits = if word <> "" && word.[0] = '-' then String.sub word 1 (String.length word - 1) else word in
+  if digits <> "" && String.length digits <= 13 && String.for_all (fun c -> '0' <= c && c <= '9') digits
+  then whole (int_of_string word) else raise Refused
+
+(* `low Q` or `high Q`, then a line `row ..` for each node. *)
+let triangle word count lines =
+  let row line =
+    match String.split_on_char ' ' line with
+    | "row" :: words -> List.map signed (List.filter (fun word -> word <> "") words)
+    | _ -> raise Refused in
+  let rec rows number lines =
+    if number = 0 then [], lines
+    else match lines with
+      | line :: rest -> let row = row line in let others, rest = rows (number - 1) rest in row :: others, rest
+      | [] -> raise Refused in
+  match lines with
+  | first :: rest ->
+    (match after word first with
+     | [bound] -> let rows, rest = rows count rest in whole bound, rows, rest
+     | _ -> raise Refused)
+  | [] -> raise Refused
+
 let judge lines =
   let lines = List.filter (fun line -> line = "" || line.[0] <> '#') lines in
   match lines with
@@ -86,6 +116,16 @@ let judge lines =
        (match after "robust-by-search" claim with
         | [r; s] ->
           Evidence_checker.search_check network r s (roots count proof),
+          Printf.sprintf "(%d,%d)-robust" r s
+        | _ -> raise Refused)
+     | claim :: proof when starts "robust-by-eigenvalues" ->
+       (match after "robust-by-eigenvalues" claim with
+        | [r; s] when s <= count ->
+          let low, low_rows, proof = triangle "low" count proof in
+          let high, high_rows, proof = triangle "high" count proof in
+          if proof <> [] || s = 0 then raise Refused;
+          let unit_, ones, scale = whole 65536, whole 131072, whole 16777216 in
+          Evidence_checker.eigen_check network r s unit_ low high ones scale low_rows high_rows,
           Printf.sprintf "(%d,%d)-robust" r s
         | _ -> raise Refused)
      | claim :: core :: others :: proof when starts "ranks-by-search" ->

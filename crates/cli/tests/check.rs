@@ -397,6 +397,7 @@ fn a_certificate_is_written_once_and_passes_its_check() {
     for (graph, arguments, line) in [
         (&["wheel", "9"][..], &["--F", "1"][..], "robust-by-search 2 2"),
         (&["bipartite", "6", "6"], &["--F", "1", "--local"], "ranks-by-search 1"),
+        (&["paley", "41"], &["--F", "8"], "robust-by-eigenvalues 9 9"),
     ] {
         let file = format!("{}.txt", graph[0]);
         let (errors, exit) = run(&make(graph), &[arguments, &["--certificate", &file]].concat());

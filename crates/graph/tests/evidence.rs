@@ -65,6 +65,8 @@ fn right(graph: &Graph) -> Vec<Evidence> {
         claims.extend(with_meter(|meter| evidence::of_robust(&network, r, s, meter)));
     }
     claims.extend((0..3).filter_map(|f| searched(&network, f)));
+    let asked = [(1, 1), (1, 3), (2, 1), (2, 2), (3, 1)];
+    claims.extend(asked.into_iter().filter_map(|(r, s)| evidence::of_eigenvalues(&network, r, s)));
     claims.into_iter().map(|claim| Evidence { network: network.clone(), claim }).collect()
 }
 
@@ -127,7 +129,7 @@ fn judge(text: &str) -> bool {
             Claim::NotRobust { r, s, .. } => !is_robust(&graph, *r, *s),
             Claim::Degrees { r } => (1..=NODES).all(|s| is_robust(&graph, *r, s)),
             Claim::Ranks(order) | Claim::SearchedRanks { order, .. } => survives(&graph, order.f),
-            Claim::Search { r, s, .. } => is_robust(&graph, *r, *s),
+            Claim::Search { r, s, .. } | Claim::Eigenvalues { r, s, .. } => is_robust(&graph, *r, *s),
         };
         assert!(is_true, "accepted and false:\n{text}");
     }

@@ -41,7 +41,10 @@ impl Proof {
                 "nothing that is proved here can be written down; allowed are questions with --F, or --r and --s, whose answer is yes or \
                  no, and refuted ones without"
             ),
-            Self::Robust { r, s } => evidence::of_robust(network, r, s, meter),
+            Self::Robust { r, s } => match evidence::of_eigenvalues(network, r, s) {
+                Some(claim) => return Ok(claim),
+                None => evidence::of_robust(network, r, s, meter),
+            },
             Self::Order(order) => evidence::of_order(network, order, meter),
         };
         match found {

@@ -4,6 +4,8 @@
 //! The check looks at every edge a few times. `proofs/evidence.v` has the same check with a proof that a claim which passes is
 //! true; `proofs/check.sh` holds the two against each other. As text evidence carries its network, see [`Evidence::text`].
 
+mod eigen;
+mod read;
 mod search;
 mod text;
 
@@ -17,6 +19,8 @@ use crate::graph::set::NODE_LIMIT;
 use crate::network::Network;
 use crate::ranks::{Order, Wrong};
 use crate::roles::{Flaw, Refutation};
+use crate::spectrum::Bounds;
+pub use eigen::of_eigenvalues;
 pub use search::{CHOICES_MAX, of_order, of_robust};
 
 /// A claim about a network. Not checked: see [`Evidence::check`].
@@ -50,6 +54,16 @@ pub enum Claim {
     /// It survives F liars around each node, because of an order.
     //= theory thm:ranks
     Ranks(Order),
+    /// It is (r,s)-robust, because two sets would have more nodes than there are.
+    //= theory sec:spectrum
+    Eigenvalues {
+        /// The r of (r,s).
+        r: usize,
+        /// The s of (r,s), at most n.
+        s: usize,
+        /// Bounds of the eigenvalues, with what proves them.
+        bounds: Bounds,
+    },
     /// It is (r,s)-robust, because of the choices that a search made.
     //= theory sec:roles
     Search {
@@ -107,6 +121,10 @@ pub enum Refused {
         /// How many there are.
         nodes: usize,
     },
+    /// A link that leads one way only, or numbers that do not prove the bounds of the eigenvalues.
+    Eigenvalues,
+    /// The bounds of the eigenvalues leave room for two sets.
+    Room,
     /// The choices of a search are wrong.
     Choices(Flaw),
 }
@@ -128,6 +146,13 @@ impl fmt::Display for Refused {
             }
             Self::Order(wrong) => wrong.fmt(f),
             Self::Large { nodes } => write!(f, "a search of {nodes} nodes, allowed are up to {NODE_LIMIT}"),
+            Self::Eigenvalues => {
+                write!(
+                    f,
+                    "a link that leads one way only, or numbers that do not prove the bounds of the eigenvalues"
+                )
+            }
+            Self::Room => write!(f, "the bounds of the eigenvalues leave room for two sets"),
             Self::Choices(flaw) => flaw.fmt(f),
         }
     }
@@ -142,6 +167,7 @@ impl Evidence {
             Claim::NotRobust { r, s, sets } => refutes(&self.network, *r, *s, sets),
             Claim::Degrees { r } => degrees(&self.network, *r),
             Claim::Ranks(order) => order.counts(&self.network).map(|_| ()).map_err(Refused::Order),
+            Claim::Eigenvalues { r, s, bounds } => eigen::robust(&self.network, *r, *s, bounds),
             Claim::Search { r, s, refutation } => search::robust(&self.network, *r, *s, refutation),
             Claim::SearchedRanks { order, refutation } => search::ranks(&self.network, order, refutation),
         }

@@ -18,23 +18,23 @@
 //! | `robust-by-degrees R` | |
 //! | `ranks F` | `core ..`, `rest ..` |
 //! | `robust-by-search R S` | `roots N`, N lines `root ..` |
+//! | `robust-by-eigenvalues R S` | `low Q`, a line `row ..` for each node, `high Q`, a line `row ..` for each node |
 //! | `ranks-by-search F` | `core ..`, `rest ..`, `roots N`, N lines `root ..` |
 //!
 //! A line `root` has the node that is honest in S₁, then pairs of a node and a sum of roles, as [`crate::roles::Choice`] says; of
 //! `ranks-by-search` nodes are places in the core, from 0. Lines that begin with `#` are remarks.
 
 use alloc::string::String;
-use alloc::vec::Vec;
 use core::fmt::{self, Write as _};
-use core::str::FromStr;
 
+use super::read::Lines;
 use super::{Claim, Evidence};
 use crate::formats::NETWORK_TEXT_LIMIT;
-use crate::network::{NETWORK_LIMIT, Network};
 use crate::ranks::Order;
 use crate::roles::{Choice, Refutation, Root};
+use crate::spectrum::Bounds;
 
-const FIRST_LINE: &str = "closeranks certificate 1";
+pub(super) const FIRST_LINE: &str = "closeranks certificate 1";
 
 /// Text that is no evidence: the line, from 1, and what is allowed there.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -76,6 +76,10 @@ impl Evidence {
                 let _ = writeln!(text, "ranks {}", order.f);
                 push_order(&mut text, order);
             }
+            Claim::Eigenvalues { r, s, bounds } => {
+                let _ = writeln!(text, "robust-by-eigenvalues {r} {s}");
+                push_bounds(&mut text, bounds);
+            }
             Claim::Search { r, s, refutation } => {
                 let _ = writeln!(text, "robust-by-search {r} {s}");
                 push_roots(&mut text, refutation);
@@ -94,13 +98,7 @@ impl Evidence {
         if text.len() > NETWORK_TEXT_LIMIT {
             return Err(EvidenceError { line: 1, allowed: "a text of at most 268,435,456 bytes" });
         }
-        let mut lines = Lines { rest: text.lines(), line: 0 };
-        let network = lines.network()?;
-        let claim = lines.claim(network.node_count())?;
-        match lines.next() {
-            None => Ok(Self { network, claim }),
-            Some(_) => Err(lines.refuse("the end of the text")),
-        }
+        Lines::new(text).evidence()
     }
 }
 
@@ -118,6 +116,19 @@ fn push_order(text: &mut String, order: &Order) {
     push(text, &order.rest);
 }
 
+fn push_bounds(text: &mut String, bounds: &Bounds) {
+    for (word, (end, triangle)) in ["low", "high"].iter().zip(bounds.ends.iter().zip(&bounds.triangles)) {
+        let _ = writeln!(text, "{word} {end}");
+        for row in triangle {
+            text.push_str("row");
+            for entry in row {
+                let _ = write!(text, " {entry}");
+            }
+            text.push('\n');
+        }
+    }
+}
+
 fn push_roots(text: &mut String, refutation: &Refutation) {
     let _ = writeln!(text, "roots {}", refutation.roots.len());
     for Root { node, choices } in &refutation.roots {
@@ -129,124 +140,10 @@ fn push_roots(text: &mut String, refutation: &Refutation) {
     }
 }
 
-struct Lines<'a> {
-    rest: core::str::Lines<'a>,
-    line: usize,
-}
-
-impl<'a> Lines<'a> {
-    /// The next line that is no remark.
-    fn next(&mut self) -> Option<&'a str> {
-        loop {
-            self.line += 1;
-            let line = self.rest.next()?;
-            if !line.starts_with('#') {
-                return Some(line);
-            }
-        }
-    }
-
-    fn refuse(&self, allowed: &'static str) -> EvidenceError {
-        EvidenceError { line: self.line, allowed }
-    }
-
-    fn network(&mut self) -> Result<Network, EvidenceError> {
-        if self.next() != Some(FIRST_LINE) {
-            return Err(self.refuse("`closeranks certificate 1`"));
-        }
-        let counts: Vec<usize> = self.numbers("nodes", "`nodes` and a number from 1 to 4,194,304")?;
-        let &[count @ 1..=NETWORK_LIMIT] = &counts[..] else {
-            return Err(self.refuse("`nodes` and a number from 1 to 4,194,304"));
-        };
-        let mut edges = Vec::new();
-        for node in 0..count {
-            self.hears(node, count, &mut edges)?;
-        }
-        Ok(Network::new(count, true, &edges))
-    }
-
-    fn hears(&mut self, node: usize, count: usize, edges: &mut Vec<(u32, u32)>) -> Result<(), EvidenceError> {
-        const ALLOWED: &str = "`hears`, the number of the node, and the other nodes that it hears, rising";
-        let numbers: Vec<u32> = self.numbers("hears", ALLOWED)?;
-        let Some((&own, heard)) = numbers.split_first() else { return Err(self.refuse(ALLOWED)) };
-        let rising = heard.windows(2).all(|pair| pair[0] < pair[1]);
-        let inside = heard.iter().all(|other| (*other as usize) < count && *other != own);
-        if own as usize != node || !rising || !inside {
-            return Err(self.refuse(ALLOWED));
-        }
-        edges.extend(heard.iter().map(|other| (*other, own)));
-        Ok(())
-    }
-
-    fn claim(&mut self, count: usize) -> Result<Claim, EvidenceError> {
-        const ALLOWED: &str = "`not-robust R S`, `robust-by-degrees R`, `robust-by-search R S`, `ranks F` or `ranks-by-search F`";
-        let line = self.next().ok_or_else(|| self.refuse(ALLOWED))?;
-        let (word, rest) = line.split_once(' ').unwrap_or((line, ""));
-        let numbers: Option<Vec<usize>> = all(rest);
-        match (word, numbers.as_deref()) {
-            ("not-robust", Some(&[r, s])) => {
-                Ok(Claim::NotRobust { r, s, sets: [self.nodes("set", count)?, self.nodes("set", count)?] })
-            }
-            ("robust-by-degrees", Some(&[r])) => Ok(Claim::Degrees { r }),
-            ("ranks", Some(&[f])) if f <= NETWORK_LIMIT => Ok(Claim::Ranks(self.order(f, count)?)),
-            ("robust-by-search", Some(&[r, s])) => Ok(Claim::Search { r, s, refutation: self.roots(count)? }),
-            ("ranks-by-search", Some(&[f])) if f <= NETWORK_LIMIT => {
-                Ok(Claim::SearchedRanks { order: self.order(f, count)?, refutation: self.roots(count)? })
-            }
-            _ => Err(self.refuse(ALLOWED)),
-        }
-    }
-
-    fn order(&mut self, f: usize, count: usize) -> Result<Order, EvidenceError> {
-        Ok(Order { f, core: self.nodes("core", count)?, rest: self.nodes("rest", count)? })
-    }
-
-    fn roots(&mut self, count: usize) -> Result<Refutation, EvidenceError> {
-        const ALLOWED: &str = "`roots` and the number of roots, at most as many as there are nodes";
-        let roots: Vec<usize> = self.numbers("roots", ALLOWED)?;
-        let &[roots] = &roots[..] else { return Err(self.refuse(ALLOWED)) };
-        if roots > count {
-            return Err(self.refuse(ALLOWED));
-        }
-        Ok(Refutation { roots: (0..roots).map(|_| self.root()).collect::<Result<_, _>>()? })
-    }
-
-    fn root(&mut self) -> Result<Root, EvidenceError> {
-        const ALLOWED: &str = "`root`, a node, and pairs of a node and a sum of roles from 1 to 31";
-        let numbers: Vec<u32> = self.numbers("root", ALLOWED)?;
-        let Some((&node, pairs)) = numbers.split_first() else { return Err(self.refuse(ALLOWED)) };
-        let choice = |pair: &[u32]| match *pair {
-            [node, roles @ 1..=31] => u8::try_from(roles).ok().map(|roles| Choice { node, roles }),
-            _ => None,
-        };
-        let choices: Option<Vec<Choice>> = pairs.chunks(2).map(choice).collect();
-        Ok(Root { node, choices: choices.ok_or_else(|| self.refuse(ALLOWED))? })
-    }
-
-    /// A set of nodes; at most as many as the network has.
-    fn nodes(&mut self, word: &str, count: usize) -> Result<Vec<u32>, EvidenceError> {
-        const ALLOWED: &str = "`set`, `core` or `rest`, as the claim asks, and numbers of nodes";
-        let nodes: Vec<u32> = self.numbers(word, ALLOWED)?;
-        if nodes.len() <= count { Ok(nodes) } else { Err(self.refuse(ALLOWED)) }
-    }
-
-    fn numbers<N: FromStr>(&mut self, word: &str, allowed: &'static str) -> Result<Vec<N>, EvidenceError> {
-        let line = self.next().ok_or_else(|| self.refuse(allowed))?;
-        let rest = line.strip_prefix(word).filter(|rest| rest.is_empty() || rest.starts_with(' '));
-        rest.and_then(all).ok_or_else(|| self.refuse(allowed))
-    }
-}
-
-/// All numbers of a line, written with digits alone.
-fn all<N: FromStr>(text: &str) -> Option<Vec<N>> {
-    let digits = |word: &str| word.bytes().all(|byte| byte.is_ascii_digit());
-    let words = text.split(' ').filter(|word| !word.is_empty());
-    words.map(|word| word.parse().ok().filter(|_| digits(word))).collect()
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::network::Network;
     use alloc::vec;
 
     fn triangle(claim: Claim) -> Evidence {

@@ -69,7 +69,7 @@ impl<W: Word> Search<W> {
     fn extend(&mut self, domains: Domains<W>, meter: &mut Meter<'_>) -> Result<Option<Split>, Stopped> {
         meter.spend(1)?;
         let Some(now) = self.rules.conclude(domains) else { return Ok(None) };
-        let Some((node, roles)) = self.choice(&now) else { return Ok(Some(self.found(&now))) };
+        let Some((node, roles)) = self.choice(&now) else { return Ok(Some(Self::found(&now))) };
         self.write(node, roles)?;
         let found = self.extend(now.only(W::one(node), roles), meter)?;
         if found.is_some() {
@@ -124,7 +124,7 @@ impl<W: Word> Search<W> {
         open.nodes().max_by_key(worth)
     }
 
-    fn found(&self, now: &Domains<W>) -> Split {
+    fn found(now: &Domains<W>) -> Split {
         let liars = now.surely_liars();
         let first = now.surely_honest(0) | (liars & now.liars[0]);
         let second = now.surely_honest(1) | liars.without(first);
