@@ -100,8 +100,10 @@ impl<const D: usize, S: Slots<D>> Robot<D, S> {
         Some(encoded.len())
     }
 
-    /// Takes the bytes of a message that arrived from `sender`, of the kind that robots with its controller tell.
+    /// Takes the bytes of a message that arrived from `sender`, of the kind that robots with its controller tell. What comes from
+    /// somebody who has no slot is not even read.
     pub fn receive_bytes(&mut self, sender: RobotId, bytes: &[u8]) -> Result<(), ReceiveError> {
+        self.find(sender).ok_or(ReceiveError::NotNeighbor)?;
         if self.params.controller().tells_lists() {
             let message = LinkMessage::parse(bytes).map_err(ReceiveError::Bytes)?;
             return self.receive_notice(sender, &message.to(self.id));

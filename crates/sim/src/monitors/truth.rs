@@ -111,22 +111,24 @@ impl Truth {
         self.resize(frame.positions_m.len());
         let (pairs, scratch) = (&self.pairs, &mut self.scratch);
         let positions_m2 = pairs.positions_m2();
-        weigh(params.link(), pairs, positions_m2, all, &mut self.levels, &mut self.degrees, scratch);
+        weigh(params.link(), positions_m2, scratch);
+        add_up(pairs, &scratch[0], all, &mut self.levels, &mut self.degrees);
         self.h.clone_from(&self.levels);
         self.neighbors.clone_from(&self.degrees);
+        if free || ranked {
+            add_up(pairs, &scratch[0], counts, &mut self.h, &mut self.degrees);
+        }
         if frame.wants_phi && params.weighs_its_own_way() {
-            let (shape, sums) = (params.paper_link(), &mut self.paper_levels);
-            weigh(&shape, pairs, positions_m2, all, sums, &mut self.degrees, scratch);
+            weigh(&params.paper_link(), positions_m2, scratch);
+            let degrees = &mut vec![0; self.degrees.len()];
+            add_up(pairs, &scratch[0], all, &mut self.paper_levels, degrees);
         } else {
             self.paper_levels.clone_from(&self.levels);
         }
-        if free || ranked {
-            weigh(params.link(), pairs, positions_m2, counts, &mut self.h, &mut self.degrees, scratch);
-        }
         if free || margin {
             let degrees = &mut vec![0; self.degrees.len()];
-            let shape = &params.kept().link;
-            weigh(shape, pairs, pairs.references_m2(), counts, &mut self.h, degrees, scratch);
+            weigh(&params.kept().link, pairs.references_m2(), scratch);
+            add_up(pairs, &scratch[0], counts, &mut self.h, degrees);
         }
         self.is_local = !ranked || self.at_most_around(rule, malicious);
     }
@@ -174,23 +176,24 @@ fn wide_m<const D: usize>(params: &Params<D>) -> f64 {
     params.link().radius_m.max(meets_m * (1.0 + 1e-6))
 }
 
-/// Sum and number of the links of every robot with the others that count, in order of their numbers; each pair once.
-fn weigh(
-    shape: &LinkShape,
-    pairs: &Pairs,
-    pairs_m2: &[f64],
-    counts: impl Fn(usize, usize) -> bool,
-    sums: &mut [f64],
-    degrees: &mut [u16],
-    scratch: &mut [Vec<f64>; 2],
-) {
-    sums.fill(0.0);
-    degrees.fill(0);
-    let [weights, slopes] = scratch;
+/// Fills `weights` with those of pairs with these squared distances, m².
+fn weigh(shape: &LinkShape, pairs_m2: &[f64], [weights, slopes]: &mut [Vec<f64>; 2]) {
     weights.clear();
     weights.extend_from_slice(pairs_m2);
     slopes.resize(weights.len(), 0.0);
     shape.links_at(weights, slopes);
+}
+
+/// Sum and number of the links of every robot with the others that count, in order of their numbers; each pair once.
+fn add_up(
+    pairs: &Pairs,
+    weights: &[f64],
+    counts: impl Fn(usize, usize) -> bool,
+    sums: &mut [f64],
+    degrees: &mut [u16],
+) {
+    sums.fill(0.0);
+    degrees.fill(0);
     pairs.each(|place, [first, second]| {
         let weight = weights[place];
         if !Link::is_link(weight) || weight.is_nan() {

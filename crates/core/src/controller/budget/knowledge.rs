@@ -122,12 +122,20 @@ impl Budget {
         self.known(&Seen { robot: glimpse.member, own: glimpse.weight, low, degree })
     }
 
-    /// The sum of the positive ones of `weights`, which ascend, without the F largest.
+    /// How many of `weights` are links, and the sum of those in ascending order without the F largest. The order of `weights` is lost.
     //= theory thm:free
     #[inline(never)]
-    pub(super) fn trimmed(&self, weights: &[f64]) -> f64 {
-        let kept = weights.len().saturating_sub(usize::from(self.faults));
-        weights[..kept].iter().fold(0.0, |sum, weight| sum + weight.max(0.0))
+    pub(super) fn trimmed(&self, weights: &mut [f64]) -> (usize, f64) {
+        let mut links = 0;
+        for index in 0..weights.len() {
+            if weights[index] >= 0.0 {
+                weights.swap(links, index);
+                links += 1;
+            }
+        }
+        weights[..links].sort_unstable_by(f64::total_cmp);
+        let kept = links.saturating_sub(usize::from(self.faults));
+        (links, weights[..kept].iter().fold(0.0, |sum, weight| sum + weight))
     }
 }
 

@@ -44,7 +44,7 @@ pub mod survey;
 pub mod weight;
 
 use crate::controller::budget::inequality::Neighbor;
-use crate::controller::budget::knowledge::{Sighting, count};
+use crate::controller::budget::knowledge::{KnownMargin, Sighting, count};
 use crate::controller::budget::settings::{Budget, Form};
 use crate::controller::budget::survey::Survey;
 use crate::controller::rows::{Rows, give_m2, may_bind};
@@ -133,8 +133,13 @@ impl Budget {
         }
         let slope = self.slope(index, &sightings[index], survey);
         let pair = &self.pair(&offset_m, slope, &rows.program.reach);
-        let Some(seen) = self.seen(index, sightings, survey) else { return };
-        let known = self.known(&seen);
+        let known = if self.need.counts(member, own.member) {
+            let Some(seen) = self.seen(index, sightings, survey) else { return };
+            self.known(&seen)
+        } else {
+            // Nothing that this robot does weakens j, so no row asks what is known of it.
+            KnownMargin::default()
+        };
         self.push_neighbor(own, &Neighbor { member, offset_m, pair, known }, rows);
     }
 

@@ -86,19 +86,27 @@ impl Budget {
         sightings: &[Sighting<D>],
         survey: &mut Survey<'_>,
     ) {
-        let (robots, one) = (sightings.len(), &sightings[first]);
+        let (robots, one, own) = (sightings.len(), &sightings[first], survey.own);
+        // What lies between two others matters where one of them counts for the other, for whom the robot itself counts.
+        let matters = |(one, other): (&Sighting<D>, &Sighting<D>)| {
+            self.need.counts(one.member(), other.member()) && self.need.counts(one.member(), own)
+        };
         match &mut survey.links {
             Links::Sums { lows, degrees, .. } => {
                 let (mut low, mut degree) = (lows[first], degrees[first]);
                 let sums = lows[later.clone()].iter_mut().zip(&mut degrees[later.clone()]);
                 for (other, (other_low, other_degree)) in sightings[later].iter().zip(sums) {
+                    let [counts, counted] = [(one, other), (other, one)].map(matters);
+                    if !counts && !counted {
+                        continue;
+                    }
                     let weight = self.weight_between(one, other);
                     if weight >= 0.0 {
-                        if self.need.counts(one.member(), other.member()) {
+                        if counts {
                             low += weight;
                             degree += 1.0;
                         }
-                        if self.need.counts(other.member(), one.member()) {
+                        if counted {
                             *other_low += weight;
                             *other_degree += 1.0;
                         }
@@ -109,16 +117,19 @@ impl Budget {
             Links::Table { weights, .. } => {
                 for index in later {
                     let other = &sightings[index];
-                    let weight = self.weight_between(one, other);
-                    weights[first * robots + index] = self.counted(one.member(), other.member(), weight);
-                    weights[index * robots + first] = self.counted(other.member(), one.member(), weight);
+                    let both = [(one, other), (other, one)].map(matters);
+                    let weight = if both == [false; 2] { -1.0 } else { self.weight_between(one, other) };
+                    let [counts, counted] = both.map(|matters| if matters { weight } else { -1.0 });
+                    weights[first * robots + index] = counts;
+                    weights[index * robots + first] = counted;
                 }
             }
             Links::Line(_) => {}
         }
     }
 
-    /// What is seen of the links of `sightings[index]`, the sightings that the `survey` was made of. `None` if there is no such.
+    /// What is seen of the links of `sightings[index]`, the sightings that the `survey` was made of, for which the robot itself
+    /// counts. `None` if there is no such.
     #[must_use]
     pub fn seen<const D: usize>(
         &self,
@@ -141,9 +152,7 @@ impl Budget {
                 &mut line[..]
             }
         };
-        weights.sort_unstable_by(f64::total_cmp);
-        let links = weights.iter().filter(|weight| **weight >= 0.0).count();
-        let low = self.trimmed(weights);
+        let (links, low) = self.trimmed(weights);
         Some(Seen { robot, own: own_weight, low, degree: count(unseen) + count(links) })
     }
 
@@ -195,8 +204,7 @@ impl Budget {
         }
         let Some(scratch) = scratch.get_mut(..sightings.len()) else { return 0.0 };
         scratch.iter_mut().zip(weights).for_each(|(place, weight)| *place = weight);
-        scratch.sort_unstable_by(f64::total_cmp);
-        self.trimmed(scratch)
+        self.trimmed(scratch).1
     }
 
     fn weight_between<const D: usize>(&self, one: &Sighting<D>, other: &Sighting<D>) -> f64 {

@@ -92,7 +92,7 @@ impl<'a, const D: usize> LinkMessage<'a, D> {
         if count >= usize::from(ROBOTS_MAX) || rest.len() != 8 * D + ENTRY_BYTES * count {
             return Err(MessageError::Length(bytes.len()));
         }
-        let [number, value, price] = [0, 8, 16].map(|at| word(&numbers, at));
+        let (number, value, price) = (word(&numbers, 0), word(&numbers, 8), word(&numbers, 16));
         if flags > HAS_VALUE || (flags == 0 && value != 0) {
             return Err(MessageError::Flags(flags));
         }
@@ -114,7 +114,7 @@ impl<'a, const D: usize> LinkMessage<'a, D> {
 
     /// What it says of each robot that it names, in rising order of ids.
     pub fn items(&self) -> impl Iterator<Item = Item> + Clone + use<'a, D> {
-        self.entries.chunks_exact(ENTRY_BYTES).map(item)
+        self.entries.as_chunks::<ENTRY_BYTES>().0.iter().map(item)
     }
 
     /// What it says to robot `id`. Whom it does not name it does not list.
@@ -129,15 +129,13 @@ impl<'a, const D: usize> LinkMessage<'a, D> {
 
     /// True if ids rise from 1, and every entry is of a known kind and says something.
     fn is_in_order(&self) -> bool {
-        let mut before = 0;
-        self.entries.chunks_exact(ENTRY_BYTES).all(|entry| {
-            let (Item { id, entry: said, .. }, flags) = (item(entry), entry[2]);
-            let rises = id.0 > core::mem::replace(&mut before, id.0);
-            rises
-                && id.0 <= ROBOTS_MAX
-                && flags <= LISTED | PROMISED
-                && (flags != 0 || said != Entry::default())
-        })
+        let (mut before, mut is_in_order) = (0, true);
+        for entry in self.entries.as_chunks::<ENTRY_BYTES>().0 {
+            let (id, flags) = (u16::from_le_bytes([entry[0], entry[1]]), entry[2]);
+            is_in_order &= id > before && flags <= LISTED | PROMISED && (flags != 0 || word(entry, 3) != 0);
+            before = id;
+        }
+        is_in_order && before <= ROBOTS_MAX
     }
 }
 
@@ -184,7 +182,7 @@ impl<const D: usize> Head<D> {
 }
 
 /// The entry in [`ENTRY_BYTES`] bytes.
-fn item(bytes: &[u8]) -> Item {
+fn item(bytes: &[u8; ENTRY_BYTES]) -> Item {
     let flags = bytes[2];
     Item {
         id: RobotId(u16::from_le_bytes([bytes[0], bytes[1]])),
@@ -201,7 +199,9 @@ fn write(item: &Item, bytes: &mut [u8]) {
 
 /// The eight bytes from `start` on.
 fn word(bytes: &[u8], start: usize) -> u64 {
-    u64::from_le_bytes(core::array::from_fn(|index| bytes[start + index]))
+    let mut word = [0; 8];
+    word.copy_from_slice(&bytes[start..start + 8]);
+    u64::from_le_bytes(word)
 }
 
 #[cfg(test)]
