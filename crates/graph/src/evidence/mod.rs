@@ -13,7 +13,7 @@ use alloc::vec;
 use alloc::vec::Vec;
 use core::fmt;
 
-pub use text::EvidenceError;
+pub use read::EvidenceError;
 
 use crate::graph::set::NODE_LIMIT;
 use crate::network::Network;

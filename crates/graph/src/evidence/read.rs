@@ -1,14 +1,33 @@
 //! Reads evidence line by line, as `text.rs` describes it.
 
 use alloc::vec::Vec;
+use core::fmt;
 use core::str::FromStr;
 
-use super::text::FIRST_LINE;
-use super::{Claim, Evidence, EvidenceError};
+use super::{Claim, Evidence};
 use crate::network::{NETWORK_LIMIT, Network};
 use crate::ranks::Order;
 use crate::roles::{Choice, Refutation, Root};
 use crate::spectrum::Bounds;
+
+pub(super) const FIRST_LINE: &str = "closeranks certificate 1";
+
+/// Text that is no evidence: the line, from 1, and what is allowed there.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct EvidenceError {
+    /// The line, from 1.
+    pub line: usize,
+    /// What is allowed there.
+    pub allowed: &'static str,
+}
+
+impl fmt::Display for EvidenceError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "line {}: allowed is {}", self.line, self.allowed)
+    }
+}
+
+impl core::error::Error for EvidenceError {}
 
 /// The lines of a text that are still to be read.
 pub(super) struct Lines<'a> {

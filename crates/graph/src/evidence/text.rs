@@ -25,33 +25,14 @@
 //! `ranks-by-search` nodes are places in the core, from 0. Lines that begin with `#` are remarks.
 
 use alloc::string::String;
-use core::fmt::{self, Write as _};
+use core::fmt::Write as _;
 
-use super::read::Lines;
+use super::read::{EvidenceError, FIRST_LINE, Lines};
 use super::{Claim, Evidence};
 use crate::formats::NETWORK_TEXT_LIMIT;
 use crate::ranks::Order;
 use crate::roles::{Choice, Refutation, Root};
 use crate::spectrum::Bounds;
-
-pub(super) const FIRST_LINE: &str = "closeranks certificate 1";
-
-/// Text that is no evidence: the line, from 1, and what is allowed there.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct EvidenceError {
-    /// The line, from 1.
-    pub line: usize,
-    /// What is allowed there.
-    pub allowed: &'static str,
-}
-
-impl fmt::Display for EvidenceError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "line {}: allowed is {}", self.line, self.allowed)
-    }
-}
-
-impl core::error::Error for EvidenceError {}
 
 impl Evidence {
     /// As text that [`Evidence::from_text`] and the proved checker read.

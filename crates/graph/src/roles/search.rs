@@ -117,11 +117,11 @@ impl<W: Word> Search<W> {
     fn neighbor(&self, now: &Domains<W>, side: usize, node: usize) -> Option<usize> {
         let members = now.surely_inside(side);
         let open = self.rules.heard[node] & now.inside(side).without(members);
-        let worth = |other: &usize| {
+        let score = |other: &usize| {
             let heard = self.rules.heard[*other];
             4 * (heard & members).count() - (heard & now.inside(side)).count()
         };
-        open.nodes().max_by_key(worth)
+        open.nodes().max_by_key(score)
     }
 
     fn found(now: &Domains<W>) -> Split {
@@ -179,7 +179,11 @@ impl Split {
         };
         let few = match question.liars {
             Liars::Total { s } => self.liars.len() < s,
-            Liars::Local => crate::local::local_least(graph, self.liars) < question.r,
+            Liars::Local => {
+                let honest = graph.nodes().difference(self.liars);
+                let heard = |node: usize| graph.in_neighbors(node).intersection(self.liars).len();
+                honest.iter().all(|node| heard(node) < question.r)
+            }
         };
         let inside = self.first.union(self.second).union(self.liars).is_subset(graph.nodes());
         inside && self.first.is_disjoint(self.second) && stays(self.first) && stays(self.second) && few
