@@ -44,6 +44,8 @@ cp tight/graph.svg made/tight.svg
 cp elemental/graph.svg made/elemental.svg
 answer "$program" run scenarios/inside-overstating.toml -q -o moving
 cp moving/animation.svg made/animation.svg
+answer "$program" run scenarios/teams.toml -q -o teams
+cp teams/overview.svg made/teams.svg
 answer "$program" run scenarios/unfiltered.toml -q -o run
 answer "$program" check run/run.parquet -q -o unfiltered
 cp unfiltered/robustness.svg made/unfiltered-robustness.svg

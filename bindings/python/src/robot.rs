@@ -68,6 +68,7 @@ impl<const D: usize> Machine<D> {
         let seen = seen.map_err(|error| errors::robot(format!("{error} (robot {id})")))?;
         Ok(match seen {
             Observed::Neighbor => "neighbor",
+            Observed::Stranger => "stranger",
             Observed::InView => "in view",
             Observed::OutOfRange => "out of range",
         })

@@ -114,10 +114,10 @@ fn too_large(scenario: &Scenario) -> Option<String> {
 }
 
 fn told(arguments: &crate::Run, Done { scenario, run, wall_s, .. }: &Done) -> String {
-    let line = Line { scenario, summary: &run.summary, rounds: &run.rounds, wall_s: *wall_s };
     let start = sentences::start(scenario, &run.summary);
     let laws = sentences::laws(scenario, &run.summary);
     let mut notes: Vec<String> = sentences::warning(scenario).into_iter().collect();
+    notes.extend(sentences::teams(scenario));
     notes.extend(sentences::ranks(scenario, &run.summary));
     notes.extend(sentences::presence(scenario, &run.summary));
     notes.extend(too_large(scenario));
@@ -127,7 +127,20 @@ fn told(arguments: &crate::Run, Done { scenario, run, wall_s, .. }: &Done) -> St
     }
     let lines: Vec<&str> = [start.as_str()].into_iter().chain(notes.iter().map(String::as_str)).collect();
     let digest = run.digest.map(|digest| format!("digest: {digest:016x}\n")).unwrap_or_default();
-    format!("{}\n{}\n{laws}{digest}", text(&table(&[line])), lines.join("\n"))
+    let rows = table(&table_lines(scenario, run, *wall_s));
+    format!("{}\n{}\n{laws}{digest}", text(&rows), lines.join("\n"))
+}
+
+/// The run, and below it what each of several teams came to by itself.
+fn table_lines<'a>(scenario: &'a Scenario, run: &'a Run, wall_s: Option<f64>) -> Vec<Line<'a>> {
+    let all = Line { scenario, summary: &run.summary, rounds: &run.rounds, wall_s };
+    let teams = scenario.teams.iter().zip(&run.teams).map(|(scenario, team)| Line {
+        scenario,
+        summary: &team.summary,
+        rounds: &team.rounds,
+        wall_s: None,
+    });
+    [all].into_iter().chain(teams).collect()
 }
 
 /// Writes everything; says which files.
@@ -136,7 +149,8 @@ fn save(mut folder: Folder, done: &Done) -> Result<String> {
     let Some(record) = &run.record else { return Ok(String::new()) };
     let case = Case { title: &scenario.name, scenario, record };
     let svg = if record.robots > MANY { swarm(&[case]) } else { overview(case) };
-    let robustness = pages::robustness_of(&scenario.name, scenario, run).map(|series| robustness(&[series]));
+    let series = pages::robustness_of_all(&scenario.name, scenario, run);
+    let robustness = (!series.is_empty()).then(|| robustness(&series));
     let mut figures = vec![("overview", svg.as_str())];
     figures.extend(robustness.as_deref().map(|svg| ("robustness", svg)));
     let mut files = pages::add_data(&mut folder, ["scenario.toml", TICKS, ROUNDS], source, scenario, run)?;
@@ -153,9 +167,9 @@ fn save(mut folder: Folder, done: &Done) -> Result<String> {
 
 fn page(done: &Done, overview: String, robustness: Option<String>, files: Vec<Link>) -> Page {
     let Done { scenario, source, run, wall_s } = done;
-    let line = Line { scenario, summary: &run.summary, rounds: &run.rounds, wall_s: *wall_s };
     let mut paragraphs = vec![sentences::start(scenario, &run.summary)];
     paragraphs.extend(sentences::warning(scenario));
+    paragraphs.extend(sentences::teams(scenario));
     paragraphs.extend(sentences::ranks(scenario, &run.summary));
     paragraphs.extend(sentences::presence(scenario, &run.summary));
     let caption = if scenario.team.robots > MANY {
@@ -176,7 +190,7 @@ fn page(done: &Done, overview: String, robustness: Option<String>, files: Vec<Li
         laws: sentences::law_lines(scenario, &run.summary),
         tables: vec![(
             "Least and greatest over the run; heads as in the terminal.".to_owned(),
-            table(&[line]),
+            table(&table_lines(scenario, run, *wall_s)),
         )],
         figures,
         ..Section::default()

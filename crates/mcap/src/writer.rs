@@ -41,9 +41,13 @@ pub struct RunWriter<W: Write + Seek> {
 }
 
 impl<W: Write + Seek> RunWriter<W> {
-    /// Begins the recording of a run of `scenario` that `command` started; refused where robots come and go, because messages have no
-    /// word for a robot that is not there.
+    /// Begins the recording of a run of `scenario` that `command` started; refused where robots come and go and where there are several
+    /// teams, because messages have no word for either.
     pub fn new(scenario: &Scenario, metadata: &Metadata<'_>, command: &str, sink: W) -> io::Result<Self> {
+        if !scenario.teams.is_empty() {
+            let why = "`teams`: messages of ROS 2 have no word for several teams";
+            return Err(io::Error::new(io::ErrorKind::Unsupported, why));
+        }
         if !scenario.absences.is_empty() {
             let why = "`team.absent`: messages of ROS 2 have no word for robots that come and go";
             return Err(io::Error::new(io::ErrorKind::Unsupported, why));

@@ -116,6 +116,10 @@ pub fn read(text: &str, path: &Path) -> Result<FleetScenario, ScenarioError> {
         let found = "`obstacles` are known to the simulator alone: robots as processes have no map yet";
         return Err(wrong(1, format!("{found}; allowed is a scenario without any")));
     }
+    if !scenario.teams.is_empty() {
+        let found = "`teams` are known to the simulator alone: robots as processes sense no other teams yet";
+        return Err(wrong(1, format!("{found}; allowed is [team], one team")));
+    }
     if !scenario.absences.is_empty() {
         let found = "`team.absent` is known to the simulator alone";
         return Err(wrong(1, format!("{found}; allowed for processes is fleet.kill")));

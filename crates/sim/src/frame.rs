@@ -4,6 +4,8 @@ use closeranks_core::num::Vector;
 use closeranks_core::program::Outcome;
 use closeranks_core::robot::report::{Mode, Reason};
 
+use crate::transport::Bytes;
+
 /// State of every robot in one tick; index 0 is robot 1.
 ///
 /// A robot that is down in this tick (crashed, or missing it: `down`) has stopped, has no φ_i and is free; its degree, levels, h, value
@@ -64,6 +66,8 @@ pub struct Frame<const D: usize> {
     pub down: Vec<bool>,
     /// Who is in the plane. The world fills it before the robots tick.
     pub presence: Presence,
+    /// Robots of other teams. The world fills it before the robots tick.
+    pub strangers: Strangers<D>,
     /// What the theorem is about, m: where velocities have taken each robot if a tracking error is stated, else its position.
     pub references_m: Vec<Vector<D>>,
     /// What the theorem rests on, and whether it holds.
@@ -115,6 +119,21 @@ impl Presence {
             self.bereft.fill(false);
         }
     }
+}
+
+/// Robots of other teams in the same space, in an order that stays the same.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Strangers<const D: usize> {
+    /// Where they are, m; NaN of those that are absent.
+    pub positions_m: Vec<Vector<D>>,
+    /// Where they count themselves, m, as in [`Frame::references_m`].
+    pub references_m: Vec<Vector<D>>,
+    /// Malicious ones that move as they like.
+    pub disobedient: Vec<bool>,
+    /// Those of which everybody is told in this tick that they have left.
+    pub dismissed: Vec<bool>,
+    /// What they told their own team in the tick before: whoever is near hears it too.
+    pub told: Vec<Option<Bytes>>,
 }
 
 /// What held in a tick of the assumptions under which `budget` promises anything, as only the world can know. The world fills
@@ -194,6 +213,7 @@ impl<const D: usize> Frame<D> {
             listened: vec![[0; 2]; robots],
             down: vec![false; robots],
             presence: Presence::full(robots),
+            strangers: Strangers::default(),
             assumptions: Assumptions::all_hold(robots),
             links: 0,
         }

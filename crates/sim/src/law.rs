@@ -241,6 +241,11 @@ impl Verdicts {
         }
     }
 
+    /// What `of` says of each law.
+    pub(crate) fn together(of: impl Fn(Law) -> Verdict) -> Self {
+        Self(Law::ALL.map(of))
+    }
+
     /// The verdicts on all laws, in order.
     pub fn iter(&self) -> core::slice::Iter<'_, Verdict> {
         self.0.iter()

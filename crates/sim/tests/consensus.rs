@@ -344,3 +344,15 @@ fn what_does_not_fit_is_refused_by_name() {
         assert!(told.contains(place) && told.contains(allowed), "{text}: {told}");
     }
 }
+
+/// The run says how far apart values are in each of their numbers, and the largest of these.
+#[test]
+fn each_number_of_a_value_has_a_spread_of_its_own() {
+    let text = "duration_s = 0.5\n[team]\nmalicious = []\n[consensus]\ndimension = 2\n\
+                [values]\nkind = \"listed\"\nvalues = [[0, 0], [1, 9], [0, 0], [0, 0], [0, 0], [0, 0], [0, 0], [0, 0], [0, 0], [0, 0], [0, 0]]\n";
+    let scenario = parse::scenario(text).unwrap();
+    let extremes = run(&scenario, Options::default(), &mut |_| ()).unwrap().summary.extremes;
+    let [first, second, third] = extremes.spreads;
+    assert!(0.0 < first && first < second && second < 9.0 && third == 0.0, "{:?}", extremes.spreads);
+    assert_eq!(extremes.spread, second);
+}

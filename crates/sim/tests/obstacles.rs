@@ -5,6 +5,7 @@ use closeranks_core::num::length;
 use closeranks_sim::law::Law;
 use closeranks_sim::output::summary::Summary;
 use closeranks_sim::parse;
+use closeranks_sim::scenario::desired::Desired;
 use closeranks_sim::scenario::{Controller, Scenario};
 use closeranks_sim::world::{Engine, Options, RunError, World, run};
 
@@ -93,8 +94,9 @@ fn a_start_in_the_way_and_a_controller_without_rows_for_obstacles_are_refused_wi
         assert_eq!(problems.len(), 1, "{problems:?}");
         (problems[0].to_string(), text[problems[0].span.clone()].to_owned())
     };
-    let (told, place) =
-        refused("[controller]\nkind = \"budget\"\n[obstacles]\nwalls = [[9, 0, 9, 1], [-1, 0.1, 1, 0.1]]\n");
+    let (told, place) = refused(
+        "[controller]\nkind = \"composed\"\n[obstacles]\nwalls = [[9, 0, 9, 1], [-1, 0.1, 1, 0.1]]\n",
+    );
     assert!(told.starts_with("`obstacles.walls[1]` is ") && told.contains("robot"), "{told}");
     assert_eq!(place, "[-1, 0.1, 1, 0.1]");
     let listed = "[team]\nrobots = 2\nfaults = 0\n[start]\nkind = \"listed\"\npositions_m = [[0, 0], [1, 0]]\n\
@@ -102,10 +104,37 @@ fn a_start_in_the_way_and_a_controller_without_rows_for_obstacles_are_refused_wi
     let (told, place) = refused(listed);
     assert!(told.starts_with("`start.positions_m[1]` is 0.1000 m between the start of robot 2"), "{told}");
     assert_eq!(place, "[1, 0]");
+    let (told, _) = refused("[controller]\nkind = \"budget\"\n[obstacles]\ndiscs = [[0, 0.1, 0.2]]\n");
+    assert!(told.ends_with("allowed is at least 0 m: outside of obstacles"), "{told}");
     let (told, _) = refused("[controller]\nkind = \"orca\"\n[obstacles]\ndiscs = [[9, 9, 1]]\n");
     assert!(told.ends_with("allowed is only under budget, composed, links, none"), "{told}");
     let among = scenario("budget", "[obstacles]\ndiscs = [[9, 9, 1]]\n").under(Controller::Orca);
     assert!(matches!(World::<2>::new(&among, Options::default()), Err(RunError::Obstacles(_))));
+}
+
+/// A wall between robots that wish to rest, nearer to some than they may be: they go away from it and say so, nobody else moves, and
+/// nothing counts as broken. It was refused once, and a robot that was pushed there stayed there.
+//= theory sec:clear-recovery type=test
+#[test]
+fn who_starts_too_near_goes_away_and_nothing_that_is_promised_breaks() {
+    for controller in ["budget", "links"] {
+        let near = scenario(controller, "[obstacles]\nwalls = [[-0.4, 0.1, 0.4, 0.1]]\n");
+        let near = Scenario { duration_s: 2.0, desired: Desired::Hold, ..near };
+        let mut world = World::<2>::new(&near, Options { without_phi: true, ..Options::default() }).unwrap();
+        world.step();
+        let said = world.frame().modes.iter().filter(|mode| mode.name() == "near obstacle").count();
+        assert!(said > 0, "{controller}: {:?}", world.frame().modes);
+        while !world.is_over() {
+            world.step();
+        }
+        let end = world.frame().modes.iter().filter(|mode| mode.name() == "near obstacle").count();
+        assert_eq!(end, 0, "{controller}");
+        let summary = world.finish().summary;
+        assert!(!summary.start.inside && summary.broken(Law::Clear) > 0, "it is counted");
+        let broken: Vec<_> = summary.violations(&near).collect();
+        assert!(broken.is_empty(), "{controller}: {broken:?}");
+        assert_eq!((summary.broken(Law::Untowed), summary.broken(Law::Mode)), (0, 0), "{controller}");
+    }
 }
 
 /// The paper's team on its way to the right, past what stands there, for so long.

@@ -21,6 +21,7 @@ use std::thread;
 
 use mutants::obstacles::OBSTACLES as AMONG_OBSTACLES;
 use mutants::presence::PRESENCE as COMING_AND_GOING;
+use mutants::teams::TEAMS as BESIDE_OTHERS;
 use mutants::{MUTANTS, Mutant};
 
 /// Runs that a mutant may survive.
@@ -32,11 +33,12 @@ const SEED: &str = "7";
 /// controller as it is has a campaign in each.
 const LANES: usize = 2;
 /// Where mutants are hunted; those of ranks in teams that have ranks, those of obstacles among obstacles, and
-/// those of robots that come and go where they do.
+/// those of robots that come and go where they do, and those of several teams where there are several.
 const CAMPAIGN: &str = "campaign.toml";
 const RANKED: &str = "campaign-ranks.toml";
 const OBSTACLES: &str = "campaign-obstacles.toml";
 const PRESENCE: &str = "campaign-presence.toml";
+const TEAMS: &str = "campaign-teams.toml";
 
 fn root() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../..")
@@ -140,6 +142,7 @@ fn caught(workspace: &Path, mutant: &Mutant) -> bool {
         Some(("ranks", _)) => RANKED,
         Some(("obstacles", _)) => OBSTACLES,
         Some(("presence", _)) => PRESENCE,
+        Some(("teams", _)) => TEAMS,
         _ => CAMPAIGN,
     };
     let found = hunt(workspace, campaign, RUNS, law);
@@ -166,7 +169,7 @@ fn lane(lane: usize, mutants: &[&Mutant]) -> Vec<String> {
 #[test]
 fn every_broken_controller_is_caught_by_its_law() {
     let only = std::env::var("MUTANT").unwrap_or_default();
-    let all = MUTANTS.iter().chain(&AMONG_OBSTACLES).chain(&COMING_AND_GOING);
+    let all = MUTANTS.iter().chain(&AMONG_OBSTACLES).chain(&COMING_AND_GOING).chain(&BESIDE_OTHERS);
     let chosen: Vec<&Mutant> = all.filter(|mutant| mutant.name.contains(&only)).collect();
     assert!(!chosen.is_empty(), "no mutant's name contains MUTANT={only}");
     let missed: Vec<String> = thread::scope(|scope| {

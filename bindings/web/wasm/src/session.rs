@@ -72,6 +72,10 @@ impl Session {
         if scenario.dimension != 2 {
             return Err(json!([problem(1, "`dimension` is 3, allowed on this page is 2".to_owned())]));
         }
+        if !scenario.teams.is_empty() {
+            let message = "`teams`: this page shows one team, allowed is [team]".to_owned();
+            return Err(json!([problem(1, message)]));
+        }
         if !scenario.absences.is_empty() {
             let message = "`team.absent`: this page does not show robots that come and go".to_owned();
             return Err(json!([problem(1, message)]));

@@ -83,6 +83,9 @@ pub(crate) fn advise(arguments: &Advise) -> Result<bool> {
 
 fn asked(arguments: &Advise) -> Result<Asked> {
     let file = arguments.file.as_deref().map(source::scenario).transpose()?.map(|(scenario, _)| scenario);
+    if file.as_ref().is_some_and(|file| !file.teams.is_empty()) {
+        bail!("the scenario has several teams ([[teams]]), allowed is one: ask for each by its numbers");
+    }
     let mut question = Question::new(file.clone().unwrap_or_default());
     if let Some(dimension) = &arguments.dimension {
         question.set_dimension(if dimension == "3" { 3 } else { 2 });

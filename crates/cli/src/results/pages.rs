@@ -8,7 +8,7 @@ use closeranks_report::png::{SCALE_200_DPI, png};
 use closeranks_report::recording::rounds::write_rounds;
 use closeranks_report::robustness::{RobustnessSeries, points};
 use closeranks_sim::scenario::Scenario;
-use closeranks_sim::world::Run;
+use closeranks_sim::world::{Run, TeamRun};
 use closeranks_sweep::PROGRAM;
 use rayon::prelude::*;
 
@@ -60,6 +60,26 @@ pub(crate) fn robustness_of<'a>(
 ) -> Option<RobustnessSeries<'a>> {
     let points = points(&run.rounds, scenario.tick_s());
     (!points.is_empty()).then_some(RobustnessSeries { title, faults: scenario.team.faults, points })
+}
+
+/// The same, of several teams each by itself.
+pub(crate) fn robustness_of_all<'a>(
+    title: &'a str,
+    scenario: &'a Scenario,
+    run: &Run,
+) -> Vec<RobustnessSeries<'a>> {
+    if scenario.teams.is_empty() {
+        return robustness_of(title, scenario, run).into_iter().collect();
+    }
+    let of = |(team, came): (&'a Scenario, &TeamRun)| {
+        let points = points(&came.rounds, scenario.tick_s());
+        (!points.is_empty()).then_some(RobustnessSeries {
+            title: &team.name,
+            faults: team.team.faults,
+            points,
+        })
+    };
+    scenario.teams.iter().zip(&run.teams).filter_map(of).collect()
 }
 
 /// Adds each figure as SVG and as PNG, and says so.

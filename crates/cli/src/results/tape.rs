@@ -113,6 +113,12 @@ impl Tape {
         if robots > ROBOTS_MAX {
             bail!("`team.robots` is {robots}, allowed with --record is at most {ROBOTS_MAX}");
         }
+        if !scenario.teams.is_empty() {
+            bail!(
+                "`teams` with --record FILE.mcap: messages of ROS 2 have no word for several teams; allowed is a folder with -o, whose \
+                 run.parquet has all robots, one team after another"
+            );
+        }
         if !scenario.absences.is_empty() {
             bail!(
                 "`team.absent` with --record FILE.mcap: messages of ROS 2 have no word for robots that come and go; allowed is a \

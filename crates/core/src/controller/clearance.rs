@@ -7,8 +7,10 @@
 //!
 //! An obstacle is convex and stands still, so it lies behind the plane through its nearest point: what a move may take of the
 //! distance is all that there is, in any tick of any length, between ticks too. The half-space contains v = 0.
+//!
+//! A robot that is nearer than m all the same goes away from the obstacle ([`Clearance::recover`]).
 
-use crate::controller::rows::may_bind;
+use crate::controller::rows::{Rows, may_bind};
 use crate::num::{Vector, length};
 use crate::obstacle::Obstacle;
 use crate::program::balls::Program;
@@ -53,6 +55,28 @@ impl Clearance {
             let bound_m2 = least_m * (least_m - obstacle.radius_m - self.keep_m).max(0.0);
             if may_bind(program.reach.lhs_max(&toward_m, self.error_m, 0.0), bound_m2) {
                 program.push_around(&toward_m, self.error_m, |toward| Row::new(*toward, 0.0, bound_m2));
+            }
+        }
+    }
+}
+
+impl Clearance {
+    /// Lets a robot at `position_m` that is nearer to something of `map` than it may be wish to go straight away from it: in a tick by all
+    /// that is missing, but no farther than the longest move. One whose place is on the segment of an obstacle has no way out to wish for.
+    //= theory sec:clear-recovery
+    pub(crate) fn recover<const D: usize>(
+        &self,
+        position_m: &Vector<D>,
+        map: &[Obstacle<D>],
+        rows: &mut Rows<'_, D>,
+    ) {
+        for obstacle in map {
+            let offset_m = obstacle.offset_m(position_m);
+            let missing_m = obstacle.radius_m + self.keep_m - length(&offset_m);
+            if missing_m + self.error_m > HAIR_M {
+                rows.count_obstacle(missing_m - self.error_m > HAIR_M);
+                let longest_m = rows.program.reach.longest_m();
+                rows.raise(&offset_m, (missing_m + self.error_m).min(longest_m));
             }
         }
     }

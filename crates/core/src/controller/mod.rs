@@ -61,6 +61,8 @@ pub struct View<'a, const D: usize> {
     pub ledger: &'a Ledger<D>,
     /// Its neighbours in order of their numbers; some may not be sensed in this tick.
     pub slots: &'a [Slot<D>],
+    /// Robots of other teams that it keeps its distance to, and nothing else; some may not be sensed in this tick.
+    pub strangers: &'a [Slot<D>],
 }
 
 impl<'a, const D: usize> View<'a, D> {

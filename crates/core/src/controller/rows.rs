@@ -31,13 +31,22 @@ pub struct Rows<'memory, const D: usize> {
     pub broken: usize,
     /// How many limits may be violated. Without errors of positions this is the same as `broken`.
     pub doubtful: usize,
+    /// True if the robot is certainly nearer to an obstacle than it may be.
+    pub obstructed: bool,
 }
 
 impl<'memory, const D: usize> Rows<'memory, D> {
     /// The box alone.
     pub(crate) fn new(desired_m: &Vector<D>, reach: Reach<D>, memory: &'memory mut [Row<D>]) -> Self {
         let desired_m = desired_m.map(|component| if component.is_finite() { component } else { 0.0 });
-        Self { program: Program::new(memory, reach), desired_m, h: 0.0, broken: 0, doubtful: 0 }
+        Self {
+            program: Program::new(memory, reach),
+            desired_m,
+            h: 0.0,
+            broken: 0,
+            doubtful: 0,
+            obstructed: false,
+        }
     }
 
     /// Adds a row that holds at v = 0 alone, because nothing is known of the state.
@@ -69,6 +78,12 @@ impl<'memory, const D: usize> Rows<'memory, D> {
         self.broken += usize::from(certain);
     }
 
+    /// Counts an obstacle that may be too near, and is so for `certain` or not.
+    pub(crate) fn count_obstacle(&mut self, certain: bool) {
+        self.doubtful += 1;
+        self.obstructed |= certain;
+    }
+
     /// Raises the desired displacement along `direction` to at least `wanted_m`.
     pub(crate) fn raise(&mut self, direction: &Vector<D>, wanted_m: f64) {
         let size = length(direction);
@@ -88,10 +103,11 @@ impl<'memory, const D: usize> Rows<'memory, D> {
         let closest = self.closest_from(before_m);
         let doubt = match (self.broken, self.doubtful) {
             (0, 0) => None,
+            (0, _) if self.obstructed => Some(Reason::Obstacle),
             (0, _) => Some(Reason::Uncertain),
             _ => Some(Reason::OutsideSafeSet),
         };
-        let outcome = if self.broken > 0 { Outcome::Recovering } else { closest.outcome };
+        let outcome = if self.broken > 0 || self.obstructed { Outcome::Recovering } else { closest.outcome };
         Move { displacement_m: closest.displacement_m, outcome, doubt }
     }
 }

@@ -5,11 +5,14 @@ use core::fmt;
 use crate::message::MessageError;
 use crate::robot::scratch::Needs;
 
-/// What [`Robot::observe`](crate::robot::Robot::observe) made of a position.
+/// What [`Robot::observe`](crate::robot::Robot::observe) or
+/// [`Robot::observe_stranger`](crate::robot::Robot::observe_stranger) made of a position.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Observed {
     /// The other robot is within R: it is a neighbour.
     Neighbor,
+    /// It is within R and of another team.
+    Stranger,
     /// It is farther away than R as sensed, but perhaps not in truth. `budget` with stated errors reckons with it.
     InView,
     /// It is farther away than R.
@@ -52,6 +55,8 @@ pub enum ObserveError {
     OwnId,
     /// No robot of the team has that number: it is not one of 1 to n.
     UnknownId,
+    /// A robot of another team has a number of the own one, 0 or one of 1 to n.
+    Member,
     /// Every slot holds a neighbour sensed in this tick; the observation is dropped.
     Full,
 }
@@ -96,6 +101,7 @@ impl fmt::Display for ObserveError {
             Self::NoPosition => "own position is unknown",
             Self::OwnId => "observed itself",
             Self::UnknownId => "observed a robot that is not one of 1 to n",
+            Self::Member => "a robot of another team has a number that is not above n",
             Self::Full => "no slot is left for another neighbour",
         })
     }

@@ -68,7 +68,7 @@ impl<const D: usize, S: Slots<D>> Robot<D, S> {
     /// Forgets whom it did not sense in this tick, but for those that are missing; says so when one is given up that was
     /// missing.
     pub(crate) fn settle(&mut self) {
-        if self.neighbors().iter().all(|slot| slot.sensed) {
+        if self.everybody().iter().all(|slot| slot.sensed) {
             return;
         }
         let horizon = self.horizon();
@@ -102,7 +102,7 @@ impl<const D: usize, S: Slots<D>> Robot<D, S> {
     /// The slot of the farthest robot that was not sensed in this tick. To give up one that is missing is to overlook it.
     pub(crate) fn farthest_unsensed(&mut self) -> Option<usize> {
         let unsensed =
-            self.neighbors().iter().enumerate().filter(|(_, slot)| !slot.sensed && !self.stays(slot));
+            self.everybody().iter().enumerate().filter(|(_, slot)| !slot.sensed && !self.stays(slot));
         let distance_m2 = |slot: &Slot<D>| dot(&slot.offset_m, &slot.offset_m);
         let (index, slot) = unsensed.max_by(|(_, a), (_, b)| distance_m2(a).total_cmp(&distance_m2(b)))?;
         if self.horizon().surely_holds(&slot.offset_m, 2.0 * slot.gone_m) {
@@ -119,7 +119,7 @@ impl<const D: usize, S: Slots<D>> Robot<D, S> {
     /// True if the robot reckons with a neighbour that it does not sense although it cannot have left.
     pub fn misses_somebody(&self) -> bool {
         let controller = self.params.controller();
-        self.neighbors().iter().any(|slot| !slot.sensed && controller.misses(slot))
+        self.everybody().iter().any(|slot| !slot.sensed && controller.misses(slot))
     }
 
     /// Reckons where neighbours are that keep their slots although they are not sensed: where they were sensed last, with an

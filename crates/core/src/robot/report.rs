@@ -76,6 +76,8 @@ pub enum Reason {
     Infeasible,
     /// `composed`: φ_i < 0, outside Z_i (thm:cbf-qp). `budget`: h_i < 0, or another robot too close.
     OutsideSafeSet,
+    /// `budget` and `links`: an obstacle is nearer than it may be, and the robot goes away from it.
+    Obstacle,
     /// More time than a velocity may be held has passed since the last tick. It is said for
     /// [`told_max`](crate::settings::Clock::told_max) more.
     Late,
@@ -126,6 +128,7 @@ impl Reason {
             Self::Degree => "degree",
             Self::Infeasible => "infeasible",
             Self::OutsideSafeSet => "outside safe set",
+            Self::Obstacle => "near obstacle",
             Self::Late => "late",
             Self::Moved => "moved",
             Self::Overlooked => "overlooked",

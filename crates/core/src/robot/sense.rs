@@ -5,7 +5,7 @@ use crate::controller::links::protocol::Number;
 use crate::equations::link::Link;
 use crate::num::{Vector, dot, is_finite, subtract};
 use crate::robot::error::{ObserveError, Observed, SenseError};
-use crate::robot::neighbor::{Member, NO_LINK};
+use crate::robot::neighbor::{Member, NO_LINK, RobotId};
 use crate::robot::{Robot, Slots};
 use crate::time::Instant;
 
@@ -49,15 +49,41 @@ impl<const D: usize, S: Slots<D>> Robot<D, S> {
         if id == self.id {
             return Err(ObserveError::OwnId);
         }
-        let known = (1..=self.params.settings().team.robots).contains(&id.0);
-        let without = if known { ObserveError::NoPosition } else { ObserveError::UnknownId };
+        let without = if self.is_member(id) { ObserveError::NoPosition } else { ObserveError::UnknownId };
+        self.see(Member { id, rank }, position, without)
+    }
+
+    /// Takes the sensed position of a robot of another team, m. Nothing is kept towards it but the distance.
+    ///
+    /// Whoever owns the robot knows its roster, 1 to n, and gives other robots numbers above n, each its own for as long as it is
+    /// sensed. A robot of another team needs a slot like a neighbour.
+    //= theory sec:strangers
+    pub fn observe_stranger(
+        &mut self,
+        other: RobotId,
+        position: Vector<D>,
+    ) -> Result<Observed, ObserveError> {
+        if other.0 <= self.params.settings().team.robots {
+            return Err(self.refuse(ObserveError::Member));
+        }
+        let seen = self.see(other.into(), position, ObserveError::NoPosition)?;
+        Ok(if seen == Observed::Neighbor { Observed::Stranger } else { seen })
+    }
+
+    /// Takes a sensed position; `without` is the error of a robot that has none itself, or that knows nobody of this number.
+    fn see(
+        &mut self,
+        Member { id, rank }: Member,
+        position: Vector<D>,
+        without: ObserveError,
+    ) -> Result<Observed, ObserveError> {
         let own = self.position.ok_or(without)?;
         let offset_m = subtract(&own, &position);
         let distance_m2 = dot(&offset_m, &offset_m);
         let link = self.link_at(distance_m2);
         let far = link.is_none() && distance_m2 > self.params.sight_m2();
-        if !known {
-            return Err(if far { ObserveError::UnknownId } else { self.refuse(ObserveError::UnknownId) });
+        if without == ObserveError::UnknownId {
+            return Err(if far { without } else { self.refuse(without) });
         }
         if !is_finite(&position) {
             return Err(self.refuse(ObserveError::NotFinite));

@@ -49,6 +49,20 @@ impl<const D: usize, const N: usize, const K: usize> SizedRobot<D, N, K> {
         self.robot.observe(other, position)
     }
 
+    /// See [`Robot::observe_stranger`].
+    pub fn observe_stranger(
+        &mut self,
+        other: RobotId,
+        position: Vector<D>,
+    ) -> Result<Observed, ObserveError> {
+        self.robot.observe_stranger(other, position)
+    }
+
+    /// See [`Robot::dismiss`].
+    pub fn dismiss(&mut self, id: RobotId) {
+        self.robot.dismiss(id);
+    }
+
     /// See [`Robot::share`].
     pub fn share(&mut self) -> Option<Message> {
         self.robot.share(&mut self.memory.scratch())

@@ -19,7 +19,7 @@ impl<const D: usize, S: Slots<D>> Robot<D, S> {
             self.slots.as_mut().copy_within(unsensed + 1..self.count, unsensed);
             self.count -= 1;
         }
-        let index = self.neighbors().partition_point(|slot| slot.id < id);
+        let index = self.everybody().partition_point(|slot| slot.id < id);
         let (slots, last) = (self.slots.as_mut(), self.ledger.numbers.last());
         slots.copy_within(index..self.count, index + 1);
         slots[index] = Slot { id, peer: Peer::new(last), ..Slot::default() };
@@ -35,7 +35,7 @@ impl<const D: usize, S: Slots<D>> Robot<D, S> {
     /// The slot of `id`, if it has one. As a rule it is the one after that found last, because robots come in order.
     pub(crate) fn find(&mut self, id: RobotId) -> Option<usize> {
         let next = if self.next < self.count { self.next } else { 0 };
-        let slots = self.neighbors();
+        let slots = self.everybody();
         let index = match slots.get(next) {
             Some(slot) if slot.id == id => next,
             _ => slots.binary_search_by_key(&id, |slot| slot.id).ok()?,
@@ -95,6 +95,12 @@ impl<const D: usize, S: Slots<D>> Robot<D, S> {
         Member { id: self.id, rank: self.rank }
     }
 
+    /// True if the robot holds anything of this one: whatever comes from others is refused.
+    #[must_use]
+    pub fn knows(&self, id: RobotId) -> bool {
+        self.neighbors().binary_search_by_key(&id, |slot| slot.id).is_ok()
+    }
+
     /// True if this neighbour counts for the robot.
     #[must_use]
     pub fn counts(&self, slot: &Slot<D>) -> bool {
@@ -120,10 +126,43 @@ impl<const D: usize, S: Slots<D>> Robot<D, S> {
         self.count = self.count.min(self.slots.as_ref().len());
     }
 
-    /// The neighbours in order of their number.
+    /// The neighbours in order of their number, those of the own team alone.
+    //= theory sec:strangers
     #[must_use]
     pub fn neighbors(&self) -> &[Slot<D>] {
+        &self.everybody()[..self.members()]
+    }
+
+    /// The robots of other teams that were observed, in order of their number.
+    #[must_use]
+    pub fn strangers(&self) -> &[Slot<D>] {
+        &self.everybody()[self.members()..]
+    }
+
+    /// All who have a slot.
+    pub(crate) fn everybody(&self) -> &[Slot<D>] {
         &self.slots.as_ref()[..self.count]
+    }
+
+    /// How many slots the own team has. They come first, because others have higher numbers.
+    pub(crate) fn members(&self) -> usize {
+        match self.everybody().last() {
+            Some(last) if !self.is_member(last.id) => {
+                self.everybody().partition_point(|slot| self.is_member(slot.id))
+            }
+            _ => self.count,
+        }
+    }
+
+    /// True if the own team has a robot of this number.
+    pub(crate) fn is_member(&self, id: RobotId) -> bool {
+        (1..=self.params.settings().team.robots).contains(&id.0)
+    }
+
+    /// The slot of `sender`, if it has one and is of the own team: nobody listens to others.
+    //= theory sec:strangers
+    pub(crate) fn find_member(&mut self, sender: RobotId) -> Option<usize> {
+        self.find(sender).filter(|_| self.is_member(sender))
     }
 
     pub(crate) fn sensed(&self) -> impl Iterator<Item = &Slot<D>> + Clone {

@@ -26,7 +26,8 @@ impl<const D: usize, S: Slots<D>> Robot<D, S> {
         let level_due = self.level_timer.fires(self.now);
         let value_due = self.value_timer.fires_in_turn(self.now, self.params.settings().clock.hold_max());
         if level_due {
-            let (controller, slots) = (self.params.controller(), &mut self.slots.as_mut()[..self.count]);
+            let members = self.members();
+            let (controller, slots) = (self.params.controller(), &mut self.slots.as_mut()[..members]);
             controller.agree(
                 Member { id: self.id, rank: self.rank },
                 &mut self.ledger,
@@ -62,7 +63,7 @@ impl<const D: usize, S: Slots<D>> Robot<D, S> {
         }
         let (now, stamp) = (self.now, message.stamp());
         let in_round = message.value().is_some() && self.in_round(stamp);
-        let index = self.find(sender).ok_or(ReceiveError::NotNeighbor)?;
+        let index = self.find_member(sender).ok_or(ReceiveError::NotNeighbor)?;
         let slot = &mut self.slots.as_mut()[index];
         if !slot.sensed && !slot.is_missing() {
             return Err(ReceiveError::NotNeighbor);
@@ -100,10 +101,8 @@ impl<const D: usize, S: Slots<D>> Robot<D, S> {
         Some(encoded.len())
     }
 
-    /// Takes the bytes of a message that arrived from `sender`, of the kind that robots with its controller tell. What comes from
-    /// somebody who has no slot is not even read.
+    /// Takes the bytes of a message that arrived from `sender`, of the kind that robots with its controller tell.
     pub fn receive_bytes(&mut self, sender: RobotId, bytes: &[u8]) -> Result<(), ReceiveError> {
-        self.find(sender).ok_or(ReceiveError::NotNeighbor)?;
         if self.params.controller().tells_lists() {
             let message = LinkMessage::parse(bytes).map_err(ReceiveError::Bytes)?;
             return self.receive_notice(sender, &message.to(self.id));
@@ -116,7 +115,7 @@ impl<const D: usize, S: Slots<D>> Robot<D, S> {
         if !self.params.controller().tells_lists() {
             return Err(ReceiveError::Bytes(MessageError::Version(wire::VERSION)));
         }
-        let index = self.find(sender).ok_or(ReceiveError::NotNeighbor)?;
+        let index = self.find_member(sender).ok_or(ReceiveError::NotNeighbor)?;
         let (now, stamp) = (self.now, Instant::from_nanos(notice.head.number.0));
         let in_round = notice.head.value.is_some() && self.in_round(stamp);
         let (slot, last) = (&mut self.slots.as_mut()[index], self.ledger.numbers.last());

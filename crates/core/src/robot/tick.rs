@@ -57,6 +57,7 @@ impl<const D: usize, S: Slots<D>> Robot<D, S> {
             before_m_s: self.before,
             ledger: &self.ledger,
             slots: self.neighbors(),
+            strangers: self.strangers(),
         }
     }
 

@@ -7,8 +7,8 @@ use closeranks_sim::output::record::Record;
 
 use super::Case;
 use super::formation::links::{Link, links};
-use super::formation::marker::{Marker, robots_group, shape};
-use super::formation::obstacles;
+use super::formation::marker::{Kind, Marker, robots_group, shape};
+use super::formation::{is_of_one_team, obstacles};
 use super::panel::axes::Place;
 use super::panel::ticks::{Range, plain};
 use crate::svg::palette::{CLOSE, FRAME, INK, LINK, MALICIOUS};
@@ -166,7 +166,7 @@ impl<'a> Film<'a> {
                 format!("{} {}", short(x), short(y))
             };
             let last = format!("translate({})", shown(self.places.len() - 1));
-            svg.begin(&robots_group(malicious, self.marker).text("transform", &last));
+            svg.begin(&robots_group(Kind::of(self.case, index), self.marker).text("transform", &last));
             svg.add(shape([0.0; 2], self.marker.radius, malicious));
             if self.marker.numbered {
                 let text = Element::new("text").number("y", 4.0).number("font-size", 11.0);
@@ -282,13 +282,19 @@ fn places(record: &Record, frames: usize) -> Vec<usize> {
 
 /// Pairs that are linked in any of the pictures, and for each picture which of them are.
 fn pairs(case: Case<'_>, places: &[usize]) -> (Vec<Link>, Vec<Vec<bool>>) {
-    let shown: Vec<Vec<Link>> =
-        places.iter().map(|place| links(case.record, case.scenario.link.radius_m, *place)).collect();
+    let shown: Vec<Vec<Link>> = places.iter().map(|place| links_of(case, *place)).collect();
     let mut pairs: Vec<Link> = shown.iter().flatten().copied().collect();
     pairs.sort_by_key(|link| (link.first, link.second));
     pairs.dedup();
     let linked = shown.iter().map(|links| pairs.iter().map(|pair| links.contains(pair)).collect()).collect();
     (pairs, linked)
+}
+
+/// The links at one place of the record.
+fn links_of(case: Case<'_>, place: usize) -> Vec<Link> {
+    let mut links = links(case.record, case.scenario.link.radius_m, place);
+    links.retain(|link| is_of_one_team(case, link));
+    links
 }
 
 fn coordinates<'a>(record: &'a Record, places: &'a [usize], axis: usize) -> impl Iterator<Item = f64> + 'a {

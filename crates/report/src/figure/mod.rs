@@ -32,6 +32,7 @@ use self::panel::axes::{Axes, Decoration};
 use self::panel::layout::Grid;
 use self::panel::legend::{self, Entry};
 use self::series::{Quantity, time_range};
+use crate::svg::palette::TEAMS;
 use crate::svg::{Piece, Svg};
 
 /// A run to be shown.
@@ -66,7 +67,11 @@ fn moments<'a>(cases: &[Case<'a>]) -> Vec<Vec<Moment<'a>>> {
 /// What the legend of formations has to explain: a ring only where there is one.
 fn formation_entries(moments: &[Vec<Moment<'_>>]) -> Vec<Entry> {
     let close = moments.iter().flatten().any(|moment| !moment.too_close().is_empty());
-    legend::FORMATION.into_iter().chain(close.then_some(Entry::TooClose)).collect()
+    let teams = moments.iter().flatten().map(|moment| moment.case.scenario.teams.len()).max().unwrap_or(0);
+    let normal = legend::FORMATION.into_iter().take(usize::from(teams == 0));
+    let teams = (0..teams.min(TEAMS.len())).map(Entry::Team);
+    let others = legend::FORMATION.into_iter().skip(1);
+    normal.chain(teams).chain(others).chain(close.then_some(Entry::TooClose)).collect()
 }
 
 fn lines(titles: &[Vec<String>]) -> usize {

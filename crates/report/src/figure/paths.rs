@@ -2,7 +2,7 @@
 
 use crate::figure::Case;
 use crate::figure::formation::Moment;
-use crate::figure::formation::marker::Marker;
+use crate::figure::formation::marker::{Kind, Marker};
 use crate::figure::formation::view::View;
 use crate::figure::panel::axes::Axes;
 use crate::svg::palette::{MALICIOUS, NORMAL_LINES};
@@ -19,7 +19,12 @@ pub(crate) fn draw(svg: &mut Svg, axes: &Axes, case: Case<'_>, view: View, marke
     let mut normal = 0;
     for index in 0..usize::from(record.robots) {
         let malicious = record.malicious.get(index) == Some(&true);
-        let colour = if malicious { MALICIOUS } else { NORMAL_LINES[normal % NORMAL_LINES.len()] };
+        let kind = Kind::of(case, index);
+        let colour = match kind.team {
+            _ if malicious => MALICIOUS,
+            Some(_) => kind.team_colour(),
+            None => NORMAL_LINES[normal % NORMAL_LINES.len()],
+        };
         normal += usize::from(!malicious);
         let way = (0..=record.last_tick()).map(|tick| axes.at(view.point(record, tick, index)));
         let way = spaced(way);

@@ -4,8 +4,9 @@ use closeranks_sim::law::{Law, Verdict};
 use closeranks_sim::monitors::robustness::{narrowest, weakest};
 use closeranks_sim::output::attendance::Attendance;
 use closeranks_sim::output::conduct::Conduct;
+use closeranks_sim::output::summary::Summary;
 use closeranks_sim::scenario::Scenario;
-use closeranks_sim::world::Run;
+use closeranks_sim::world::{Run, TeamRun};
 use serde_json::{Map, Value, json};
 
 use super::table::uses_phi;
@@ -71,16 +72,47 @@ pub fn numbers(scenario: &Scenario, run: &Run, program: Program<'_>) -> Map<Stri
         "ok": summary.failures(scenario).next().is_none(),
     });
     let mut numbers = if let Value::Object(numbers) = numbers { numbers } else { Map::new() };
-    numbers.extend(conduct(&summary.conduct).into_iter().chain(clear(scenario, extremes.clear_min_m)));
-    numbers.extend(presence(scenario, &summary.attendance));
-    if let Some(ranks) = ranks(scenario) {
-        let first = summary.void.first.map(|(tick, robot, liars)| {
-            json!({ "time_s": f64::from(tick) * scenario.tick_s(), "robot": robot, "listened_to": liars })
-        });
-        numbers.insert("ranks".to_owned(), json!(ranks));
-        numbers.insert("void".to_owned(), json!({ "rounds": summary.void.rounds, "first": first }));
-    }
+    let more = [
+        clear(scenario, extremes.clear_min_m),
+        presence(scenario, &summary.attendance),
+        spreads(scenario, extremes.spreads),
+        teams(scenario, run, program),
+    ];
+    numbers.extend(conduct(&summary.conduct).into_iter().chain(more.into_iter().flatten()));
+    numbers.extend(void(scenario, summary));
     numbers
+}
+
+/// The spread of each number of a value, if it has several.
+fn spreads(scenario: &Scenario, spreads: [f64; 3]) -> Option<(String, Value)> {
+    let numbers = scenario.consensus.dimension;
+    (numbers > 1).then(|| ("spreads".to_owned(), json!(spreads[..numbers.min(3)])))
+}
+
+/// What each of several teams came to by itself; its robots have numbers of their own there.
+fn teams(scenario: &Scenario, run: &Run, program: Program<'_>) -> Option<(String, Value)> {
+    let alone = |(team, came): (&Scenario, &TeamRun)| {
+        let TeamRun { summary, rounds } = came.clone();
+        let run = Run { record: None, digest: None, rounds, summary, teams: Vec::new() };
+        let mut numbers = self::numbers(team, &run, program);
+        for shared in ["version", "commit", "digest"] {
+            numbers.remove(shared);
+        }
+        numbers.insert("robots".to_owned(), json!(team.team.robots));
+        Value::Object(numbers)
+    };
+    let all: Vec<Value> = scenario.teams.iter().zip(&run.teams).map(alone).collect();
+    (!all.is_empty()).then(|| ("teams".to_owned(), json!(all)))
+}
+
+/// The ranks of a team, if it has any, and of how many rounds nothing is promised.
+fn void(scenario: &Scenario, summary: &Summary) -> Vec<(String, Value)> {
+    let Some(ranks) = ranks(scenario) else { return Vec::new() };
+    let first = summary.void.first.map(|(tick, robot, liars)| {
+        json!({ "time_s": f64::from(tick) * scenario.tick_s(), "robot": robot, "listened_to": liars })
+    });
+    let void = json!({ "rounds": summary.void.rounds, "first": first });
+    vec![("ranks".to_owned(), json!(ranks)), ("void".to_owned(), void)]
 }
 
 /// Who came and went, if anybody does.

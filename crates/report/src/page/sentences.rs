@@ -72,11 +72,33 @@ pub fn advice(scenario: &Scenario, summary: &Summary, file: &str) -> Option<Stri
 /// A warning when more robots lie than the team is prepared for.
 #[must_use]
 pub fn warning(scenario: &Scenario) -> Option<String> {
+    if !scenario.teams.is_empty() {
+        return scenario.teams.iter().find_map(warning);
+    }
     let liars = scenario.malicious.len();
     (liars > usize::from(scenario.team.faults) && scenario.ranking().is_none()).then(|| {
         format!(
             "note: {liars} malicious robots, but the team is prepared for F = {}: no theorem covers this run",
             scenario.team.faults
+        )
+    })
+}
+
+/// Which robots are of which of several teams.
+#[must_use]
+pub fn teams(scenario: &Scenario) -> Option<String> {
+    let mut first = 1;
+    let of = |team: &Scenario| {
+        let (robots, faults) = (team.team.robots, team.team.faults);
+        let from = first;
+        first += robots;
+        format!("robots {from} to {} are `{}` with F = {faults}", from + robots - 1, team.name)
+    };
+    let teams: Vec<String> = scenario.teams.iter().map(of).collect();
+    (!teams.is_empty()).then(|| {
+        format!(
+            "teams: {}; numbers of all together are the worst of them, distances those between all robots",
+            teams.join(", ")
         )
     })
 }

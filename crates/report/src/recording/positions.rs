@@ -83,6 +83,11 @@ pub enum ReadError {
         /// When.
         at: String,
     },
+    /// The run is one of several teams.
+    #[error(
+        "the run has several teams: such runs are not read back, each network by itself is not in the file"
+    )]
+    Teams,
     /// A robot was not in the plane.
     #[error("robot {robot} is absent at tick {tick}: runs in which robots come and go are not read back")]
     Absent {

@@ -7,6 +7,7 @@ use ::parquet::file::metadata::RowGroupMetaData;
 use ::parquet::file::reader::{FileReader, RowGroupReader, SerializedFileReader};
 use bytes::Bytes;
 use closeranks_graph::graph::set::NODE_LIMIT;
+use closeranks_sim::parse::has_teams;
 
 use super::elsewhere::{Cells, assemble};
 use super::positions::{ROWS_MAX, ReadError, Recording};
@@ -93,6 +94,9 @@ fn open(file: Vec<u8>) -> Result<Opened, ReadError> {
     }
     let pairs = metadata.key_value_metadata().into_iter().flatten();
     let scenario = pairs.filter(|pair| pair.key == "scenario").find_map(|pair| pair.value.clone());
+    if scenario.as_deref().is_some_and(has_teams) {
+        return Err(ReadError::Teams);
+    }
     Ok(Opened { reader, rows, scenario })
 }
 

@@ -5,6 +5,8 @@
 
 /// Normal robots.
 pub(crate) const NORMAL: &str = "#0072B2";
+/// Normal robots of several teams, in turn: colours of Okabe and Ito that mean nothing else here.
+pub(crate) const TEAMS: [&str; 4] = [NORMAL, "#009E73", "#3C3C3C", "#56B4E9"];
 /// Lines of normal robots, in turn: three blues of different lightness.
 pub(crate) const NORMAL_LINES: [&str; 3] = ["#0072B2", "#4FA3D8", "#004C78"];
 /// Malicious robots.

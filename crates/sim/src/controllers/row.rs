@@ -94,7 +94,7 @@ pub enum Counted {
     All,
 }
 
-/// What a controller does among obstacles.
+/// What a controller does among obstacles, or among robots of other teams.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Amid {
     /// It keeps clear of them.
@@ -147,6 +147,8 @@ pub struct Row {
     pub uses_phi: bool,
     /// What it does among obstacles.
     pub amid: Amid,
+    /// What it does among robots of other teams.
+    pub strangers: Amid,
     /// The laws that sweeps hold it to.
     pub promises: &'static [Law],
     /// Which violations of them count.
@@ -171,6 +173,12 @@ impl Row {
     pub fn runs_among_obstacles(&self) -> bool {
         self.amid != Amid::Refuses
     }
+
+    /// True if it can be run where there are robots of other teams.
+    #[must_use]
+    pub fn runs_among_strangers(&self) -> bool {
+        self.strangers != Amid::Refuses
+    }
 }
 
 /// The row of a controller of others that looks at the whole team. It is held to what holds whatever the velocities are: what
@@ -192,6 +200,7 @@ pub(crate) const fn of_others(
         ranks: false,
         uses_phi: false,
         amid: Amid::Refuses,
+        strangers: Amid::Refuses,
         promises: &[Law::Interval, Law::Input],
         counted: Counted::Covered,
         expects: &[Law::Interval, Law::Input],

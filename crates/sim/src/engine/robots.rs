@@ -12,7 +12,7 @@ use crate::engine::team::Team;
 use crate::engine::workers::Workers;
 use crate::faults::edges::Edges;
 use crate::frame::Frame;
-use crate::transport::Transport;
+use crate::transport::{Bytes, Transport};
 
 /// Computes the robots of a run. A world can go from thread to thread, and so can they.
 pub(crate) trait Robots<const D: usize>: Send + Sync {
@@ -33,6 +33,11 @@ pub(crate) trait Robots<const D: usize>: Send + Sync {
     /// all within R.
     fn heard(&self, _robot: usize, _senders: &mut Vec<u16>) -> bool {
         false
+    }
+
+    /// What each robot told everybody in this tick, as bytes; nothing where no other team is there to hear it.
+    fn told(&mut self) -> Vec<Option<Bytes>> {
+        Vec::new()
     }
 
     /// True if `robot` reckons with one of `these` that it does not sense.
@@ -70,6 +75,10 @@ where
         let neighbors = self.running(robot).into_iter().flat_map(Robot::neighbors);
         senders.extend(neighbors.filter(|slot| slot.told_value().is_some()).map(|slot| slot.id().0 - 1));
         true
+    }
+
+    fn told(&mut self) -> Vec<Option<Bytes>> {
+        self.told()
     }
 
     fn reckons_unseen(&self, robot: usize, these: &[bool]) -> bool {

@@ -23,8 +23,10 @@ pub struct Extremes {
     pub safe_from: Option<u32>,
     /// First round after which the spread of normal values is below 1.
     pub rounds_to_agree: Option<u32>,
-    /// Spread of normal values at the end.
+    /// Spread of normal values at the end, of the number in which they are farthest apart.
     pub spread: f64,
+    /// The same of each number of a value; 0 of those that are not there.
+    pub spreads: [f64; 3],
 }
 
 impl Extremes {
@@ -42,6 +44,7 @@ impl Extremes {
             safe_from: None,
             rounds_to_agree: None,
             spread: 0.0,
+            spreads: [0.0; 3],
         }
     }
 }

@@ -1,7 +1,7 @@
 //! The theorems as code: each law names what must hold and remembers where it first did not.
 
 mod agreement;
-mod carry;
+pub(crate) mod carry;
 mod extremes;
 mod heard;
 mod numbers;
@@ -262,22 +262,25 @@ impl<const D: usize> Monitors<D> {
         let spread = self.values.end_round(tick, &frame.values, &self.aside, met, |law, violation| {
             verdicts.broke(law, violation, few_lie && law.is_kept_by(consensus));
         });
-        let spread = spread.max(self.watch_numbers(tick, frame, met));
+        let more = self.watch_numbers(tick, frame, met);
+        let all = [spread].into_iter().chain(more);
+        self.extremes.spreads.iter_mut().zip(all).for_each(|(place, spread)| *place = spread);
+        let spread = self.extremes.spreads.iter().fold(0.0_f64, |most, spread| most.max(*spread));
         if spread < 1.0 && self.extremes.rounds_to_agree.is_none() {
             self.extremes.rounds_to_agree = Some(tick / self.ticks_per_round);
         }
         self.extremes.spread = spread;
     }
 
-    /// Numbers beyond the first; their largest spread, 0 if there are none.
-    fn watch_numbers(&mut self, tick: u32, frame: &Frame<D>, met: Met) -> f64 {
+    /// Numbers beyond the first; the spread of each.
+    fn watch_numbers(&mut self, tick: u32, frame: &Frame<D>, met: Met) -> Vec<f64> {
         let mut broken = Vec::new();
-        let spread = self.numbers.watch(frame, &self.malicious, met, &mut |outside| broken.push(outside));
+        let spreads = self.numbers.watch(frame, &self.malicious, met, &mut |outside| broken.push(outside));
         for Outside { law, robot, seen, demanded } in broken {
             let robots = [u16::try_from(robot).unwrap_or(u16::MAX), 0];
             self.broke(law, Violation { tick, robots, seen, demanded });
         }
-        spread
+        spreads
     }
 }
 

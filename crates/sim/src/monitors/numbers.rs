@@ -52,16 +52,16 @@ impl Numbers {
         }
     }
 
-    /// Looks at a round that came to `met`: the largest spread of a number beyond the first, and calls `outside` with all that is broken.
+    /// Looks at a round that came to `met`: the spread of each number beyond the first, and calls `outside` with all that is broken.
     pub(crate) fn watch<const D: usize>(
         &mut self,
         frame: &Frame<D>,
         malicious: &[bool],
         met: Met,
         outside: &mut dyn FnMut(Outside),
-    ) -> f64 {
+    ) -> Vec<f64> {
         let normal = || (0..malicious.len()).filter(|robot| !malicious[*robot]);
-        let mut spread = 0.0_f64;
+        let mut spreads = Vec::new();
         for (place, values) in frame.more_values.iter().enumerate() {
             let ends = normal().fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], robot| {
                 [low.min(values[robot]), high.max(values[robot])]
@@ -81,12 +81,12 @@ impl Numbers {
             {
                 outside(Outside { law: Law::Agreement, robot: 0, seen, demanded });
             }
-            spread = spread.max(seen);
+            spreads.push(seen);
         }
         if self.hull {
             self.watch_hull(frame, &mut normal(), outside);
         }
-        spread
+        spreads
     }
 
     /// What is seen is how far outside of the hull a value lies, and what is demanded how far rounding can take it.

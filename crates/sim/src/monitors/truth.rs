@@ -7,6 +7,7 @@ use closeranks_core::settings::params::Params;
 
 use crate::frame::Frame;
 use crate::geometry::around::Around;
+use crate::geometry::squared_distance;
 use crate::monitors::pairs::Pairs;
 use crate::monitors::rule::Rule;
 
@@ -14,6 +15,17 @@ use crate::monitors::rule::Rule;
 pub(crate) const ROUNDING: f64 = 1e-11;
 /// Coordinates are rounded by far less than this fraction of themselves in a tick.
 const PLACE_ROUNDING: f64 = 1e-14;
+
+/// A robot of another team near one of this.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Stranger {
+    /// The one of this team.
+    pub(crate) robot: usize,
+    /// The squared distance of references, m².
+    pub(crate) distance_m2: f64,
+    /// True if the other one moves as it likes.
+    pub(crate) disobedient: bool,
+}
 
 /// True levels, degrees and distances of one tick.
 #[derive(Clone, Debug, Default)]
@@ -34,6 +46,8 @@ pub(crate) struct Truth {
     pub(crate) pairs: Pairs,
     /// The least of those of references, m²; of a sparse team that has none near it is infinite.
     pub(crate) least_m2: f64,
+    /// Robots of other teams within reach of a robot, by references.
+    pub(crate) strangers: Vec<Stranger>,
     /// False if, under ranks, more than F of those that count for some normal robot and are in range are malicious.
     pub(crate) is_local: bool,
     /// The greatest coordinate of any position or reference, m.
@@ -92,13 +106,28 @@ impl Truth {
     }
 
     /// Distances, and how far from the origin the team is.
-    fn measure<const D: usize>(&mut self, params: &Params<D>, frame: &Frame<D>) {
+    pub(crate) fn measure<const D: usize>(&mut self, params: &Params<D>, frame: &Frame<D>) {
         self.radius_m2 = params.link().radius_m * params.link().radius_m;
         self.pairs.look(&frame.positions_m, &frame.references_m, wide_m(params));
         let lesser = |least: f64, pair_m2: &f64| if *pair_m2 < least { *pair_m2 } else { least };
         self.least_m2 = self.pairs.references_m2().iter().fold(f64::INFINITY, lesser);
         let coordinates = frame.positions_m.iter().chain(&frame.references_m).flatten();
         self.span_m = coordinates.fold(0.0, |most: f64, x| most.max(x.abs()));
+        self.meet(wide_m(params), frame);
+    }
+
+    /// Finds robots of other teams that are no farther away than `wide_m`.
+    fn meet<const D: usize>(&mut self, wide_m: f64, frame: &Frame<D>) {
+        self.strangers.clear();
+        let others = frame.strangers.references_m.iter().zip(&frame.strangers.disobedient);
+        for (x, disobedient) in others {
+            for (robot, own) in frame.references_m.iter().enumerate() {
+                let distance_m2 = squared_distance(own, x);
+                if distance_m2 <= wide_m * wide_m {
+                    self.strangers.push(Stranger { robot, distance_m2, disobedient: *disobedient });
+                }
+            }
+        }
     }
 
     /// Sums of weights, and degrees. With `free` liars only links to normal robots count for h.

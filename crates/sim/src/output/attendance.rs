@@ -25,6 +25,13 @@ pub enum Refused {
         /// How far away it must be, m.
         needed_m: f64,
     },
+    /// Its place is nearer to a robot of another team than two robots may be.
+    Stranger {
+        /// How far away that is, m.
+        distance_m: f64,
+        /// How far away it must be, m.
+        needed_m: f64,
+    },
     /// Its place is nearer to an obstacle than a robot may be.
     Obstacle {
         /// How far away that is, m.
@@ -43,6 +50,12 @@ impl core::fmt::Display for Refused {
                 write!(
                     f,
                     "robot {other} was {distance_m:.4} m from its place, allowed is {needed_m:.4} m or more"
+                )
+            }
+            Self::Stranger { distance_m, needed_m } => {
+                write!(
+                    f,
+                    "a robot of another team was {distance_m:.4} m from its place, allowed is {needed_m:.4} m or more"
                 )
             }
             Self::Obstacle { distance_m, needed_m } => {

@@ -4,7 +4,8 @@ use crate::monitors::robustness::Round;
 use crate::output::record::{PART_ROWS, Record};
 use crate::output::snapshot::Snapshot;
 use crate::scenario::Scenario;
-use crate::world::{Options, Run, RunError, World};
+use crate::world::any::AnyWorld;
+use crate::world::{Options, Run, RunError};
 
 /// Ticks of a full part of a team of so many robots.
 #[must_use]
@@ -37,22 +38,8 @@ pub fn watched<E: From<RunError>>(
     part: &mut TakePart<'_, E>,
     watch: &mut Watch<'_, E>,
 ) -> Result<Run, E> {
-    match scenario.dimension {
-        2 => run_in::<2, E>(scenario, options, progress, part, watch),
-        3 => run_in::<3, E>(scenario, options, progress, part, watch),
-        other => Err(RunError::Dimension(other).into()),
-    }
-}
-
-fn run_in<const D: usize, E: From<RunError>>(
-    scenario: &Scenario,
-    options: Options,
-    progress: &mut dyn FnMut(u32),
-    part: &mut TakePart<'_, E>,
-    watch: &mut Watch<'_, E>,
-) -> Result<Run, E> {
     let full = part_ticks(scenario.team.robots);
-    let mut world = World::<D>::new(scenario, options)?;
+    let mut world = AnyWorld::new(scenario, options)?;
     while !world.is_over() {
         progress(world.ticks_done());
         let many = world.has_many_rounds();
@@ -74,6 +61,7 @@ fn run_in<const D: usize, E: From<RunError>>(
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::world::World;
 
     #[test]
     fn parts_are_the_record_of_the_whole_run() {

@@ -41,6 +41,8 @@ pub struct Snapshot<'a> {
     /// Robots that do not run in this tick.
     pub down: &'a [bool],
     told: Told<'a>,
+    /// F′ of each robot where teams differ; else empty.
+    required: &'a [u16],
 }
 
 /// What robots tell and sense; read through methods, because not every robot does.
@@ -80,6 +82,7 @@ impl<'a> Snapshot<'a> {
             outcome: &frame.outcomes,
             modes: &frame.modes,
             down: &frame.down,
+            required: &[],
             told: Told {
                 levels: &frame.told,
                 values: &frame.values,
@@ -90,6 +93,11 @@ impl<'a> Snapshot<'a> {
                 levels_sensed: &frame.levels,
             },
         }
+    }
+
+    /// The same of several teams, where each robot has an F′ of its own.
+    pub(crate) fn of_teams(self, required: &'a [u16]) -> Self {
+        Self { required, ..self }
     }
 
     /// n.
@@ -115,7 +123,8 @@ impl<'a> Snapshot<'a> {
     /// h_i as it is: the level less F′.
     #[must_use]
     pub fn h(&self, index: usize) -> f64 {
-        degree_barrier(self.level[index], self.required_degree)
+        let required = self.required.get(index).copied().unwrap_or(self.required_degree);
+        degree_barrier(self.level[index], required)
     }
 
     /// c_i as told; NaN of a robot that is down, and of one that does not tell all the same.

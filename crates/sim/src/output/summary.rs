@@ -174,9 +174,10 @@ fn start<const D: usize>(scenario: &Scenario, frame: &Frame<D>, monitors: &Monit
     let absent = &frame.presence.absent;
     let normal = |robot: &usize| !monitors.malicious()[*robot] && !absent[*robot];
     let degrees = (0..absent.len()).filter(normal).all(|robot| monitors.can_keep(robot));
+    let clear = monitors.extremes().clear_min_m >= scenario.limits.clearance_m;
     let inside = match scenario.controller.row().inside {
-        Inside::Margins => h_min >= 0.0 && distance_min_m >= scenario.limits.distance_min_m,
-        Inside::Degrees => degrees && distance_min_m >= scenario.limits.distance_min_m,
+        Inside::Margins => clear && h_min >= 0.0 && distance_min_m >= scenario.limits.distance_min_m,
+        Inside::Degrees => clear && degrees && distance_min_m >= scenario.limits.distance_min_m,
         Inside::Shares => inside_from.is_some(),
     };
     let there = frame.degrees.iter().zip(absent).filter(|(_, absent)| !**absent);

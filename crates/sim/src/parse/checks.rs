@@ -45,6 +45,11 @@ pub(super) fn check(reader: &mut Reader, scenario: &Scenario) {
         3 => obstacles::<3>(reader, scenario),
         _ => obstacles::<2>(reader, scenario),
     }
+    if let Some(why) = scenario.refuses_strangers() {
+        let with: Vec<_> = Controller::ALL.iter().filter(|of| of.row().runs_among_strangers()).collect();
+        let names: Vec<_> = with.iter().map(|of| of.name()).collect();
+        reader.refuse("teams", why, format!("several teams only under {}", names.join(", ")));
+    }
     if reader.is_clean() {
         match scenario.dimension {
             3 => ranks::<3>(reader, scenario),
@@ -125,9 +130,10 @@ fn obstacles<const D: usize>(reader: &mut Reader, scenario: &Scenario) {
         let names: Vec<_> = with.iter().map(|of| of.name()).collect();
         return reader.refuse("obstacles", error, format!("only under {}", names.join(", ")));
     }
-    let (Ok(positions), keep_m) = (scenario.positions::<D>(), scenario.start_clearance_m::<D>()) else {
-        return;
-    };
+    let Ok(positions) = scenario.positions::<D>() else { return };
+    // Who guarantees anything recovers from a start that is too near.
+    let recovers = scenario.controller.row().guarantees;
+    let keep_m = if recovers { 0.0 } else { scenario.start_clearance_m::<D>() };
     let Some((robot, index, gap_m)) = scenario.obstacles.too_near(&positions, keep_m) else { return };
     let field = match scenario.start {
         Start::Listed(_) => format!("start.positions_m[{robot}]"),
@@ -135,11 +141,9 @@ fn obstacles<const D: usize>(reader: &mut Reader, scenario: &Scenario) {
     };
     let (robot, place) = (robot + 1, scenario.obstacles.field(index));
     let found = format!("{gap_m:.4} m between the start of robot {robot} and {place}");
-    reader.refuse(
-        &field,
-        found,
-        format!("at least {keep_m} m: obstacles.clearance_m and what stated errors cost"),
-    );
+    let why =
+        if recovers { "outside of obstacles" } else { "obstacles.clearance_m and what stated errors cost" };
+    reader.refuse(&field, found, format!("at least {keep_m} m: {why}"));
 }
 
 fn boxes(reader: &mut Reader, scenario: &Scenario) {

@@ -22,6 +22,7 @@ use crate::scenario::ranks::Ranking;
 use crate::scenario::route::{KINDS, Route, Whose};
 use crate::scenario::start::Start;
 use crate::scenario::{Controller, Scenario, Values};
+use crate::world::teams::seed_of;
 
 /// Reads the fields of one table.
 type Fill = fn(&mut Reader, &mut Section<'_>, &mut Scenario);
@@ -29,7 +30,7 @@ type Fill = fn(&mut Reader, &mut Section<'_>, &mut Scenario);
 /// Reads all tables; wrong fields are noted in `reader` and stay at their defaults.
 pub(super) fn read(reader: &mut Reader, table: &DeTable<'_>) -> Scenario {
     let mut root = Section::root(table);
-    let mut scenario = Scenario::default();
+    let mut scenario = Scenario { strangers: reader.strangers, ..Scenario::default() };
     let expect = head(reader, &mut root, &mut scenario);
     let tables: [(&'static str, Fill); 10] = [
         ("team", team),
@@ -83,6 +84,7 @@ fn head(reader: &mut Reader, root: &mut Section<'_>, scenario: &mut Scenario) ->
     set(&mut scenario.name, reader.text(root, "name", 60));
     set(&mut scenario.duration_s, reader.number(root, "duration_s", Allowed::Closed(0.0, MAGNITUDE_MAX)));
     set(&mut scenario.seed, reader.whole(root, "seed", 0..1 << 63));
+    scenario.seed = seed_of(scenario.seed, reader.team);
     set(&mut scenario.dimension, reader.whole(root, "dimension", 2..4).and_then(|d| usize::try_from(d).ok()));
     if scenario.dimension == 3 {
         scenario.limits.input_min_m_s = vec![-1.5; 3];
@@ -187,6 +189,13 @@ fn start(reader: &mut Reader, section: &mut Section<'_>, scenario: &mut Scenario
         (_, 2) => 2,
         _ => 3,
     };
+    let coordinate = format!("a finite number (m), {ANY}");
+    let at_m = reader.list(section, "at_m", &coordinate, inside);
+    if let Some(at_m) = at_m.as_ref().filter(|at_m| at_m.len() != scenario.dimension) {
+        let field = section.name("at_m");
+        reader.refuse(&field, format!("a list of {}", at_m.len()), format!("{} numbers", scenario.dimension));
+    }
+    scenario.start_at_m = at_m.unwrap_or_default();
     scenario.start = presets[reader.kind(section, &names).unwrap_or(usual)].1.clone();
     match &mut scenario.start {
         Start::Hexagon { spacing_m } => set(spacing_m, reader.number(section, "spacing_m", POSITIVE)),

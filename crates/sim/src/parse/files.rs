@@ -20,7 +20,7 @@ impl Files {
     }
 
     /// What the file `name` says, or why it cannot be read; `None` if nobody read it.
-    pub(super) fn get(&self, name: &str) -> Option<Result<&str, &str>> {
+    pub(crate) fn get(&self, name: &str) -> Option<Result<&str, &str>> {
         self.0.get(name).map(|text| text.as_deref().map_err(String::as_str))
     }
 
@@ -46,7 +46,7 @@ impl FromIterator<(String, Result<String, String>)> for Files {
 #[must_use]
 pub fn named(text: &str) -> Vec<String> {
     let mut found = Vec::new();
-    if let Ok(table) = super::table(text) {
+    if let Ok(table) = crate::parse::table(text) {
         walk_table(table.get_ref(), &mut found);
     }
     found.sort_unstable();

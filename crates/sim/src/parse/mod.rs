@@ -4,19 +4,19 @@ mod checks;
 pub(crate) mod column;
 pub(crate) mod common;
 mod fields;
-mod files;
+pub(crate) mod files;
 mod gone;
-mod inline;
 mod lists;
 mod problem;
 pub(crate) mod reader;
 pub(crate) mod rows;
 mod section;
+mod teams;
 pub(crate) mod value;
 
+pub use crate::scenario::inline::inlined;
 pub use checks::ROWS_MAX;
 pub use files::{FILE_MAX, Files, named};
-pub use inline::inlined;
 pub use problem::Problem;
 
 use toml::Spanned;
@@ -38,6 +38,9 @@ pub fn scenario(text: &str) -> Result<Scenario, Vec<Problem>> {
 /// The scenario of a text that names `files` beside it ([`named`]).
 pub fn scenario_with(text: &str, files: &Files) -> Result<Scenario, Vec<Problem>> {
     let table = table(text)?;
+    if teams::are_in(table.get_ref()) {
+        return teams::scenario(table.get_ref(), files);
+    }
     let mut reader = reader::Reader::new(files);
     let scenario = fields::read(&mut reader, table.get_ref());
     if reader.is_clean() {
@@ -47,12 +50,21 @@ pub fn scenario_with(text: &str, files: &Files) -> Result<Scenario, Vec<Problem>
     if problems.is_empty() { Ok(scenario) } else { Err(problems) }
 }
 
+/// True if this is the text of several teams.
+#[must_use]
+pub fn has_teams(text: &str) -> bool {
+    table(text).is_ok_and(|table| teams::are_in(table.get_ref()))
+}
+
 /// What is not understood in a text, each field by itself: its team and its start are not looked at.
 pub(crate) fn misread(text: &str, files: &Files) -> Vec<Problem> {
     let table = match table(text) {
         Ok(table) => table,
         Err(problems) => return problems,
     };
+    if teams::are_in(table.get_ref()) {
+        return teams::misread(table.get_ref(), files);
+    }
     let mut reader = reader::Reader::new(files);
     fields::read(&mut reader, table.get_ref());
     reader.finish()

@@ -21,12 +21,20 @@ pub(crate) struct Reader {
     /// Items of lists that are numbers.
     pub(super) items: BTreeMap<String, f64>,
     files: Files,
+    /// Which of several teams is read, from 0, and how many robots the others have.
+    pub(super) team: u64,
+    pub(super) strangers: u16,
 }
 
 impl Reader {
     /// Reads a text that names `files`.
     pub(crate) fn new(files: &Files) -> Self {
         Self { files: files.clone(), ..Self::default() }
+    }
+
+    /// Reads one of several teams; the others have so many robots.
+    pub(super) fn of_team(files: &Files, team: u64, strangers: u16) -> Self {
+        Self { team, strangers, ..Self::new(files) }
     }
 
     /// The files beside the text.

@@ -93,7 +93,7 @@ type Wrong = (usize, String, String);
 
 /// Rows of a text with commas, with their lines: names of columns in its first line, then numbers. Blank lines, and those that
 /// begin with `#`, say nothing.
-pub(super) fn csv(text: &str, columns: &[Column]) -> Result<Vec<(Vec<f64>, usize)>, Wrong> {
+pub(crate) fn csv(text: &str, columns: &[Column]) -> Result<Vec<(Vec<f64>, usize)>, Wrong> {
     let text = text.strip_prefix('\u{feff}').unwrap_or(text);
     let lines = text.lines().enumerate().map(|(index, line)| (index + 1, line.trim()));
     let mut lines = lines.filter(|(_, line)| !line.is_empty() && !line.starts_with('#'));

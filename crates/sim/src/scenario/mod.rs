@@ -3,6 +3,7 @@
 pub mod absences;
 mod derived;
 pub mod desired;
+pub(crate) mod inline;
 pub mod liars;
 pub mod obstacles;
 pub mod ranks;
@@ -70,6 +71,8 @@ pub struct Scenario {
     pub errors: Errors,
     /// Where robots start.
     pub start: Start,
+    /// By how much all of the start is moved, m, one number a dimension; empty where it is not.
+    pub start_at_m: Vec<f64>,
     /// How values are updated.
     pub consensus: Consensus,
     /// y_i(t₀).
@@ -86,6 +89,11 @@ pub struct Scenario {
     pub faults: Faults,
     /// Laws that the run must not break.
     pub expect: Vec<Law>,
+    /// Several teams in one space, each as a scenario of its own; empty for a single team. Team, malicious robots and start are then those of
+    /// all teams together, one team after another.
+    pub teams: Vec<Self>,
+    /// How many robots of other teams are in the same space, for one of several teams.
+    pub strangers: u16,
 }
 
 /// Initial values y_i(t₀).
@@ -153,6 +161,7 @@ impl Default for Scenario {
             clock: Clock::default(),
             errors: Errors::default(),
             start: Start::Inside,
+            start_at_m: Vec::new(),
             consensus: Consensus::default(),
             values: Values::Random { min: -500.0, max: 500.0 },
             obstacles: Obstacles::default(),
@@ -161,6 +170,8 @@ impl Default for Scenario {
             plant: Plant::Single,
             faults: Faults::default(),
             expect: Law::EXPECTED.to_vec(),
+            teams: Vec::new(),
+            strangers: 0,
         }
     }
 }
@@ -193,7 +204,8 @@ impl Scenario {
     #[must_use]
     pub fn is_plain(&self) -> bool {
         let followed = self.plant.follows() || !self.controller.row().guarantees;
-        self.faults.is_none() && self.absences.is_empty() && self.attack.is_plain() && followed
+        let alone = self.absences.is_empty() && self.strangers == 0;
+        self.faults.is_none() && alone && self.attack.is_plain() && followed
     }
 
     /// This scenario under another controller. If it expects what is usual for its own controller, it then expects what is
@@ -202,7 +214,8 @@ impl Scenario {
     pub fn under(self, controller: Controller) -> Self {
         let usual = self.usual(self.controller);
         let expect = if self.expect == usual { self.usual(controller) } else { self.expect };
-        Self { controller, expect, ..self }
+        let teams = self.teams.into_iter().map(|team| team.under(controller)).collect();
+        Self { controller, expect, teams, ..self }
     }
 
     /// The laws that a run under `controller` is expected to keep if the scenario names none.
@@ -221,6 +234,13 @@ impl Scenario {
             .then(|| format!("under controller \"{}\", which does not know of any", self.controller.name()))
     }
 
+    /// Why the controller is not run among robots of other teams, if it is not.
+    #[must_use]
+    pub fn refuses_strangers(&self) -> Option<String> {
+        let refuses = !self.controller.row().runs_among_strangers() && self.strangers > 0;
+        refuses.then(|| format!("under controller \"{}\", which has no row for them", self.controller.name()))
+    }
+
     /// τ₁ in seconds.
     #[must_use]
     pub fn tick_s(&self) -> f64 {
@@ -229,7 +249,22 @@ impl Scenario {
 
     /// Where the robots start, m.
     pub fn positions<const D: usize>(&self) -> Result<Vec<Vector<D>>, StartError> {
-        self.start.positions(self.team.robots, self.seed)
+        let mut positions_m = self.start.positions::<D>(self.team.robots, self.seed)?;
+        for (coordinate, by_m) in positions_m.iter_mut().flat_map(|x| x.iter_mut().zip(&self.start_at_m)) {
+            *coordinate += by_m;
+        }
+        Ok(positions_m)
+    }
+
+    /// Which of several teams robot `index` is of, both counted from 0; 0 where there is one team.
+    #[must_use]
+    pub fn team_of(&self, index: usize) -> usize {
+        let mut robots = 0;
+        let is_of = |team: &Self| {
+            robots += usize::from(team.team.robots);
+            index < robots
+        };
+        self.teams.iter().position(is_of).unwrap_or(0)
     }
 
     /// Which robots are malicious, by index from 0.

@@ -7,10 +7,14 @@ use closeranks_core::program::Outcome;
 use closeranks_core::robot::report::Mode;
 
 use crate::engine::workers::Workers;
+use crate::frame::Frame;
 use crate::law::Verdicts;
+use crate::monitors::robustness::Round;
+use crate::output::record::Record;
 use crate::output::snapshot::Snapshot;
 use crate::scenario::Scenario;
 use crate::world::given::{Given, GivenError};
+use crate::world::teams::Teams;
 use crate::world::{Options, Run, RunError, World};
 
 /// A [`World`] in the plane or in space. Vectors of the team are flat: one robot after another, one number a dimension.
@@ -20,6 +24,10 @@ pub enum AnyWorld {
     Plane(World<2>),
     /// Three dimensions.
     Space(World<3>),
+    /// Several teams in two dimensions.
+    PlaneTeams(Teams<2>),
+    /// Several teams in three dimensions.
+    SpaceTeams(Teams<3>),
 }
 
 /// What is given from outside for a tick, as in [`Given`], with flat vectors.
@@ -39,6 +47,16 @@ macro_rules! dispatch {
         match $of {
             AnyWorld::Plane($world) => $call,
             AnyWorld::Space($world) => $call,
+            AnyWorld::PlaneTeams($world) => $call,
+            AnyWorld::SpaceTeams($world) => $call,
+        }
+    };
+    // What worlds of a block do, in which there are no teams.
+    ($of:expr, $world:ident => $call:expr, else $other:expr) => {
+        match $of {
+            AnyWorld::Plane($world) => $call,
+            AnyWorld::Space($world) => $call,
+            AnyWorld::PlaneTeams(_) | AnyWorld::SpaceTeams(_) => $other,
         }
     };
 }
@@ -46,24 +64,31 @@ macro_rules! dispatch {
 impl AnyWorld {
     /// The world of `scenario` before its first tick.
     pub fn new(scenario: &Scenario, options: Options) -> Result<Self, RunError> {
-        match scenario.dimension {
-            2 => Ok(Self::Plane(World::new(scenario, options)?)),
-            3 => Ok(Self::Space(World::new(scenario, options)?)),
-            other => Err(RunError::Dimension(other)),
+        match (scenario.dimension, scenario.teams.is_empty()) {
+            (2, true) => Ok(Self::Plane(World::new(scenario, options)?)),
+            (3, true) => Ok(Self::Space(World::new(scenario, options)?)),
+            (2, false) => Ok(Self::PlaneTeams(Teams::new(scenario, options)?)),
+            (3, false) => Ok(Self::SpaceTeams(Teams::new(scenario, options)?)),
+            (other, _) => Err(RunError::Dimension(other)),
         }
     }
 
     /// As [`World::employ`].
     pub fn employ(&mut self, workers: Arc<dyn Workers>) {
-        dispatch!(self, world => world.employ(workers));
+        match self {
+            Self::Plane(world) => world.employ(workers),
+            Self::Space(world) => world.employ(workers),
+            Self::PlaneTeams(teams) => teams.employ(&workers),
+            Self::SpaceTeams(teams) => teams.employ(&workers),
+        }
     }
 
     /// D.
     #[must_use]
     pub fn dimension(&self) -> usize {
         match self {
-            Self::Plane(_) => 2,
-            Self::Space(_) => 3,
+            Self::Plane(_) | Self::PlaneTeams(_) => 2,
+            Self::Space(_) | Self::SpaceTeams(_) => 3,
         }
     }
 
@@ -96,40 +121,43 @@ impl AnyWorld {
     /// Computes the next tick with what is `given` from outside; refused as [`World::step_with`] does.
     pub fn step_with(&mut self, given: &AnyGiven<'_>) -> Result<(), GivenError> {
         dispatch!(self, world => {
-            let given = given_to(world, given)?;
+            let given = given_to(world.frame().positions_m.len(), given)?;
             world.step_with(&given).map(|_| ())
         })
     }
 
     /// Whether what is `given` is refused.
     pub(crate) fn check(&self, given: &AnyGiven<'_>) -> Result<(), GivenError> {
-        dispatch!(self, world => given_to(world, given)?.check(world.frame().positions_m.len()))
+        dispatch!(self, world => {
+            let robots = world.frame().positions_m.len();
+            given_to(robots, given).and_then(|given| checked(world.frame(), &given))
+        })
     }
 
     /// The first part of a tick: robots move, and are asked for what is `given`, which was checked.
     pub(crate) fn begin_with(&mut self, given: &AnyGiven<'_>) -> Result<(), GivenError> {
         dispatch!(self, world => {
-            let given = given_to(world, given)?;
+            let given = given_to(world.frame().positions_m.len(), given)?;
             world.begin();
             world.give(&given);
             world.ask();
-        });
+        }, else {});
         Ok(())
     }
 
     /// The second part, for worlds that are computed alone.
     pub(crate) fn compute(&mut self) {
-        dispatch!(self, world => world.compute());
+        dispatch!(self, world => world.compute(), else {});
     }
 
     /// The third part.
     pub(crate) fn settle(&mut self) {
-        dispatch!(self, world => world.settle());
+        dispatch!(self, world => world.settle(), else {});
     }
 
     /// True if its team can be computed side by side with others.
     pub(crate) fn goes_in_lanes(&mut self) -> bool {
-        dispatch!(self, world => world.in_lane().is_some())
+        dispatch!(self, world => world.in_lane().is_some(), else false)
     }
 
     /// The world, if it is in the plane.
@@ -157,7 +185,7 @@ impl AnyWorld {
     /// What became of the laws up to the last tick.
     #[must_use]
     pub fn verdicts(&self) -> &Verdicts {
-        dispatch!(self, world => world.monitors().verdicts())
+        dispatch!(self, world => world.verdicts())
     }
 
     /// u_{i,des}, m/s, flat.
@@ -232,6 +260,21 @@ impl AnyWorld {
         dispatch!(self, world => &world.frame().values)
     }
 
+    /// As [`World::record_mut`].
+    pub(crate) fn record_mut(&mut self) -> Option<&mut Record> {
+        dispatch!(self, world => world.record_mut())
+    }
+
+    /// As [`World::has_many_rounds`].
+    pub(crate) fn has_many_rounds(&self) -> bool {
+        dispatch!(self, world => world.has_many_rounds())
+    }
+
+    /// As [`World::take_rounds`].
+    pub(crate) fn take_rounds(&mut self) -> Vec<Round> {
+        dispatch!(self, world => world.take_rounds())
+    }
+
     /// Ends the run.
     #[must_use]
     pub fn finish(self) -> Run {
@@ -239,9 +282,13 @@ impl AnyWorld {
     }
 }
 
-/// What is given to a world of this dimension.
-fn given_to<'a, const D: usize>(world: &World<D>, given: &AnyGiven<'a>) -> Result<Given<'a, D>, GivenError> {
-    let robots = world.frame().positions_m.len();
+/// Whether what is given fits the robots of `frame`.
+fn checked<const D: usize>(frame: &Frame<D>, given: &Given<'_, D>) -> Result<(), GivenError> {
+    given.check(frame.positions_m.len())
+}
+
+/// What is given to a world of this dimension with so many robots.
+fn given_to<'a, const D: usize>(robots: usize, given: &AnyGiven<'a>) -> Result<Given<'a, D>, GivenError> {
     let desired_m_s = match given.desired_m_s.map(<[f64]>::as_chunks::<D>) {
         Some((_, rest)) if !rest.is_empty() => {
             let found = given.desired_m_s.map_or(0, <[f64]>::len);

@@ -30,6 +30,9 @@ impl Block {
 
     /// The worlds of `scenario` with these seeds before their first tick; of more than [`MOST`](Self::MOST) seeds the rest is left out.
     pub fn new(scenario: &Scenario, seeds: &[u64], options: Options) -> Result<Self, RunError> {
+        if !scenario.teams.is_empty() {
+            return Err(RunError::Teams);
+        }
         let of = |seed: &u64| AnyWorld::new(&Scenario { seed: *seed, ..scenario.clone() }, options);
         let worlds: Result<Vec<AnyWorld>, RunError> = seeds.iter().take(Self::MOST).map(of).collect();
         let mut worlds = worlds?;
@@ -37,6 +40,7 @@ impl Block {
         let lanes = worlds.first().filter(|_| all).and_then(|world| match world {
             AnyWorld::Plane(world) => world.lanes().map(AnyLanes::Plane),
             AnyWorld::Space(world) => world.lanes().map(AnyLanes::Space),
+            AnyWorld::PlaneTeams(_) | AnyWorld::SpaceTeams(_) => None,
         });
         Ok(Self { worlds, lanes })
     }

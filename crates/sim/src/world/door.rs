@@ -140,6 +140,10 @@ impl<const D: usize> Door<D> {
                 return Some(Refused::Robot { other, distance_m, needed_m: self.needed_m });
             }
         }
+        let apart = frame.strangers.positions_m.iter().map(|x| sqrt(squared_distance(x, place_m)));
+        if let Some(distance_m) = apart.into_iter().find(|apart_m| *apart_m < self.needed_m) {
+            return Some(Refused::Stranger { distance_m, needed_m: self.needed_m });
+        }
         let gaps = self.obstacles.iter().map(|one| gap_m(one, place_m));
         let distance_m = gaps.fold(f64::INFINITY, f64::min);
         (distance_m < self.clear_m).then_some(Refused::Obstacle { distance_m, needed_m: self.clear_m })

@@ -6,6 +6,7 @@ mod door;
 pub mod given;
 mod outcome;
 mod script;
+pub mod teams;
 
 use std::sync::Arc;
 
@@ -24,6 +25,7 @@ use crate::engine::phi::PaperPhi;
 use crate::engine::robots::Robots;
 use crate::engine::workers::{Alone, Workers};
 use crate::frame::Frame;
+use crate::law::Verdicts;
 use crate::monitors::Monitors;
 use crate::monitors::robustness::{Round, Watcher};
 use crate::output::digest::Digest;
@@ -35,7 +37,8 @@ use crate::scenario::Scenario;
 use crate::world::any::AnyWorld;
 use crate::world::door::Door;
 use crate::world::given::{Given, GivenError};
-pub use crate::world::outcome::{Options, Run, RunError};
+pub use crate::world::outcome::{Options, Run, RunError, TeamRun};
+use crate::world::script::rest;
 pub use crate::world::script::{initial_numbers, initial_values, want};
 
 /// Runs `scenario` from the first tick to the last. `progress` is called before each tick with its number.
@@ -96,8 +99,14 @@ impl<const D: usize> World<D> {
         if scenario.dimension != D {
             return Err(RunError::Dimension(scenario.dimension));
         }
+        if !scenario.teams.is_empty() {
+            return Err(RunError::Teams);
+        }
         if let Some(why) = scenario.refuses_obstacles() {
             return Err(RunError::Obstacles(why));
+        }
+        if let Some(why) = scenario.refuses_strangers() {
+            return Err(RunError::Strangers(why));
         }
         let params = scenario.params::<D>()?;
         scenario.ranks::<D>()?;
@@ -179,6 +188,12 @@ impl<const D: usize> World<D> {
         &self.monitors
     }
 
+    /// What became of the laws up to the last tick.
+    #[must_use]
+    pub fn verdicts(&self) -> &Verdicts {
+        self.monitors.verdicts()
+    }
+
     /// Moves robots to where the next tick finds them and asks where they want to go, for whoever gives velocities that depend on
     /// that. Positions and desired velocities of the frame then belong to the tick that the next step computes; everything else
     /// is still of the last one. A second call changes nothing, and the step gives the bits that it gives without.
@@ -219,26 +234,41 @@ impl<const D: usize> World<D> {
         if self.prepared.take().is_some() {
             return;
         }
+        self.integrate();
+        self.enter();
+    }
+
+    /// Moves bodies to the next tick.
+    fn integrate(&mut self) {
         if self.done > 0 {
             self.bodies.integrate(&mut self.frame.positions_m, &self.frame.velocities_m_s);
         }
+    }
+
+    /// Lets robots come and leave, and asks everybody where they want to go.
+    fn enter(&mut self) {
         self.door.begin_tick(self.done, &mut self.frame, &mut self.bodies);
         want(&self.scenario, self.done, &mut self.frame);
         self.liars.give(None, None);
     }
 
     fn end(&mut self) -> &Frame<D> {
-        let tick = self.done;
         self.ask();
         self.compute();
         self.settle();
+        self.note();
+        &self.frame
+    }
+
+    /// Keeps of a tick what was asked for.
+    fn note(&mut self) {
+        let tick = self.done.saturating_sub(1);
         self.collector.watch(&self.scenario, &self.frame, &self.monitors);
         if let Some(record) = &mut self.record {
             let (tick_s, required) = (self.scenario.tick_s(), record.required_degree);
             record.push(&Snapshot::new(tick, tick_s, required, &self.frame, self.monitors.truth()));
         }
         self.watch_round(tick);
-        &self.frame
     }
 
     /// Lets all robots decide.
@@ -260,6 +290,12 @@ impl<const D: usize> World<D> {
 
     /// What comes of it for the world: the rest of the frame, and the laws.
     fn settle(&mut self) {
+        self.judge();
+        self.watch();
+    }
+
+    /// The rest of the frame but for the laws.
+    fn judge(&mut self) {
         let tick = self.done;
         if let Some(exchange) = &mut self.exchange {
             exchange.step(tick, &mut self.frame, self.robots.as_ref(), self.liars.given_values());
@@ -272,6 +308,11 @@ impl<const D: usize> World<D> {
             phi.fill(&mut self.frame, |robot| edges.is_some_and(|edges| edges.downtime.down(robot)));
         }
         self.judge.judge(&mut self.frame, self.robots.as_ref(), &self.bodies);
+    }
+
+    /// Looks at the laws, and ends the tick.
+    fn watch(&mut self) {
+        let tick = self.done;
         self.monitors.watch(tick, &self.frame);
         for index in 0..self.frame.values.len() {
             [self.frame.one_level[index], self.frame.one_value[index]] = self.liars.tells_alike(index);
@@ -347,13 +388,12 @@ impl<const D: usize> World<D> {
         let summary = self.collector.finish(&self.scenario, &self.frame, &self.monitors);
         let summary = Summary { attendance, ..summary };
         let rounds = self.watcher.map(Watcher::finish).unwrap_or_default();
-        Run { record: self.record, digest: self.digest.map(Digest::value), rounds, summary }
-    }
-}
-
-/// Whoever is absent wants nothing.
-fn rest<const D: usize>(absent: &[bool], wishes_m_s: &mut [Vector<D>]) {
-    for (wish, _) in wishes_m_s.iter_mut().zip(absent).filter(|(_, absent)| **absent) {
-        *wish = [0.0; D];
+        Run {
+            record: self.record,
+            digest: self.digest.map(Digest::value),
+            rounds,
+            summary,
+            teams: Vec::new(),
+        }
     }
 }

@@ -38,8 +38,19 @@ pub struct Run {
     /// [`ROUNDS_MAX`](crate::monitors::robustness::ROUNDS_MAX) rounds, those that
     /// [`thin`](crate::monitors::robustness::thin) keeps.
     pub rounds: Vec<Round>,
-    /// The table's row.
+    /// The table's row; of several teams what they came to together.
     pub summary: Summary,
+    /// What each of several teams came to by itself; empty for a single one.
+    pub teams: Vec<TeamRun>,
+}
+
+/// What one of several teams came to by itself.
+#[derive(Clone, Debug, PartialEq)]
+pub struct TeamRun {
+    /// Its row of the table.
+    pub summary: Summary,
+    /// Robustness of its own network in every consensus round, as in [`Run::rounds`].
+    pub rounds: Vec<Round>,
 }
 
 /// Why a scenario could not be run.
@@ -60,6 +71,12 @@ pub enum RunError {
     /// The controller does not know of obstacles.
     #[error("there are obstacles {0}")]
     Obstacles(String),
+    /// The controller does not know of robots of other teams.
+    #[error("there are robots of other teams {0}")]
+    Strangers(String),
+    /// Several teams where only one can be.
+    #[error("the scenario has several teams ([[teams]]), allowed here is one")]
+    Teams,
     /// Neither 2 nor 3.
     #[error("dimension is {0}, allowed is 2 or 3")]
     Dimension(usize),

@@ -1,5 +1,7 @@
 //! What a scenario says of its robots: the values that they begin with, and where they want to go.
 
+use closeranks_core::num::Vector;
+
 use crate::frame::Frame;
 use crate::random::{Random, Stream};
 use crate::scenario::desired::Desired;
@@ -43,5 +45,12 @@ pub fn want<const D: usize>(scenario: &Scenario, tick: u32, frame: &mut Frame<D>
             }
             motion => motion.desired(number, scenario.team.robots, position),
         };
+    }
+}
+
+/// Whoever is absent wants nothing.
+pub(super) fn rest<const D: usize>(absent: &[bool], wishes_m_s: &mut [Vector<D>]) {
+    for (wish, _) in wishes_m_s.iter_mut().zip(absent).filter(|(_, absent)| **absent) {
+        *wish = [0.0; D];
     }
 }

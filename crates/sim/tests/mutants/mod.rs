@@ -2,6 +2,7 @@
 
 pub(crate) mod obstacles;
 pub(crate) mod presence;
+pub(crate) mod teams;
 
 /// A broken program: what is wrong, the law that must notice, and the lines that are other than they should be.
 pub(crate) struct Mutant {
@@ -85,7 +86,7 @@ pub(crate) const MUTANTS: [Mutant; 42] = [
     Mutant {
         name: "no near rows",
         law: "distance",
-        lines: &[(TICK, "            self.push_near(neighbor, rows);\n", "")],
+        lines: &[(TICK, "            self.push_near(offset_m, pair, rows);\n", "")],
     },
     Mutant {
         name: "rows left out where robots can break them",
@@ -105,7 +106,7 @@ pub(crate) const MUTANTS: [Mutant; 42] = [
         name: "no margin for distances",
         law: "distance",
         lines: &[
-            (TICK, "self.spare_m2(neighbor.pair, -error_m)", "self.spare_m2(neighbor.pair, 0.0)"),
+            (TICK, "self.spare_m2(pair, -error_m)", "self.spare_m2(pair, 0.0)"),
             (INEQUALITY, "self.spare_m2(&pair, -error_m)", "self.spare_m2(&pair, 0.0)"),
         ],
     },

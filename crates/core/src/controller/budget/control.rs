@@ -61,8 +61,7 @@ impl<const D: usize> BudgetController<D> {
     fn see(view: &View<'_, D>, sightings: &mut [Sighting<D>]) -> usize {
         let mut count = 0;
         for (sighting, slot) in sightings.iter_mut().zip(view.in_view()) {
-            let Slot { id, rank, offset_m, position_m, unsensed_m, .. } = *slot;
-            *sighting = Sighting { id, rank, offset_m, position_m, unsensed_m };
+            *sighting = sighting_of(slot);
             count += 1;
         }
         count
@@ -82,6 +81,7 @@ impl<const D: usize> BudgetController<D> {
         before_m_s: &Vector<D>,
     ) -> Decision<D> {
         self.clearance.push(position_m, map, &mut rows.program);
+        self.clearance.recover(position_m, map, rows);
         let Move { displacement_m, outcome, doubt } = rows.decide(&self.desired_m(before_m_s));
         let velocity = displacement_m.map(|component| component / self.hold_s);
         Decision { velocity_m_s: self.input.clip(&velocity), outcome, phi: None, doubt }
@@ -164,6 +164,9 @@ impl<const D: usize> Control<D> for BudgetController<D> {
         let desired_m = self.desired_m(desired);
         let mut rows =
             self.budget.rows(view.member(), &scratch.sightings[..count], &desired_m, self.reach, memory);
+        for slot in view.strangers.iter().filter(|slot| slot.sensed || slot.is_missing()) {
+            self.budget.push_stranger(&sighting_of(slot), &mut rows);
+        }
         self.decision(&mut rows, (&view.position_m, scratch.map), &view.before_m_s)
     }
 
@@ -227,6 +230,12 @@ impl<const D: usize> AtOnce<D> for BudgetController<D> {
         let mut rows = self.budget.rows_between(own, neighbors, &desired_m, self.reach, scratch.rows);
         self.decision(&mut rows, (&motion.position_m, scratch.map), &motion.before_m_s)
     }
+}
+
+/// What a slot holds of where a robot is.
+fn sighting_of<const D: usize>(slot: &Slot<D>) -> Sighting<D> {
+    let Slot { id, rank, offset_m, position_m, unsensed_m, .. } = *slot;
+    Sighting { id, rank, offset_m, position_m, unsensed_m }
 }
 
 /// How many rows there can be: two for each axis, two for each neighbour, and one of the robot's own. With stated errors

@@ -43,7 +43,7 @@ mod sums;
 pub mod survey;
 pub mod weight;
 
-use crate::controller::budget::inequality::Neighbor;
+use crate::controller::budget::inequality::{Neighbor, Pair};
 use crate::controller::budget::knowledge::{KnownMargin, Sighting, count};
 use crate::controller::budget::settings::{Budget, Form};
 use crate::controller::budget::survey::Survey;
@@ -143,6 +143,20 @@ impl Budget {
         self.push_neighbor(own, &Neighbor { member, offset_m, pair, known }, rows);
     }
 
+    /// Adds the row (near) for a robot of another team, unless it is certainly out of range. It is in no sum.
+    //= theory sec:strangers
+    pub(crate) fn push_stranger<const D: usize>(&self, sighting: &Sighting<D>, rows: &mut Rows<'_, D>) {
+        let offset_m = sighting.offset_m;
+        let budget = self.blurred(sighting.unsensed_m);
+        if !budget.in_range(&offset_m) {
+            return;
+        }
+        let pair = budget.pair(&offset_m, 0.0, &rows.program.reach);
+        if !pair.near_is_slack {
+            budget.push_near(&offset_m, &pair, rows);
+        }
+    }
+
     /// Makes the same rows for robot `own` with this `level` and `degree` and all its `neighbors` in order of their numbers.
     /// This is for whoever computes a whole team at once. The pairs must have been made with this `reach`, because which rows can bind
     /// depends on it.
@@ -201,7 +215,7 @@ impl Budget {
             self.push_far(own, neighbor, &gradient, rows);
         }
         if !pair.near_is_slack {
-            self.push_near(neighbor, rows);
+            self.push_near(offset_m, pair, rows);
         }
     }
 
@@ -246,17 +260,17 @@ impl Budget {
         self.recover_own(own, rows);
     }
 
-    /// (near) for a neighbour, and recovery of the distance.
+    /// (near) for another robot, and recovery of the distance.
     #[inline(never)]
-    fn push_near<const D: usize>(&self, neighbor: &Neighbor<'_, D>, rows: &mut Rows<'_, D>) {
-        let (offset, error_m) = (&neighbor.offset_m, self.errors.offset_m);
-        let spare_m2 = self.spare_m2(neighbor.pair, -error_m);
+    fn push_near<const D: usize>(&self, offset: &Vector<D>, pair: &Pair, rows: &mut Rows<'_, D>) {
+        let error_m = self.errors.offset_m;
+        let spare_m2 = self.spare_m2(pair, -error_m);
         let give_m2 = give_m2(self.gamma_c, spare_m2);
         if may_bind(rows.program.reach.lhs_max(offset, error_m, 0.0), 0.5 * give_m2) {
             rows.push(offset, error_m, |offset| Row::near(offset, give_m2));
         }
         if spare_m2 < 0.0 {
-            self.recover_distance(offset, neighbor.pair, rows);
+            self.recover_distance(offset, pair, rows);
         }
     }
 }

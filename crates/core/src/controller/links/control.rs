@@ -76,6 +76,7 @@ impl<const D: usize> LinksController<D> {
 
     fn decision(&self, view: &View<'_, D>, desired: &Vector<D>, scratch: &mut Scratch<'_, D>) -> Decision<D> {
         let others = view.slots.iter().map(|slot| Beside::of(slot, view.ledger.obliged));
+        let others = others.chain(view.strangers.iter().map(Beside::stranger));
         let counted = view.slots.iter().filter(|slot| slot.peer.is_counted()).count();
         let (position_m, before_m_s) = (view.position_m, view.before_m_s);
         let motion = Motion { position_m, desired_m_s: self.wish(view, desired), before_m_s };
@@ -95,6 +96,7 @@ impl<const D: usize> LinksController<D> {
         let desired_m = motion.desired_m_s.map(|component| component * self.hold_s);
         let mut rows = self.links.rows(others, &desired_m, self.reach, scratch.rows);
         self.clearance.push(&motion.position_m, scratch.map, &mut rows.program);
+        self.clearance.recover(&motion.position_m, scratch.map, &mut rows);
         let moved = rows.decide(&motion.before_m_s.map(|component| component * self.hold_s));
         let velocity = moved.displacement_m.map(|component| component / self.hold_s);
         let uncounted = (counted < usize::from(self.links.keep(own))).then_some(Reason::Uncounted);

@@ -26,6 +26,12 @@ impl<const D: usize> Beside<D> {
         let active = obliged || slot.peer.hold.is_active();
         Self { offset_m: slot.offset_m, gone_m: slot.gone_m, sensed: slot.sensed, active }
     }
+
+    /// That of a robot of another team, with which no link is kept.
+    //= theory sec:strangers
+    pub(super) fn stranger(slot: &Slot<D>) -> Self {
+        Self { active: false, ..Self::of(slot, false) }
+    }
 }
 
 impl Links {

@@ -1,6 +1,7 @@
 //! Markers of robots: colour and shape say the same.
 
-use crate::svg::palette::{CLOSE, MALICIOUS, NORMAL};
+use crate::figure::Case;
+use crate::svg::palette::{CLOSE, MALICIOUS, NORMAL, TEAMS};
 use crate::svg::{Element, Piece, Svg};
 
 /// How robots are drawn.
@@ -22,11 +23,40 @@ impl Marker {
     }
 }
 
+/// What robots of a kind look like.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub(crate) struct Kind {
+    /// Whether they are malicious.
+    pub(crate) malicious: bool,
+    /// Which of several teams they are of, from 0, if there are several.
+    pub(crate) team: Option<usize>,
+}
+
+impl Kind {
+    /// That of robot `index` of a run.
+    pub(crate) fn of(case: Case<'_>, index: usize) -> Self {
+        let team = (!case.scenario.teams.is_empty()).then(|| case.scenario.team_of(index));
+        Self { malicious: case.record.malicious.get(index) == Some(&true), team }
+    }
+
+    /// The colour of its team.
+    pub(crate) fn team_colour(self) -> &'static str {
+        self.team.map_or(NORMAL, |team| TEAMS[team % TEAMS.len()])
+    }
+
+    /// Around a marker: white, or around a malicious robot the colour of its team.
+    fn edge_colour(self) -> &'static str {
+        if self.malicious && self.team.is_some() { self.team_colour() } else { "#ffffff" }
+    }
+}
+
 /// What all robots of a kind share.
-pub(crate) fn robots_group(malicious: bool, marker: Marker) -> Element {
-    let colour = if malicious { MALICIOUS } else { NORMAL };
+pub(crate) fn robots_group(kind: Kind, marker: Marker) -> Element {
+    let colour = if kind.malicious { MALICIOUS } else { kind.team_colour() };
     let edge = if marker.numbered { 0.9 } else { 0.4 };
-    let group = Element::group().text("fill", colour).text("stroke", "#ffffff").number("stroke-width", edge);
+    let edge = if kind.edge_colour() == "#ffffff" { edge } else { 2.0 * edge };
+    let group = Element::group().text("fill", colour).text("stroke", kind.edge_colour());
+    let group = group.number("stroke-width", edge);
     group.text("text-anchor", "middle").text("font-weight", "bold")
 }
 

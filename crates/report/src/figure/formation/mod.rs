@@ -8,7 +8,7 @@ pub(crate) mod view;
 use closeranks_sim::output::record::Record;
 
 use self::links::{Link, links};
-use self::marker::{Marker, ring, robots_group};
+use self::marker::{Kind, Marker, ring, robots_group};
 use self::view::{View, views};
 use crate::figure::Case;
 use crate::figure::panel::axes::Axes;
@@ -158,7 +158,8 @@ impl<'a> Moment<'a> {
     pub(crate) fn draw(&self, svg: &mut Svg, axes: &Axes, marker: Marker) {
         self.draw_obstacles(svg, axes);
         let points: Vec<[f64; 2]> = self.points().into_iter().map(|point| axes.at(point)).collect();
-        let links = links(self.record(), self.case.scenario.link.radius_m, self.tick);
+        let mut links = links(self.record(), self.case.scenario.link.radius_m, self.tick);
+        links.retain(|link| is_of_one_team(self.case, link));
         let (red, grey): (Vec<Link>, Vec<Link>) = links.iter().partition(|link| link.malicious);
         for (some, colour) in [(grey, LINK), (red, MALICIOUS)] {
             draw_links(svg, &points, &some, colour, links.len() <= DOTTED);
@@ -193,20 +194,25 @@ impl<'a> Moment<'a> {
     }
 
     fn draw_robots(&self, svg: &mut Svg, points: &[[f64; 2]], marker: Marker) {
-        let kind = |index: &usize| self.record().malicious.get(*index).copied().unwrap_or(false);
+        let kind = |index: &usize| Kind::of(self.case, *index);
         let mut order: Vec<usize> = (0..points.len()).filter(|index| points[*index][0].is_finite()).collect();
         if !marker.numbered {
             order.sort_by_key(kind);
         }
         for alike in order.chunk_by(|a, b| kind(a) == kind(b)) {
-            let malicious = kind(&alike[0]);
-            svg.begin(&robots_group(malicious, marker));
+            let kind = kind(&alike[0]);
+            svg.begin(&robots_group(kind, marker));
             for index in alike {
-                marker.draw(svg, points[*index], malicious, index + 1);
+                marker.draw(svg, points[*index], kind.malicious, index + 1);
             }
             svg.end();
         }
     }
+}
+
+/// True for a link: robots of different teams have none, however near they are.
+pub(crate) fn is_of_one_team(case: Case<'_>, link: &Link) -> bool {
+    case.scenario.team_of(link.first) == case.scenario.team_of(link.second)
 }
 
 /// All links of one colour in one path.

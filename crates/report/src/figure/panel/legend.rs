@@ -2,7 +2,7 @@
 
 use crate::figure::distance::{least_style, limit_style};
 use crate::figure::formation::link_style;
-use crate::figure::formation::marker::{Marker, ring, robots_group, shape};
+use crate::figure::formation::marker::{Kind, Marker, ring, robots_group, shape};
 use crate::figure::panel::layout::LEGEND_LINE;
 use crate::figure::panel::stroke::{largest_f, largest_r, needed};
 use crate::figure::paths::start_mark;
@@ -20,6 +20,8 @@ pub(crate) enum Entry {
         /// Of which kind.
         malicious: bool,
     },
+    /// The marker of a normal robot of one of several teams, from 0.
+    Team(usize),
     /// A link.
     Link {
         /// With a malicious robot.
@@ -72,6 +74,13 @@ pub(crate) const SERIES: [Entry; 3] =
 /// Of robustness over time.
 pub(crate) const ROBUSTNESS: [Entry; 3] = [Entry::LargestR, Entry::LargestF, Entry::Needed];
 
+/// The sample of a robot.
+fn draw_robot(svg: &mut Svg, at: [f64; 2], kind: Kind) {
+    svg.begin(&robots_group(kind, Marker { radius: 5.5, numbered: true }));
+    svg.add(shape(at, 5.5, kind.malicious));
+    svg.end();
+}
+
 /// Space between entries.
 const GAP: f64 = 22.0;
 /// Space between a sample and its text.
@@ -86,6 +95,10 @@ impl Entry {
             Self::Robot { malicious: true } | Self::Line { malicious: true } => {
                 &[Piece::Plain("malicious robot")]
             }
+            Self::Team(0) => &[Piece::Plain("normal robot of team 1")],
+            Self::Team(1) => &[Piece::Plain("of team 2")],
+            Self::Team(2) => &[Piece::Plain("of team 3")],
+            Self::Team(_) => &[Piece::Plain("of team 4")],
             Self::Link { malicious: false } => &[Piece::Plain("link between normal robots")],
             Self::Link { malicious: true } => &[Piece::Plain("link with a malicious robot")],
             Self::TooClose => &[Piece::Plain("closer than allowed")],
@@ -104,7 +117,7 @@ impl Entry {
     fn sample_width(self) -> f64 {
         match self {
             Self::Start => 8.0,
-            Self::Robot { .. } | Self::TooClose => 14.0,
+            Self::Robot { .. } | Self::Team(_) | Self::TooClose => 14.0,
             _ => 26.0,
         }
     }
@@ -124,9 +137,10 @@ impl Entry {
         let right = left + self.sample_width();
         match self {
             Self::Robot { malicious } => {
-                svg.begin(&robots_group(malicious, Marker { radius: 5.5, numbered: true }));
-                svg.add(shape([0.5 * (left + right), y], 5.5, malicious));
-                svg.end();
+                draw_robot(svg, [0.5 * (left + right), y], Kind { malicious, team: None });
+            }
+            Self::Team(team) => {
+                draw_robot(svg, [0.5 * (left + right), y], Kind { malicious: false, team: Some(team) });
             }
             Self::Link { malicious } => {
                 let colour = if malicious { MALICIOUS } else { LINK };

@@ -10,6 +10,7 @@ mod talk;
 use closeranks_core::controller::links::wire::{Notice, bytes_max};
 use closeranks_core::equations::composition::Composed;
 use closeranks_core::message::{MESSAGE_BYTES, Message};
+use closeranks_core::num::Vector;
 use closeranks_core::robot::Robot;
 use closeranks_core::robot::error::RobotError;
 use closeranks_core::robot::neighbor::{Member, RobotId, Slot};
@@ -47,6 +48,8 @@ pub struct Fleet<const D: usize, T = FaultyNetwork<InMemory>> {
     notices: Option<Vec<(usize, usize, Notice<D>)>>,
     /// Memory for those whom a robot hears, senses or tells something.
     others: Vec<usize>,
+    /// Where everybody is in this tick, m: the team, and then robots of other teams.
+    plane_m: Vec<Vector<D>>,
     /// Room for the longest message.
     buffer: Vec<u8>,
     transport: T,
@@ -87,7 +90,7 @@ impl<const D: usize, T: Transport> Fleet<D, T> {
         params: Params<D>,
         values: &[f64],
     ) -> Result<Self, RobotError> {
-        let others = values.len().saturating_sub(1);
+        let others = values.len().saturating_sub(1) + usize::from(scenario.strangers);
         let slots = scenario.faults.sensing.dropouts.slots.map_or(others, usize::from);
         let (members, edges) =
             (Roster::new(scenario, &params).members().to_vec(), Edges::new(scenario, &params));
@@ -109,6 +112,7 @@ impl<const D: usize, T: Transport> Fleet<D, T> {
             outbox: vec![None; values.len()],
             notices: None,
             others: Vec::new(),
+            plane_m: Vec::new(),
             buffer: vec![0; MESSAGE_BYTES.max(bytes_max(scenario.team.robots, D))],
             transport,
             edges,
@@ -133,6 +137,7 @@ impl<const D: usize, T: Transport> Fleet<D, T> {
             self.send(liars);
             self.deliver();
         }
+        self.overhear(frame);
         self.control(frame, liars);
         self.tick = self.tick.saturating_add(1);
     }
@@ -159,12 +164,15 @@ impl<const D: usize, T: Transport> Fleet<D, T> {
             frame.heard.fill([0; 2]);
             frame.listened.fill([0; 2]);
         }
-        self.edges.begin_tick(self.tick, time_s, &frame.positions_m, &frame.presence);
+        self.plane_m.clear();
+        self.plane_m.extend(frame.positions_m.iter().chain(&frame.strangers.positions_m));
+        self.edges.begin_tick(self.tick, time_s, &self.plane_m, &frame.presence);
         self.transport.begin_tick(self.tick);
         liars.begin_tick(self.tick);
         if frame.presence.changed {
-            self.dismiss(&frame.presence.dismissed);
+            self.dismiss(&frame.presence.dismissed, 0);
         }
+        self.dismiss(&frame.strangers.dismissed, frame.positions_m.len());
         for (index, robot) in self.robots.iter_mut().enumerate() {
             frame.down[index] = self.edges.downtime.down(index);
             if self.edges.downtime.reborn(index) {
@@ -175,9 +183,9 @@ impl<const D: usize, T: Transport> Fleet<D, T> {
         }
     }
 
-    /// Everybody is told that these robots have left.
-    fn dismiss(&mut self, dismissed: &[bool]) {
-        for index in (0..dismissed.len()).filter(|index| dismissed[*index]) {
+    /// Everybody is told that these robots have left, of which the first has this index.
+    fn dismiss(&mut self, dismissed: &[bool], first: usize) {
+        for index in (0..dismissed.len()).filter(|index| dismissed[*index]).map(|index| first + index) {
             self.robots.iter_mut().for_each(|robot| robot.dismiss(id(index)));
             self.edges.sight.dismiss(index);
         }
@@ -192,12 +200,12 @@ impl<const D: usize, T: Transport> Fleet<D, T> {
 
     fn sense(&mut self, frame: &Frame<D>) {
         let radius_m = self.params.link().radius_m;
-        let Self { robots, members, memory, edges, reach, others, slots, tick, .. } = self;
+        let Self { robots, members, memory, edges, reach, others, plane_m, slots, tick, .. } = self;
         let Edges { clocks, senses, sight, downtime } = edges;
         let whole = sight.is_whole();
         let gets_slots = whole || reach.is_near();
         if gets_slots {
-            reach.look_around(&frame.positions_m, radius_m);
+            reach.look_around(plane_m, radius_m);
         }
         for (observer, robot) in robots.iter_mut().enumerate() {
             if downtime.down(observer) {
@@ -214,15 +222,18 @@ impl<const D: usize, T: Transport> Fleet<D, T> {
                 others.clear();
                 others.extend(reach.around(observer).iter().map(|index| usize::from(*index)));
             } else {
-                reach.seen(observer, frame.positions_m.len(), sight.known(observer), others);
+                reach.seen(observer, plane_m.len(), sight.known(observer), others);
             }
             for &index in &*others {
-                let position = &frame.positions_m[index];
+                let position = &plane_m[index];
                 let within = whole || squared_distance(own, position) <= radius_m * radius_m;
                 if sight.senses((observer, own), index, within) {
                     let sensed = senses.sense(observer, index, position);
                     sight.note((observer, index), position, &sensed);
-                    let _ = robot.observe(members[index], sensed);
+                    let _ = match members.get(index) {
+                        Some(member) => robot.observe(*member, sensed),
+                        None => robot.observe_stranger(id(index), sensed),
+                    };
                 }
             }
         }
@@ -235,7 +246,8 @@ fn id(index: usize) -> RobotId {
 
 /// Gives a robot slots for so many more neighbours than it has, up to `most`.
 fn make_room<const D: usize>(robot: &mut Robot<D, Vec<Slot<D>>>, others: usize, most: usize) {
-    let needed = (robot.neighbors().len() + others).min(most);
+    let known = robot.neighbors().len() + robot.strangers().len();
+    let needed = (known + others).min(most);
     if robot.slot_count() < needed {
         robot.change_slots(|slots| {
             slots.resize(needed.next_multiple_of(SLOTS_FIRST).min(most), Slot::default());

@@ -1,11 +1,13 @@
 //! What robots tell each other in a tick, and how it gets there.
 
+use closeranks_core::controller::links::wire::LinkMessage;
 use closeranks_core::message::Message;
 use closeranks_core::robot::Robot;
 use closeranks_core::robot::neighbor::Slot;
 
 use crate::attack::liars::{Face, Liars};
 use crate::engine::fleet::{Fleet, id};
+use crate::frame::Frame;
 use crate::transport::{Bytes, Parcel, Transport};
 
 impl<const D: usize, T: Transport> Fleet<D, T> {
@@ -100,14 +102,54 @@ impl<const D: usize, T: Transport> Fleet<D, T> {
         self.others = receivers;
     }
 
+    /// Robots refuse what is no message, and what comes from out of range.
     pub(super) fn deliver(&mut self) {
-        while let Some(Parcel { sender, receiver, bytes }) = self.transport.poll() {
+        let parcels: Vec<Parcel> = core::iter::from_fn(|| self.transport.poll()).collect();
+        // Lists that went to many robots are parsed once, as long as nothing else comes between.
+        let mut read: Option<(&Bytes, Option<LinkMessage<'_, D>>)> = None;
+        for Parcel { sender, receiver, bytes } in &parcels {
+            let robot = &mut self.robots[*receiver];
+            if self.edges.downtime.down(*receiver) || !robot.knows(id(*sender)) {
+                continue;
+            }
+            if !self.lists {
+                let _ = robot.receive_bytes(id(*sender), bytes);
+                continue;
+            }
+            let (_, message) = match read {
+                Some(read) if read.0.is_shared_with(bytes) => read,
+                _ => *read.insert((bytes, LinkMessage::parse(bytes).ok())),
+            };
+            let _ = message.map(|message| robot.receive_notice(id(*sender), &message.to(id(*receiver))));
+        }
+    }
+
+    /// Robots of other teams that are near are heard too, a tick late. Nobody listens to them.
+    //= theory sec:strangers
+    pub(super) fn overhear(&mut self, frame: &Frame<D>) {
+        let (team, told) = (self.robots.len(), &frame.strangers.told);
+        if told.is_empty() {
+            return;
+        }
+        for (receiver, robot) in self.robots.iter_mut().enumerate() {
             if self.edges.downtime.down(receiver) {
                 continue;
             }
-            // Robots refuse what is no message, and what comes from out of range.
-            let _ = self.robots[receiver].receive_bytes(id(sender), &bytes);
+            self.others.clear();
+            self.others.extend(robot.strangers().iter().map(|slot| usize::from(slot.id().0) - 1));
+            for sender in &self.others {
+                if let Some(Some(bytes)) = told.get(sender - team) {
+                    let _ = robot.receive_bytes(id(*sender), bytes);
+                }
+            }
         }
+    }
+
+    /// What each robot told everybody in this tick, as bytes.
+    pub(crate) fn told(&mut self) -> Vec<Option<Bytes>> {
+        let Self { robots, outbox, buffer, .. } = self;
+        let messages = robots.iter().zip(&*outbox);
+        messages.map(|(robot, message)| encode(robot, message.as_ref()?, buffer)).collect()
     }
 }
 

@@ -11,6 +11,8 @@ use crate::scenario::Scenario;
 
 /// Positions are rounded by less than this, m; robots keep ten times as much more.
 const ROUNDING_M: f64 = 1e-10;
+/// What robots keep more than they must, and rounding, m.
+const KEPT_MORE_M: f64 = 2e-9;
 /// The least distance of a way is found to a part of 2⁻⁶⁰ of the way.
 const THIRDS: u32 = 100;
 
@@ -23,6 +25,8 @@ pub(crate) struct Clear<const D: usize> {
     /// What is demanded of robots, and of references, m.
     demanded_m: f64,
     reference_m: f64,
+    /// How wrong a robot may sense its own place, m.
+    error_m: f64,
     /// Robots that were clear once and must have been ever since: no assumption was broken.
     kept: Vec<bool>,
     least_m: f64,
@@ -37,6 +41,7 @@ impl<const D: usize> Clear<D> {
             malicious: scenario.malicious_mask(),
             demanded_m,
             reference_m: demanded_m + params.kept().errors.away_m,
+            error_m: params.settings().errors.position_m,
             kept: vec![false; usize::from(scenario.team.robots)],
             least_m: f64::INFINITY,
         }
@@ -45,6 +50,29 @@ impl<const D: usize> Clear<D> {
     /// Least distance of a normal robot to an obstacle yet, m.
     pub(crate) fn least_m(&self) -> f64 {
         self.least_m
+    }
+
+    /// For each robot whether it may seem to be, and whether it certainly is, nearer to an obstacle than it may be; empty where none is.
+    pub(crate) fn obstructed(&self, frame: &Frame<D>) -> Vec<[bool; 2]> {
+        if self.obstacles.is_empty() {
+            return Vec::new();
+        }
+        let lacks = |index, blur_m| self.missing_m(index, frame, blur_m).next().is_some();
+        let both = |index| [lacks(index, ROUNDING_M), lacks(index, -2.0 * self.error_m - ROUNDING_M)];
+        (0..self.kept.len()).map(both).collect()
+    }
+
+    /// How far robot `index` may wish to go away from obstacles, m, if no obstacle asks for more than `longest_m`.
+    pub(crate) fn demand_m(&self, index: usize, frame: &Frame<D>, longest_m: f64) -> f64 {
+        let missing_m = self.missing_m(index, frame, 2.0 * self.error_m + KEPT_MORE_M);
+        missing_m.map(|missing_m| missing_m.min(longest_m)).sum()
+    }
+
+    /// What each obstacle that is too near to robot `index` lacks, m, where places may be wrong by `blur_m`.
+    fn missing_m(&self, index: usize, frame: &Frame<D>, blur_m: f64) -> impl Iterator<Item = f64> {
+        let (x, reference_m) = (frame.references_m[index], self.reference_m);
+        let missing_m = move |obstacle: &Obstacle<D>| reference_m + blur_m - gap_m(obstacle, &x);
+        self.obstacles.iter().map(missing_m).filter(|missing_m| *missing_m > 0.0)
     }
 
     /// Looks at one tick; `before` is the last one.

@@ -19,6 +19,8 @@ pub(crate) struct Distances<const D: usize> {
     params: Params<D>,
     kept: Kept,
     malicious: Vec<bool>,
+    /// Which team each robot is of, where robots of different teams are looked at; else nothing.
+    teams: Vec<usize>,
     /// Distances with a malicious robot may collide: it goes where it likes.
     free: bool,
     /// Pairs of the last tick that were safe once and must have been ever since: no assumption was broken.
@@ -38,6 +40,7 @@ impl<const D: usize> Distances<D> {
     pub(crate) fn new(scenario: &Scenario, params: Params<D>) -> Self {
         Self {
             malicious: scenario.malicious_mask(),
+            teams: Vec::new(),
             free: scenario.attack.motion != MotionAttack::Obedient,
             kept: *params.kept(),
             params,
@@ -47,6 +50,18 @@ impl<const D: usize> Distances<D> {
             scratch: Vec::new(),
             least_m2: f64::INFINITY,
         }
+    }
+
+    /// For robots of several teams: pairs of the same team are left out. `gamma_c` is the largest of all teams, and malicious robots are
+    /// `free` or not.
+    pub(crate) fn between(
+        scenario: &Scenario,
+        params: Params<D>,
+        teams: Vec<usize>,
+        (gamma_c, free): (f64, bool),
+    ) -> Self {
+        let distances = Self::new(scenario, params);
+        Self { teams, free, kept: Kept { gamma_c, ..distances.kept }, ..distances }
     }
 
     /// Least squared distance of two robots yet, m².
@@ -94,6 +109,9 @@ impl<const D: usize> Distances<D> {
         let positions_m2 = truth.pairs.positions_m2();
         let mut least_m2 = self.least_m2;
         truth.pairs.each(|place, robots| {
+            if self.are_of_one_team(robots) {
+                return;
+            }
             let distance_m2 = positions_m2[place];
             least_m2 = if distance_m2 < least_m2 { distance_m2 } else { least_m2 };
             let rooms_m2 = before.map(|before| self.rooms_m2(place, truth, before));
@@ -115,6 +133,11 @@ impl<const D: usize> Distances<D> {
             && self.kept.gamma_c == 1.0
             && !truth.pairs.is_sparse()
             && truth.pairs.is_of_positions()
+    }
+
+    /// True if only pairs of different teams are looked at and this is none.
+    fn are_of_one_team(&self, [first, second]: [usize; 2]) -> bool {
+        self.teams.get(first).is_some_and(|team| self.teams.get(second) == Some(team))
     }
 
     /// A pair that is farther apart than the root of this, m², was not too near since the tick before.

@@ -1,6 +1,7 @@
 //! The theorem of `budget` from tick to tick: what was safe stays safe wherever its assumptions hold.
 
 mod before;
+pub(crate) mod between;
 mod clear;
 mod distance;
 mod held;
@@ -112,8 +113,8 @@ impl<const D: usize> Carry<D> {
             *counter += u64::from(counts);
         }
         if self.params.controller().promises() {
-            self.mode.watch(tick, frame, truth, verdicts);
-            self.rest.watch(tick, frame, truth, verdicts);
+            self.mode.watch(tick, frame, truth, &self.clear.obstructed(frame), verdicts);
+            self.rest.watch(tick, frame, truth, &self.clear, verdicts);
         }
         let mut now = before.unwrap_or_default();
         now.positions_m.clone_from(&frame.positions_m);

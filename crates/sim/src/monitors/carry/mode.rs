@@ -15,7 +15,7 @@ use crate::law::{Law, Verdicts, Violation};
 use crate::monitors::carry::report::{Reports, Untrue};
 use crate::monitors::carry::time::{fraction, longer_ago, since};
 use crate::monitors::rule::Rule;
-use crate::monitors::truth::{ROUNDING, Truth};
+use crate::monitors::truth::{ROUNDING, Stranger, Truth};
 use crate::scenario::Scenario;
 
 /// Ticks in which all must have noticed that everything holds again.
@@ -87,13 +87,18 @@ impl<const D: usize> ModeWatch<D> {
     }
 
     /// Nobody promises or reports what is not so, as far as it can know; and all promise again soon after everything holds.
-    pub(crate) fn watch(&mut self, tick: u32, frame: &Frame<D>, truth: &Truth, verdicts: &mut Verdicts) {
+    /// `obstructed` says for each robot whether it may seem to be, and whether it is, too near to an obstacle.
+    pub(crate) fn watch(
+        &mut self,
+        tick: u32,
+        frame: &Frame<D>,
+        truth: &Truth,
+        obstructed: &[[bool; 2]],
+        verdicts: &mut Verdicts,
+    ) {
         let absent = &frame.presence.absent;
         let stopped = frame.modes.iter().zip(absent).any(|(mode, absent)| *mode == Mode::Stopped && !absent);
-        let safe = (0..truth.h_own.len())
-            .filter(|robot| !absent[*robot])
-            .all(|robot| truth.h_own[robot] >= -H_HAIR && self.can_count(robot, truth))
-            && !self.crowd(truth, true).contains(&true);
+        let safe = self.is_safe(frame, truth, obstructed);
         let crowded = self.crowd(truth, false);
         // Who senses a robot where it is not may reckon with it long after it has left.
         let reckons =
@@ -123,7 +128,8 @@ impl<const D: usize> ModeWatch<D> {
             }
             let at = |seen| Violation { tick, robots: [robot, 0], seen, demanded: 0.0 };
             let knows = !frame.assumptions.sensed_wrong[index] && !frame.assumptions.unsensed[index];
-            if guaranteed && knows && self.untrue(index, truth, &crowded) {
+            let is_obstructed = obstructed.get(index).is_some_and(|[_, is]| *is);
+            if guaranteed && knows && (is_obstructed || self.untrue(index, truth, &crowded)) {
                 let misled =
                     !longer_ago(self.wrong[index], tick, self.told_ticks) || !self.exact && self.broken;
                 let covered = (!self.params.controller().tells_lists() || !misled) && truth.is_local;
@@ -161,6 +167,17 @@ impl<const D: usize> ModeWatch<D> {
         deserted
     }
 
+    /// True if nobody lacks anything: neighbours, distances to robots, distances to obstacles.
+    fn is_safe(&self, frame: &Frame<D>, truth: &Truth, obstructed: &[[bool; 2]]) -> bool {
+        let absent = &frame.presence.absent;
+        let mut obstructed = obstructed.iter().zip(&self.malicious);
+        (0..truth.h_own.len())
+            .filter(|robot| !absent[*robot])
+            .all(|robot| truth.h_own[robot] >= -H_HAIR && self.can_count(robot, truth))
+            && !self.crowd(truth, true).contains(&true)
+            && !obstructed.any(|([seems, _], malicious)| *seems && !malicious)
+    }
+
     /// True unless a normal robot keeps lists and may not find as many as it must count on. Where malicious robots move as they like that
     /// is more than it needs, and they may be the ones that are out of range.
     fn can_count(&self, robot: usize, truth: &Truth) -> bool {
@@ -187,7 +204,9 @@ impl<const D: usize> ModeWatch<D> {
             let least_m = (kept.distance_min_m - 2.0 * kept.errors.offset_m).max(0.0);
             least_m * least_m - blur_m2
         };
-        if truth.least_m2 >= limit_m2 {
+        let near = |stranger: &&Stranger| stranger.distance_m2 < limit_m2;
+        let mut strangers = truth.strangers.iter().filter(near).peekable();
+        if truth.least_m2 >= limit_m2 && strangers.peek().is_none() {
             return Vec::new();
         }
         let mut crowded = vec![false; truth.h_own.len()];
@@ -197,6 +216,10 @@ impl<const D: usize> ModeWatch<D> {
                 (crowded[first], crowded[second]) = (true, true);
             }
         });
+        for stranger in strangers {
+            let free = stranger.disobedient || self.free && self.malicious[stranger.robot];
+            crowded[stranger.robot] |= anybody || !free;
+        }
         crowded
     }
 

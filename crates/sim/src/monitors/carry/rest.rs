@@ -10,6 +10,7 @@ use closeranks_core::settings::params::Params;
 
 use crate::frame::Frame;
 use crate::law::{Law, Verdicts, Violation};
+use crate::monitors::carry::clear::Clear;
 use crate::monitors::rule::Rule;
 use crate::monitors::truth::{ROUNDING, Truth};
 use crate::scenario::Scenario;
@@ -24,7 +25,7 @@ const MOVE_ROUNDING: f64 = 1e-6;
 /// follows from the true positions:
 ///
 /// ```text
-/// |v_i| ≤ |w_i| + min(h_i⁻/|∂h_i/∂x_i|, ρ) + Σ_j min((Δ_d − Δ_ij)⁺/2, ρ)
+/// |v_i| ≤ |w_i| + min(h_i⁻/|∂h_i/∂x_i|, ρ) + Σ_j min((Δ_d − Δ_ij)⁺/2, ρ) + Σ_K min((m − d_iK)⁺, ρ)
 /// ```
 ///
 /// For a robot that wishes to rest and lacks nothing this says that it does not move at all, whatever others do or tell. With
@@ -54,7 +55,15 @@ impl<const D: usize> RestWatch<D> {
 
     /// Looks at one tick.
     //= theory sec:recovery
-    pub(crate) fn watch(&self, tick: u32, frame: &Frame<D>, truth: &Truth, verdicts: &mut Verdicts) {
+    //= theory sec:clear-recovery
+    pub(crate) fn watch(
+        &self,
+        tick: u32,
+        frame: &Frame<D>,
+        truth: &Truth,
+        clear: &Clear<D>,
+        verdicts: &mut Verdicts,
+    ) {
         let hold_s = self.params.hold_s();
         for (robot, index) in (1_u16..).zip(0..frame.velocities_m_s.len()) {
             if self.malicious[index] || frame.down[index] {
@@ -65,7 +74,9 @@ impl<const D: usize> RestWatch<D> {
             if moved_m <= wished_m * (1.0 + MOVE_ROUNDING) {
                 continue;
             }
-            let most_m = (wished_m + self.demand_m(index, frame, truth)) * (1.0 + MOVE_ROUNDING);
+            let clear_m = clear.demand_m(index, frame, self.params.reach().longest_m());
+            let demand_m = self.demand_m(index, frame, truth) + clear_m;
+            let most_m = (wished_m + demand_m) * (1.0 + MOVE_ROUNDING);
             if moved_m > most_m {
                 let at =
                     Violation { tick, robots: [robot, 0], seen: moved_m / hold_s, demanded: most_m / hold_s };
@@ -91,13 +102,17 @@ impl<const D: usize> RestWatch<D> {
         };
         let least_m = self.params.kept().distance_min_m * (1.0 + ROUNDING) + self.blur_m;
         let places_m2 = truth.pairs.references_m2();
+        let short_m = |pair_m2: f64| {
+            let near = pair_m2 < least_m * least_m;
+            if near { (0.5 * (least_m - sqrt(pair_m2)) + self.blur_m).min(most_m) } else { 0.0 }
+        };
         truth.pairs.each(|place, ends| {
-            if ends.contains(&robot) && places_m2[place] < least_m * least_m {
-                let short_m = 0.5 * (least_m - sqrt(places_m2[place])) + self.blur_m;
-                demand_m += short_m.min(most_m);
+            if ends.contains(&robot) {
+                demand_m += short_m(places_m2[place]);
             }
         });
-        demand_m
+        let strangers = truth.strangers.iter().filter(|stranger| stranger.robot == robot);
+        strangers.fold(demand_m, |demand_m, stranger| demand_m + short_m(stranger.distance_m2))
     }
 
     /// ∂h_i/∂x_i of the sum of all weights, 1/m, as robots have it.
@@ -132,7 +147,8 @@ mod tests {
         let (mut truth, mut verdicts) = (Truth::default(), Verdicts::default());
         let rule = Arc::new(Rule::new(&scenario, &params));
         truth.look(&params, &rule, &scenario.malicious_mask(), &frame, false);
-        RestWatch::new(&scenario, params, &rule).watch(7, &frame, &truth, &mut verdicts);
+        let clear = Clear::new(&scenario, params);
+        RestWatch::new(&scenario, params, &rule).watch(7, &frame, &truth, &clear, &mut verdicts);
         assert_eq!(verdicts.of(Law::Untowed).count, verdicts.of(Law::Untowed).covered);
         verdicts.of(Law::Untowed).count
     }

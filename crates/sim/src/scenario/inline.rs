@@ -2,8 +2,8 @@
 
 use toml::Value;
 
-use super::files::Files;
-use super::rows::csv;
+use crate::parse::files::Files;
+use crate::parse::rows::csv;
 use crate::scenario::route::{KINDS, Listed};
 
 /// The text with the rows of its files in it, so that it can be run without them; comments are lost. The text itself if it
@@ -20,8 +20,12 @@ pub fn inlined(text: &str, files: &Files) -> String {
 /// Puts the rows of files in the place of their names.
 fn inline(values: &mut toml::Table, files: &Files) {
     for (_, value) in values.iter_mut() {
-        if let Value::Table(inner) = value {
-            inline(inner, files);
+        match value {
+            Value::Table(inner) => inline(inner, files),
+            Value::Array(items) => {
+                items.iter_mut().filter_map(Value::as_table_mut).for_each(|inner| inline(inner, files));
+            }
+            _ => {}
         }
     }
     let name = values.get("file").and_then(Value::as_str).and_then(|name| files.get(name));
