@@ -161,7 +161,9 @@ impl AnyWorld {
 
     /// Takes the tick that was computed into the summary.
     pub(crate) fn collect(&mut self) {
-        dispatch!(self, world => world.collect(), else {});
+        dispatch!(self, world => {
+            world.collector.watch(&world.scenario, &world.frame, &world.monitors);
+        }, else {});
     }
 
     /// The third part, if need be from a `glance` at the tick.

@@ -265,7 +265,7 @@ impl<const D: usize> World<D> {
     /// Keeps of a tick what was asked for.
     fn note(&mut self) {
         let tick = self.done.saturating_sub(1);
-        self.collect();
+        self.collector.watch(&self.scenario, &self.frame, &self.monitors);
         if let Some(record) = &mut self.record {
             let (tick_s, required) = (self.scenario.tick_s(), record.required_degree);
             record.push(&Snapshot::new(tick, tick_s, required, &self.frame, self.monitors.truth()));
@@ -298,9 +298,8 @@ impl<const D: usize> World<D> {
 
     /// The rest of the frame but for the laws.
     fn judge(&mut self) {
-        let tick = self.done;
         if let Some(exchange) = &mut self.exchange {
-            exchange.step(tick, &mut self.frame, self.robots.as_ref(), self.liars.given_values());
+            exchange.step(self.done, &mut self.frame, self.robots.as_ref(), self.liars.given_values());
         }
         for (outcome, answer) in self.frame.outcomes.iter_mut().zip(&self.answers) {
             *outcome = answer.outcome;
@@ -314,8 +313,7 @@ impl<const D: usize> World<D> {
 
     /// Looks at the laws, and ends the tick.
     fn watch(&mut self, glance: Option<&Glance>) {
-        let tick = self.done;
-        self.monitors.watch_with(tick, &self.frame, glance);
+        self.monitors.watch_with(self.done, &self.frame, glance);
         let liars = self.monitors.malicious().iter().enumerate().filter(|(_, lies)| **lies);
         for (index, _) in liars {
             [self.frame.one_level[index], self.frame.one_value[index]] = self.liars.tells_alike(index);
@@ -323,12 +321,7 @@ impl<const D: usize> World<D> {
         if let Some(digest) = &mut self.digest {
             digest.watch(&self.frame);
         }
-        self.done = tick.saturating_add(1);
-    }
-
-    /// Takes the tick into the summary.
-    fn collect(&mut self) {
-        self.collector.watch(&self.scenario, &self.frame, &self.monitors);
+        self.done = self.done.saturating_add(1);
     }
 
     /// What robots are asked for: what they want, or what a controller with global state makes of it.
