@@ -377,24 +377,24 @@ fn a_certificate_is_written_once_and_passes_its_check() {
         let output = closeranks(folder.path(), &[&["check", "-", "-q"], arguments].concat(), graph);
         (text(&output.stderr), output.status.code())
     };
-    let read = |file: &str| fs::read_to_string(folder.path().join(file)).unwrap();
-    let complete = make(&["complete", "7"]);
-    for (file, arguments, code, line) in [
-        ("degrees.txt", &["--F", "2"][..], 0, "robust-by-degrees 3"),
-        ("sets.txt", &["--F", "4"], 1, "not-robust 5 5"),
-        ("ranks.txt", &["--F", "2", "--local"], 0, "ranks 2"),
+    for (graph, arguments, code, line) in [
+        (&["complete", "7"][..], &["--F", "2"][..], 0, "robust-by-degrees 3"),
+        (&["complete", "7"], &["--F", "4"], 1, "not-robust 5 5"),
+        (&["complete", "7"], &["--F", "2", "--local"], 0, "ranks 2"),
+        (&["wheel", "9"], &["--F", "1"], 0, "robust-by-search 2 2"),
+        (&["bipartite", "6", "6"], &["--F", "1", "--local"], 0, "ranks-by-search 1"),
+        (&["paley", "41"], &["--F", "8"], 0, "robust-by-eigenvalues 9 9"),
     ] {
-        let all = [arguments, &["--certificate", file]].concat();
-        let (errors, exit) = run(&complete, &all);
-        assert_eq!((errors.as_str(), exit), ("", Some(code)), "{file}");
-        let certificate = read(file);
+        let all = [arguments, &["--certificate", line]].concat();
+        let (errors, exit) = run(&make(graph), &all);
+        assert_eq!((errors.as_str(), exit), ("", Some(code)), "{line}");
+        let certificate = fs::read_to_string(folder.path().join(line)).unwrap();
         assert!(certificate.lines().any(|found| found == line), "{certificate}");
-        let evidence = closeranks_graph::evidence::Evidence::from_text(&certificate).unwrap();
-        evidence.check().unwrap();
-        let (errors, exit) = run(&complete, &all);
+        closeranks_graph::evidence::Evidence::from_text(&certificate).unwrap().check().unwrap();
+        let (errors, exit) = run(&make(graph), &all);
         assert!(errors.contains("cannot write the certificate") && exit == Some(2), "{errors}");
     }
-    let (errors, exit) = run(&make(&["wheel", "9"]), &["--F", "1", "--certificate", "none.txt"]);
-    assert!(errors.contains("nothing but a search proves this answer") && exit == Some(2), "{errors}");
-    assert!(!folder.path().join("none.txt").exists());
+    let (errors, exit) = run(&make(&["wheel", "9"]), &["--F", "1", "--effort", "9", "--certificate", "no"]);
+    assert!(errors.contains("no certificate was written to `no`") && exit == Some(2), "{errors}");
+    assert!(!folder.path().join("no").exists());
 }

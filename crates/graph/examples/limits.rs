@@ -1,7 +1,8 @@
 //! Where exact answers end: `cargo run --release -p closeranks-graph --example limits -- [NODES] [FAMILY ...]`.
 //!
-//! For each family and size it prints r_max and F_max, and how many nodes of the search tree each took. NODES is where a question is given
-//! up (20 million if left out); the count is the same on every machine and for every number of threads, the seconds are not.
+//! For each family and size it prints r_max, F_max and the largest F around each node, and how many nodes of the search tree each took. NODES is
+//! where a question is given up (20 million if left out); the count is the same on every machine and for every number of threads, the
+//! seconds are not.
 #![allow(clippy::print_stdout, clippy::unwrap_used, reason = "an example")]
 
 use core::ops::ControlFlow;
@@ -11,6 +12,7 @@ use std::time::Instant;
 use closeranks_graph::decide::Robustness;
 use closeranks_graph::effort::{Effort, Meter, Progress};
 use closeranks_graph::graph::Graph;
+use closeranks_graph::local;
 use closeranks_graph::makers::{fixed, random, symmetric};
 use closeranks_graph::verdict::Interval;
 
@@ -25,7 +27,8 @@ fn main() {
             continue;
         }
         for graph in graphs {
-            let open = [("r_max", r_max as Ask), ("F_max", f_max)].map(|(question, ask)| {
+            let questions = [("r_max", r_max as Ask), ("F_max", f_max), ("F_local", f_local)];
+            let open = questions.map(|(question, ask)| {
                 let (answer, spent, seconds) = ask_within(&graph, nodes, ask);
                 let answer = match answer.exactly() {
                     Some(number) => number.to_string(),
@@ -34,7 +37,7 @@ fn main() {
                 println!("{family},{},{question},{answer},{spent},{seconds:.2}", graph.node_count());
                 spent >= nodes
             });
-            if open == [true, true] {
+            if open == [true; 3] {
                 break;
             }
         }
@@ -49,6 +52,10 @@ fn r_max(robustness: &mut Robustness<'_>, meter: &mut Meter<'_>) -> Interval {
 
 fn f_max(robustness: &mut Robustness<'_>, meter: &mut Meter<'_>) -> Interval {
     robustness.f_max(meter)
+}
+
+fn f_local(robustness: &mut Robustness<'_>, meter: &mut Meter<'_>) -> Interval {
+    local::f_max(robustness, meter).0
 }
 
 fn ask_within(graph: &Graph, nodes: u64, ask: Ask) -> (Interval, u64, f64) {
@@ -83,11 +90,11 @@ fn families() -> Vec<Family> {
 /// All with seed 1.
 fn random_families() -> Vec<Family> {
     let of = |sizes: &[usize], make: &dyn Fn(usize) -> Graph| sizes.iter().map(|n| make(*n)).collect();
-    let sizes = [24, 26, 28, 30, 32, 34, 36, 38, 40, 42, 44, 46, 48, 50, 52];
+    let sizes = [16, 18, 20, 22, 24, 26, 28, 30, 32, 34, 36, 38, 40, 42, 44, 46, 48, 50, 52];
     vec![
         ("er-0.8", of(&sizes, &|n| random::erdos_renyi(n, 0.8, false, 1).unwrap())),
-        ("regular-0.7", of(&sizes[..10], &|n| random::regular(n, n * 7 / 20 * 2, 1).unwrap())),
-        ("regular-half", of(&sizes[..11], &|n| random::regular(n, n / 4 * 2, 1).unwrap())),
+        ("regular-0.7", of(&sizes[..14], &|n| random::regular(n, n * 7 / 20 * 2, 1).unwrap())),
+        ("regular-half", of(&sizes[..15], &|n| random::regular(n, n / 4 * 2, 1).unwrap())),
         ("er-0.5", of(&sizes, &|n| random::erdos_renyi(n, 0.5, false, 1).unwrap())),
         ("geometric-0.55", of(&sizes, &|n| random::random_geometric(n, 0.55, 1).unwrap())),
     ]

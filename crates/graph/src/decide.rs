@@ -108,14 +108,24 @@ impl<'g> Robustness<'g> {
         if r == 0 { Certificate::Nothing } else { self.ledger.certificate(r) }
     }
 
-    fn r_known(&self) -> Interval {
+    /// The graph that is asked about.
+    #[must_use]
+    pub fn graph(&self) -> &'g Graph {
+        self.ledger.graph
+    }
+
+    /// The largest r, as far as it is known without another search.
+    #[must_use]
+    pub fn r_known(&self) -> Interval {
         let rows = || 1..self.ledger.r_count();
         let least = rows().take_while(|&r| self.ledger.least(r) > 0).count();
         let most = rows().take_while(|&r| self.ledger.most(r) > 0).count();
         Interval { least: number(least), most: number(most) }
     }
 
-    fn f_known(&self) -> Interval {
+    /// The largest F, as far as it is known without another search.
+    #[must_use]
+    pub fn f_known(&self) -> Interval {
         let rows = || 1..self.ledger.r_count();
         let least = rows().take_while(|&r| self.ledger.least(r) >= r).count();
         let most = rows().take_while(|&r| self.ledger.most(r) >= r).count();

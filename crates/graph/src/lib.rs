@@ -24,6 +24,7 @@
 //! | what eigenvalues say | [`spectrum`] |
 //! | what a question may cost; threads that a caller lends | [`effort`], [`workers`] |
 //! | leaders, and adversaries few in every neighbourhood | [`leaders`], [`local`] |
+//! | whether liars can split it, with a proof that others can check | [`roles`] |
 //! | what several hops survive | [`hops`] |
 //! | which edges to add | [`additions`] |
 //! | who still agrees where it is not robust | [`agreement`] |
@@ -67,6 +68,7 @@ pub mod local;
 pub mod makers;
 pub mod network;
 pub mod ranks;
+pub mod roles;
 pub mod search;
 pub mod spectrum;
 pub mod table;

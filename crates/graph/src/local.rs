@@ -1,9 +1,15 @@
 //! Adversaries that are few in every neighbourhood (F-local) instead of few in all (F-total).
 
+use crate::bounds::f_by_degree;
+use crate::decide::Robustness;
+use crate::definition::Witness;
 use crate::effort::{Meter, Stopped};
 use crate::graph::Graph;
 use crate::graph::set::NodeSet;
-use crate::search::peel::Needs;
+use crate::network::Network;
+use crate::ranks::{self, Order};
+use crate::roles::{self, Liars, Question, Split};
+use crate::verdict::{Interval, Verdict};
 
 /// Whether `malicious` is an F-total set: at most F nodes.
 //= paper ftotal
@@ -56,67 +62,88 @@ impl LocalWitness {
     }
 }
 
-/// A witness against resilience to F-local malicious nodes, or `None` if there is none, by trying all sets.
+/// A witness against resilience to F-local malicious nodes, or `None` if there is none, by a search over the roles of all nodes.
 ///
-/// Every F-local set times every bipartition, up to 4ⁿ/2 in all: for n up to 12 or so. One set counts as one node of `meter`.
-/// `None` is implied by (2F+1)-robustness and implies (F+1,F+1)-robustness, since F-total sets are F-local.
+/// One place of the search counts as one node of `meter`. `None` is implied by (2F+1)-robustness and implies (F+1,F+1)-robustness,
+/// since F-total sets are F-local.
+//= theory sec:local
 pub fn witness(graph: &Graph, f: usize, meter: &mut Meter<'_>) -> Result<Option<LocalWitness>, Stopped> {
-    let all = graph.nodes().bits();
-    let needs = Needs::<u128>::new(graph, f + 1);
-    let mut malicious = all;
-    loop {
-        meter.spend(1)?;
-        if is_local(graph, NodeSet::from_bits(malicious), f)
-            && let Some((first, second)) = sides(&needs, all, malicious, meter)?
-        {
-            let (first, second) = (NodeSet::from_bits(first), NodeSet::from_bits(second));
-            let found = LocalWitness { f, malicious: NodeSet::from_bits(malicious), first, second };
-            debug_assert!(found.holds(graph), "{found:?}");
-            return Ok(Some(found));
-        }
-        if malicious == 0 {
-            return Ok(None);
-        }
-        malicious = (malicious - 1) & all;
-    }
+    let question = Question { r: f.saturating_add(1), liars: Liars::Local };
+    let found = roles::split(graph, question, meter)?;
+    Ok(found.map(|Split { liars, first, second }| {
+        let witness = LocalWitness { f, malicious: liars, first, second };
+        debug_assert!(witness.holds(graph), "{witness:?}");
+        witness
+    }))
 }
 
-fn sides(
-    needs: &Needs<u128>,
-    all: u128,
-    malicious: u128,
-    meter: &mut Meter<'_>,
-) -> Result<Option<(u128, u128)>, Stopped> {
-    // The last node is on the second side: the sides may trade places.
-    let field = all >> 1;
-    let side = |half: u128| {
-        let helpers = half & malicious;
-        let normal = needs.peel(half, half & !malicious, helpers, 0);
-        (normal != 0).then_some(normal | helpers)
-    };
-    let mut half = field;
-    while half != 0 {
-        meter.spend(1)?;
-        if let Some(first) = side(half)
-            && let Some(second) = side(all & !half)
-        {
-            return Ok(Some((first, second)));
-        }
-        half = (half - 1) & field;
-    }
-    Ok(None)
+/// How it is known that W-MSR(F) withstands every F-local set of malicious nodes.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Withstands {
+    /// Every node hears F + floor(n/2) others.
+    //= theory thm:contraction
+    Degrees,
+    /// It is (2F+1)-robust.
+    Robustness,
+    /// An order of its nodes, [`ranks`].
+    //= theory thm:ranks-exact
+    Ranks(Order),
+    /// No roles of the nodes are a split.
+    Search,
 }
 
-/// Largest F such that W-MSR(F) withstands every F-local set of malicious nodes, −1 if it fails without any.
+/// Nodes of the search that each relative of the question may take before the question itself is asked.
+const SHORT: u64 = 1 << 13;
+
+/// Whether W-MSR(F) withstands every F-local set of malicious nodes, or a witness that it does not.
 ///
-/// Exact, by [`witness`] for F = 0, 1, …: at least floor((r_max − 1)/2) and at most F_max.
-pub fn f_max(graph: &Graph, meter: &mut Meter<'_>) -> Result<i32, Stopped> {
-    let mut f = -1;
-    for asked in 0..graph.node_count().div_ceil(2) {
-        if witness(graph, asked, meter)?.is_some() {
-            break;
-        }
-        f += 1;
+/// Degrees, (2F+1)-robustness and ranks are enough, (F+1,F+1)-robustness is necessary; the robustness is asked for a short while. What is
+/// left is [`witness`].
+//= theory sec:local
+pub fn decide(
+    robustness: &mut Robustness<'_>,
+    f: usize,
+    meter: &mut Meter<'_>,
+) -> Result<Result<Withstands, LocalWitness>, Stopped> {
+    let graph = robustness.graph();
+    if f_by_degree(graph, graph.nodes()).is_some_and(|most| f <= most) {
+        return Ok(Ok(Withstands::Degrees));
     }
-    Ok(f)
+    let (enough, least) = (f.saturating_mul(2).saturating_add(1), f.saturating_add(1));
+    let short = meter.within(SHORT, |meter| Ok(robustness.decide(enough, 1, meter)))?;
+    if let Some(Verdict::Robust(_)) = short {
+        return Ok(Ok(Withstands::Robustness));
+    }
+    let short = meter.within(SHORT, |meter| Ok(robustness.decide(least, least, meter)))?;
+    if let Some(Verdict::NotRobust(Witness { exempt, first, second, .. })) = short {
+        return Ok(Err(LocalWitness { f, malicious: exempt, first, second }));
+    }
+    if let Some(order) = ranks::order(&Network::from(graph), f) {
+        return Ok(Ok(Withstands::Ranks(order)));
+    }
+    Ok(witness(graph, f, meter)?.map_or(Ok(Withstands::Search), Err))
+}
+
+/// Largest F such that W-MSR(F) withstands every F-local set of malicious nodes, −1 if it fails without any, and a witness against the next F
+/// if one was found.
+///
+/// It is at least floor((r_max − 1)/2) and what degrees prove, and at most F_max. What `robustness` knows of these is not asked again;
+/// an interval if the effort ends before.
+//= theory sec:local
+pub fn f_max(robustness: &mut Robustness<'_>, meter: &mut Meter<'_>) -> (Interval, Option<LocalWitness>) {
+    let graph = robustness.graph();
+    let by_degrees = f_by_degree(graph, graph.nodes()).and_then(|f| i32::try_from(f).ok());
+    let by_robustness = (robustness.r_known().least - 1).div_euclid(2);
+    let most = robustness.f_known().most;
+    let mut known = Interval { least: by_degrees.unwrap_or(-1).max(by_robustness).min(most), most };
+    while known.exactly().is_none() {
+        let asked = usize::try_from(known.least + 1).unwrap_or(0);
+        match decide(robustness, asked, meter) {
+            Ok(Ok(_)) => known.least += 1,
+            Ok(Err(found)) => return (Interval { most: known.least, ..known }, Some(found)),
+            Err(Stopped) => break,
+        }
+        known.most = known.most.min(robustness.f_known().most);
+    }
+    (known, None)
 }

@@ -8,14 +8,15 @@ use core::ops::ControlFlow;
 use std::{env, fs};
 
 use closeranks_graph::definition::{counterexample, is_robust};
-use closeranks_graph::effort::Meter;
-use closeranks_graph::evidence::{Claim, Evidence};
+use closeranks_graph::effort::{Meter, Stopped};
+use closeranks_graph::evidence::{self, Claim, Evidence};
 use closeranks_graph::graph::Graph;
 use closeranks_graph::graph::set::NodeSet;
 use closeranks_graph::local;
 use closeranks_graph::makers::random::erdos_renyi;
 use closeranks_graph::network::Network;
-use closeranks_graph::ranks;
+use closeranks_graph::ranks::{self, Order};
+use closeranks_graph::roles::{self, Liars, Question};
 use seeded::Seeded;
 
 #[path = "../../core/tests/seeded/mod.rs"]
@@ -60,7 +61,28 @@ fn right(graph: &Graph) -> Vec<Evidence> {
     claims.extend((least + 1).checked_sub(NODES / 2).filter(|r| *r > 0).map(|r| Claim::Degrees { r }));
     let counted = |order: &ranks::Order| order.counts(&network).is_ok();
     claims.extend((0..3).filter_map(|f| ranks::order(&network, f)).filter(counted).map(Claim::Ranks));
+    for (r, s) in [(1, 1), (1, 3), (2, 1), (2, 2), (3, 1)] {
+        claims.extend(with_meter(|meter| evidence::of_robust(&network, r, s, meter)));
+    }
+    claims.extend((0..3).filter_map(|f| searched(&network, f)));
+    let asked = [(1, 1), (1, 3), (2, 1), (2, 2), (3, 1)];
+    claims.extend(asked.into_iter().filter_map(|(r, s)| evidence::of_eigenvalues(&network, r, s)));
     claims.into_iter().map(|claim| Evidence { network: network.clone(), claim }).collect()
+}
+
+/// The core that is found, or else all nodes, with the choices of a search, though counting might do.
+fn searched(network: &Network, f: usize) -> Option<Claim> {
+    let all: Vec<u32> = (0..6).collect();
+    let found = ranks::order(network, f).unwrap_or(Order { f, core: all, rest: Vec::new() });
+    let graph = found.core_graph(network)?;
+    let question = Question { r: f + 1, liars: Liars::Local };
+    let refutation = with_meter(|meter| roles::refutation(&graph, question, 1 << 16, meter))?;
+    Some(Claim::SearchedRanks { order: found, refutation })
+}
+
+fn with_meter<T>(work: impl FnOnce(&mut Meter<'_>) -> Result<T, Stopped>) -> T {
+    let mut go_on = |_: &_| ControlFlow::Continue(());
+    work(&mut Meter::new(u64::MAX, &mut go_on)).expect("no limit")
 }
 
 fn nodes(set: NodeSet) -> Vec<u32> {
@@ -94,9 +116,7 @@ fn changed(evidence: &Evidence, random: &mut Seeded) -> String {
 }
 
 fn survives(graph: &Graph, f: usize) -> bool {
-    let mut go_on = |_: &_| ControlFlow::Continue(());
-    let mut meter = Meter::new(u64::MAX, &mut go_on);
-    local::witness(graph, f, &mut meter).expect("no limit").is_none()
+    with_meter(|meter| local::witness(graph, f, meter)).is_none()
 }
 
 /// The verdict, after the claim was compared with the definition if it is accepted.
@@ -108,7 +128,8 @@ fn judge(text: &str) -> bool {
         let is_true = match &evidence.claim {
             Claim::NotRobust { r, s, .. } => !is_robust(&graph, *r, *s),
             Claim::Degrees { r } => (1..=NODES).all(|s| is_robust(&graph, *r, s)),
-            Claim::Ranks(order) => survives(&graph, order.f),
+            Claim::Ranks(order) | Claim::SearchedRanks { order, .. } => survives(&graph, order.f),
+            Claim::Search { r, s, .. } | Claim::Eigenvalues { r, s, .. } => is_robust(&graph, *r, *s),
         };
         assert!(is_true, "accepted and false:\n{text}");
     }

@@ -1,4 +1,4 @@
-//! Worlds side by side have the bits of each alone: of its digest, and of what became of the laws.
+//! Worlds side by side have the bits of each alone: of its digest, of what became of the laws, and of its summary.
 #![expect(clippy::unwrap_used, reason = "helpers of tests")]
 
 use core::time::Duration;
@@ -7,13 +7,15 @@ use closeranks_core::equations::composition::PhiSplit;
 use closeranks_core::obstacle::Obstacle;
 use closeranks_core::settings::{Clock, ComposedSettings, LinkSettings, Team};
 use closeranks_sim::attack::{LevelAttack, MotionAttack, ValueAttack};
+use closeranks_sim::law::Law;
 use closeranks_sim::plant::Plant;
 use closeranks_sim::scenario::desired::Desired;
 use closeranks_sim::scenario::start::Start;
 use closeranks_sim::scenario::{Controller, Limits, Scenario};
-use closeranks_sim::world::Options;
 use closeranks_sim::world::any::{AnyGiven, AnyWorld};
 use closeranks_sim::world::block::Block;
+use closeranks_sim::world::together::together;
+use closeranks_sim::world::{Options, Run};
 
 const OPTIONS: Options = Options {
     record: false,
@@ -31,28 +33,98 @@ fn random(half_side_m: f64, distance_min_m: f64) -> Start {
     Start::Random { half_side_m, distance_min_m }
 }
 
-fn alone(scenario: &Scenario, seed: u64) -> AnyWorld {
-    let mut world = AnyWorld::new(&Scenario { seed, ..scenario.clone() }, OPTIONS).unwrap();
+fn alone(scenario: &Scenario) -> AnyWorld {
+    let mut world = AnyWorld::new(scenario, OPTIONS).unwrap();
     while !world.is_over() {
         world.step();
     }
     world
 }
 
-/// So many worlds side by side against each alone; whether they were in lanes.
+/// So many worlds side by side, stepped and as whole runs, against each alone; whether they were in lanes.
 #[track_caller]
 fn same_bits(scenario: &Scenario, worlds: u64) -> bool {
     let seeds: Vec<u64> = (0..worlds).map(|k| 3 * k + 1).collect();
     let mut block = Block::new(scenario, &seeds, OPTIONS).unwrap();
     block.advance(&vec![AnyGiven::default(); seeds.len()], u32::MAX).unwrap();
     assert_eq!(block.worlds().len(), seeds.len());
-    for (seed, world) in seeds.iter().zip(block.worlds()) {
-        let alone = alone(scenario, *seed);
+    let scenarios: Vec<Scenario> =
+        seeds.iter().map(|seed| Scenario { seed: *seed, ..scenario.clone() }).collect();
+    let runs = together(&scenarios.iter().collect::<Vec<_>>(), OPTIONS);
+    for ((scenario, world), run) in scenarios.iter().zip(block.worlds()).zip(runs) {
+        let (alone, name) = (alone(scenario), format!("seed {} of {}", scenario.seed, scenario.name));
         assert_eq!(world.ticks_done(), alone.ticks_done());
-        assert_eq!(world.digest(), alone.digest(), "seed {seed} of {}", scenario.name);
-        assert_eq!(world.verdicts(), alone.verdicts(), "seed {seed} of {}", scenario.name);
+        assert_eq!(world.digest(), alone.digest(), "{name}");
+        assert_eq!(world.verdicts(), alone.verdicts(), "{name}");
+        let [one, other] = [world, &alone].map(|world| format!("{:?}", world.snapshot()));
+        assert_eq!(one, other, "{name}");
+        assert_eq!(run.is_some(), block.is_in_lanes(), "{name}");
+        run.inspect(|run| same_run(run, &alone.finish(), &name));
     }
     block.is_in_lanes()
+}
+
+/// With every field of their summaries.
+#[track_caller]
+fn same_run(one: &Run, other: &Run, name: &str) {
+    let [summary, expected] = [one, other].map(|run| format!("{:#?}", run.summary));
+    assert_eq!(summary, expected, "{name}");
+    assert_eq!(one.digest, other.digest, "{name}");
+}
+
+/// What lanes do not share may differ from run to run; what differs in more, or has too few that are like it, goes alone.
+#[test]
+fn runs_that_are_alike_find_each_other() {
+    let bias = |seed: u32| LevelAttack::Bias(0.5 * f64::from(seed) - 4.0);
+    let alike = |seed: u32| Scenario {
+        seed: u64::from(seed),
+        attack: bias(seed).into(),
+        start: random(1.0 + 0.05 * f64::from(seed), 0.3),
+        desired: if seed.is_multiple_of(3) { Desired::Gather } else { Desired::Paper },
+        ..short("alike")
+    };
+    let mut scenarios: Vec<Scenario> = (0..23).map(alike).collect();
+    scenarios[3].composed.alpha *= 2.0;
+    scenarios[5].malicious = vec![2, 3];
+    scenarios[9].duration_s *= 2.0;
+    scenarios[12].controller = Controller::Budget;
+    scenarios[14].team.robots = 12;
+    let others = [3, 5, 9, 12, 14];
+    // Sixteen go together; the last two are too few.
+    let in_lanes = |place: usize| !others.contains(&place) && place < 21;
+    let runs = together(&scenarios.iter().collect::<Vec<_>>(), OPTIONS);
+    for (place, (scenario, run)) in scenarios.iter().zip(runs).enumerate() {
+        assert_eq!(run.is_some(), in_lanes(place), "place {place}");
+        run.inspect(|run| same_run(run, &alone(scenario).finish(), &format!("place {place}")));
+    }
+}
+
+/// Ticks in which no law is near to being broken, and ticks in which many are, in turns: teams that begin too close, and teams that lies
+/// and wishes tear apart.
+#[test]
+fn laws_that_break_and_hold_again() {
+    let sine = |amplitude: f64| LevelAttack::Sine { amplitude, period_s: 0.4 };
+    let composed = ComposedSettings { alpha: 40.0, w_c: 0.5, ..short("laws").composed };
+    let teams = [
+        Scenario { start: random(0.7, 0.1), ..short("close") },
+        Scenario { attack: sine(30.0).into(), desired: Desired::Outward, composed, ..short("torn") },
+        Scenario {
+            attack: sine(9.0).into(),
+            desired: Desired::Wander,
+            start: random(1.9, 0.3),
+            ..short("wide")
+        },
+    ];
+    let mut broken = Vec::new();
+    for team in teams {
+        let team = Scenario { duration_s: 1.2, ..team };
+        assert!(same_bits(&team, 9));
+        let verdicts = *alone(&team).verdicts();
+        broken.extend(verdicts.iter().filter(|verdict| verdict.count > 0).map(|verdict| verdict.law));
+    }
+    for law in [Law::Degree, Law::Distance, Law::Shares, Law::Spare] {
+        assert!(broken.contains(&law), "{law:?} is broken somewhere: {broken:?}");
+    }
 }
 
 #[test]

@@ -8,8 +8,11 @@ use closeranks_report::sweep::entry::{Entry, heads};
 use closeranks_report::sweep::file::{Source, Writer, metadata, read};
 use closeranks_report::sweep::rows::{Head, Rows};
 use closeranks_sim::parse::Problem;
-use closeranks_sim::sweep::Plan;
-use closeranks_sim::world::{self, Options};
+use closeranks_sim::scenario::Scenario;
+use closeranks_sim::sweep::{Plan, Run as Drawing};
+use closeranks_sim::world::block::Block;
+use closeranks_sim::world::together::together;
+use closeranks_sim::world::{self, Options, Run};
 
 use crate::manifest::Manifest;
 
@@ -59,31 +62,32 @@ impl Job {
     /// Fails with [`Undrawable`] or [`Stopped`].
     pub fn rows(&self, block: u64, go_on: &(dyn Fn() -> bool + Sync)) -> Result<Rows> {
         let mut rows = Rows::empty(&self.heads());
-        for run in self.runs(block) {
-            self.run(run, &mut rows)?;
+        let runs: Vec<u64> = self.runs(block).collect();
+        for runs in runs.chunks(Block::MOST) {
+            self.add(runs, &mut rows, go_on)?;
+        }
+        Ok(rows)
+    }
+
+    /// Adds the rows of a few runs: those that are alike are computed side by side, all others when it is their turn.
+    fn add(&self, runs: &[u64], rows: &mut Rows, go_on: &(dyn Fn() -> bool + Sync)) -> Result<()> {
+        let drawn: Vec<_> = runs.iter().map(|run| self.plan.draw(self.manifest.seed, *run)).collect();
+        let scenarios = drawn.iter().flatten().flat_map(|drawing| &drawing.scenarios);
+        let scenarios: Vec<&Scenario> = scenarios.map(|(scenario, _)| scenario).collect();
+        let mut finished = together(&scenarios, OPTIONS).into_iter();
+        for (run, drawing) in runs.iter().zip(drawn) {
+            let drawing = drawing.map_err(|problems| Undrawable { run: *run, problems })?;
+            run_all(*run, &drawing, &mut finished, rows)?;
             if !go_on() {
                 bail!(Stopped);
             }
         }
-        Ok(rows)
+        Ok(())
     }
 
     /// Numbers of the runs of a block.
     pub(crate) fn runs(&self, block: u64) -> impl Iterator<Item = u64> {
         self.manifest.shard.block(self.manifest.runs, block)
-    }
-
-    fn run(&self, run: u64, rows: &mut Rows) -> Result<()> {
-        let drawn =
-            self.plan.draw(self.manifest.seed, run).map_err(|problems| Undrawable { run, problems })?;
-        for (scenario, _) in &drawn.scenarios {
-            let options = Options { without_phi: true, ..Options::default() };
-            let finished = world::run(scenario, options, &mut |_| ());
-            let finished = finished.with_context(|| format!("run {run} cannot be run"))?;
-            let (redraws, drawn) = (drawn.redraws, drawn.drawn.as_slice());
-            rows.push(Entry { run, redraws, drawn, scenario, summary: &finished.summary }.cells());
-        }
-        Ok(())
     }
 
     /// Writes rows, block after block, as one file that says which sweep it is of.
@@ -117,6 +121,34 @@ impl Job {
     pub fn rows_per_run(&self) -> usize {
         self.plan.controllers().len().max(1)
     }
+}
+
+/// What runs of a sweep are to produce besides their summaries.
+const OPTIONS: Options = Options {
+    record: false,
+    digest: false,
+    robustness: false,
+    without_phi: true,
+    engine: world::Engine::Team,
+};
+
+/// Adds the rows of one run; the next of `finished` are its scenarios, as far as they were run already.
+fn run_all(
+    run: u64,
+    drawing: &Drawing,
+    finished: &mut dyn Iterator<Item = Option<Run>>,
+    rows: &mut Rows,
+) -> Result<()> {
+    for (scenario, _) in &drawing.scenarios {
+        let finished = match finished.next().flatten() {
+            Some(finished) => finished,
+            None => world::run(scenario, OPTIONS, &mut |_| ())
+                .with_context(|| format!("run {run} cannot be run"))?,
+        };
+        let (redraws, drawn) = (drawing.redraws, drawing.drawn.as_slice());
+        rows.push(Entry { run, redraws, drawn, scenario, summary: &finished.summary }.cells());
+    }
+    Ok(())
 }
 
 impl fmt::Display for Undrawable {

@@ -2,14 +2,14 @@
 
 use closeranks_graph::agreement::Split;
 use closeranks_graph::definition::Witness;
-use closeranks_graph::evidence::Claim;
 use closeranks_graph::formats::{Named, Reading};
 use closeranks_graph::graph::set::NodeSet;
 use closeranks_report::content::Table;
 use closeranks_report::table;
 use serde_json::{Map, Value, json};
 
-use super::{certificate, words};
+use super::certificate::{self, Proof};
+use super::words;
 use crate::wrap::wrapped;
 
 /// The answer to a task.
@@ -35,8 +35,8 @@ pub(super) struct Answer {
     pub(super) labels: [&'static str; 3],
     /// What the picture shows.
     pub(super) caption: String,
-    /// What proves the answer, where that can be checked without a search.
-    pub(super) claim: Option<Claim>,
+    /// What proves the answer, where that can be written down.
+    pub(super) proof: Proof,
 }
 
 impl Answer {
@@ -66,7 +66,7 @@ impl Answer {
         if let Value::Object(numbers) = &mut self.numbers {
             numbers.insert("agreement".to_owned(), words::split_value(named, &split));
         }
-        self.claim = Some(certificate::refuted(witness));
+        self.proof = Proof::Claim(certificate::refuted(witness));
         self.sets = [witness.first, witness.second, witness.exempt];
         self.labels = ["one side", "the other side", "may lie"];
         self.caption =

@@ -6,24 +6,74 @@ use std::io::Write as _;
 use std::path::Path;
 
 use anyhow::{Context as _, Result, bail};
-use closeranks_graph::evidence::{Claim, Evidence};
+use closeranks_graph::effort::{Meter, Progress, Stopped};
+use closeranks_graph::evidence::{self, CHOICES_MAX, Claim, Evidence};
 use closeranks_graph::network::Network;
+use closeranks_graph::ranks::Order;
 
-/// Writes what proves the answer to a new file; an error if there is nothing that can be checked without a search. `name` is what
-/// the file of the graph calls a robot.
+use super::Check;
+
+/// What proves an answer.
+#[derive(Debug, Default, Clone)]
+pub(super) enum Proof {
+    /// Nothing that is written.
+    #[default]
+    Nothing,
+    /// A claim that others can check as it is.
+    Claim(Claim),
+    /// A search for two sets that ends without any; it is made again, to write its choices down.
+    Robust {
+        /// The r of (r,s).
+        r: usize,
+        /// The s of (r,s).
+        s: usize,
+    },
+    /// An order; if counting does not prove its core, a search is made again.
+    Order(Order),
+}
+
+impl Proof {
+    /// The claim, after a search within `meter` if there must be one.
+    fn claim(self, network: &Network, meter: &mut Meter<'_>) -> Result<Claim> {
+        let found = match self {
+            Self::Claim(claim) => return Ok(claim),
+            Self::Nothing => bail!(
+                "nothing that is proved here can be written down; allowed are questions with --F, or --r and --s, whose answer is yes or \
+                 no, and refuted ones without"
+            ),
+            Self::Robust { r, s } => match evidence::of_eigenvalues(network, r, s) {
+                Some(claim) => return Ok(claim),
+                None => evidence::of_robust(network, r, s, meter),
+            },
+            Self::Order(order) => evidence::of_order(network, order, meter),
+        };
+        match found {
+            Ok(Some(claim)) => Ok(claim),
+            Ok(None) => bail!(
+                "the search for a certificate found that the answer is wrong, which is a bug of this program"
+            ),
+            Err(Stopped) => bail!(
+                "the search was not written down in time, or has more than {CHOICES_MAX} choices; --time-limit gives more time, and a \
+                 network of fewer robots has fewer choices"
+            ),
+        }
+    }
+}
+
+/// Writes what proves the answer to a new file; an error if that cannot be written down within the limits of `arguments`. `name` is
+/// what the file of the graph calls a robot.
 pub(super) fn save(
+    arguments: &Check,
     target: &Path,
     network: Network,
-    claim: Option<Claim>,
+    proof: Proof,
     name: &dyn Fn(usize) -> String,
 ) -> Result<()> {
-    let Some(claim) = claim else {
-        bail!(
-            "no certificate was written to `{}`, because nothing but a search proves this answer; allowed are answers that two sets \
-             of robots, degrees or ranks prove (--local and graphs of more than 128 robots have ranks)",
-            target.display()
-        );
-    };
+    let mut watch = arguments.watch();
+    let mut look = |progress: &Progress| watch.look(progress);
+    let claim = proof.claim(&network, &mut Meter::new(arguments.sets(), &mut look));
+    watch.finish();
+    let claim = claim.with_context(|| format!("no certificate was written to `{}`", target.display()))?;
     let evidence = Evidence { network, claim };
     if let Err(wrong) = evidence.check() {
         bail!("the certificate does not pass its own check, which is a bug of this program: {wrong}");

@@ -179,7 +179,7 @@ pub(crate) struct Check {
     /// Folder for a picture (SVG, PNG) and a page.
     #[arg(short, long, value_name = "DIR")]
     output: Option<PathBuf>,
-    /// New file for a certificate: the graph and what proves the answer, which others can check without a search.
+    /// New file for a certificate: the graph and what proves the answer, which others can check.
     #[arg(long, value_name = "FILE")]
     certificate: Option<PathBuf>,
     /// Print the numbers as JSON.
@@ -256,9 +256,8 @@ fn graph(arguments: &Check, input: &Input, folder: Option<Folder>) -> Result<boo
     tell(arguments, &answer, "report.html, graph.svg, graph.png");
     if let Some(target) = &arguments.certificate {
         let named = &input.reading.named;
-        certificate::save(target, Network::from(&named.graph), answer.claim.clone(), &|node| {
-            named.names[node].clone()
-        })?;
+        let name = |node: usize| named.names[node].clone();
+        certificate::save(arguments, target, Network::from(&named.graph), answer.proof.clone(), &name)?;
     }
     Ok(answer.holds)
 }

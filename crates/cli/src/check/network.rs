@@ -1,15 +1,15 @@
 //! Networks of more robots than exact search takes: proofs by ranks, bounds by degrees, and an honest interval between.
 
 use anyhow::{Result, bail};
-use closeranks_graph::evidence::Claim;
 use closeranks_graph::network::Network;
 use closeranks_graph::ranks::{self, Found};
 use closeranks_report::content::Table;
 use serde_json::{Value, json};
 
 use super::answer::Answer;
+use super::certificate::{self, Proof};
 use super::input::NetworkInput;
-use super::{Check, certificate, words};
+use super::{Check, words};
 
 /// What can be said of a network.
 struct Known<'a> {
@@ -48,14 +48,13 @@ pub(super) fn check(arguments: &Check, input: &NetworkInput) -> Result<bool> {
         Some(f) => known.question(f),
         None => known.everything(),
     };
-    let counted = known.found.as_ref().filter(|found| found.order.counts(network).is_ok());
-    let claim = counted.map(|found| Claim::Ranks(found.order.clone()));
+    let proof = known.found.as_ref().map_or(Proof::Nothing, |found| Proof::Order(found.order.clone()));
     let read = words::reading(&(&input.reading).into());
-    let answer = Answer { claim, graph: known.degrees(), read, table: known.table(), ..answer };
+    let answer = Answer { proof, graph: known.degrees(), read, table: known.table(), ..answer };
     super::tell(arguments, &answer, "");
     if let Some(target) = &arguments.certificate {
         let name = |node: usize| input.reading.names.get(node).cloned().unwrap_or_default();
-        certificate::save(target, network.clone(), answer.claim.clone(), &name)?;
+        certificate::save(arguments, target, network.clone(), answer.proof.clone(), &name)?;
     }
     Ok(answer.holds)
 }

@@ -6,13 +6,13 @@ use closeranks_graph::evidence::Claim;
 use closeranks_graph::formats::Named;
 use closeranks_graph::graph::set::NodeSet;
 use closeranks_graph::leaders;
-use closeranks_graph::local::{self, LocalWitness};
-use closeranks_graph::network::Network;
-use closeranks_graph::ranks;
-use closeranks_graph::verdict::{Certificate, Interval, Verdict};
+use closeranks_graph::local::{self, LocalWitness, Withstands};
+use closeranks_graph::ranks::Order;
+use closeranks_graph::verdict::{Certificate, Verdict};
 use serde_json::{Value, json};
 
 use super::answer::{Answer, numbers};
+use super::certificate::Proof;
 use super::words;
 
 /// Is it (r,s)-robust; asked as "any F liars" if `faults` is given.
@@ -27,13 +27,16 @@ pub(super) fn robust(
     let survives = faults.map_or(String::new(), |faults| format!("any {}: ", words::liars(faults)));
     match Robustness::new(&named.graph, &Effort::UNLIMITED).decide(r, s, meter) {
         Verdict::Robust(certificate) => {
-            let proof = words::proof(certificate);
+            let how = words::proof(certificate);
             let survives = if faults.is_some() { format!("survives {survives}") } else { survives };
             Answer {
                 holds: true,
-                sentence: format!("Yes: {survives}({r},{s})-robust, proved by {proof}."),
-                numbers: numbers(named, &question, "yes", &json!({ "proved_by": proof, "witness": null })),
-                claim: matches!(certificate, Certificate::Degrees { .. }).then_some(Claim::Degrees { r }),
+                sentence: format!("Yes: {survives}({r},{s})-robust, proved by {how}."),
+                numbers: numbers(named, &question, "yes", &json!({ "proved_by": how, "witness": null })),
+                proof: match certificate {
+                    Certificate::Degrees { .. } => Proof::Claim(Claim::Degrees { r }),
+                    _ => Proof::Robust { r, s },
+                },
                 ..Answer::default()
             }
         }
@@ -113,13 +116,13 @@ fn liars_led(most: usize) -> String {
 pub(super) fn local(named: &Named, faults: usize, limit: &str, meter: &mut Meter<'_>) -> Answer {
     let question = json!({ "local": true, "F": faults });
     match local_witness(named, faults, meter) {
-        Known::Yes(why, claim) => Answer {
+        Known::Yes(why, order) => Answer {
             holds: true,
             sentence: format!(
                 "Yes: survives liars of which no robot hears more than {faults}, proved by {why}."
             ),
             numbers: numbers(named, &question, "yes", &json!({ "proved_by": why })),
-            claim,
+            proof: Proof::Order(order),
             ..Answer::default()
         },
         Known::No(witness) => {
@@ -141,30 +144,24 @@ pub(super) fn local(named: &Named, faults: usize, limit: &str, meter: &mut Meter
 }
 
 enum Known {
-    Yes(&'static str, Option<Claim>),
+    /// By what, and an order that proves it.
+    Yes(&'static str, Order),
     No(LocalWitness),
     Open,
 }
 
-/// (2F+1)-robustness is enough, (F+1,F+1)-robustness is necessary; of what lies between every F-local set.
+/// What is known, and an order that proves it if it is yes.
 fn local_witness(named: &Named, faults: usize, meter: &mut Meter<'_>) -> Known {
     let mut robustness = Robustness::new(&named.graph, &Effort::UNLIMITED);
-    if let Verdict::Robust(_) = robustness.decide(2 * faults + 1, 1, meter) {
-        return Known::Yes("(2F+1)-robustness", None);
-    }
-    let network = Network::from(&named.graph);
-    if let Some(order) = ranks::order(&network, faults) {
-        let claim = order.counts(&network).is_ok().then_some(Claim::Ranks(order));
-        return Known::Yes("ranks", claim);
-    }
-    // Liars that are few in all are few in every neighbourhood.
-    if let Verdict::NotRobust(witness) = robustness.decide(faults + 1, faults + 1, meter) {
-        let (malicious, first, second) = (witness.exempt, witness.first, witness.second);
-        return Known::No(LocalWitness { f: faults, malicious, first, second });
-    }
-    match local::witness(&named.graph, faults, meter) {
-        Ok(None) => Known::Yes("trying every set of liars", None),
-        Ok(Some(witness)) => Known::No(witness),
+    // All robots are a core of their own, which a search proves.
+    let core = || (0_u32..).zip(&named.names).map(|(node, _)| node).collect();
+    let all = || Order { f: faults, core: core(), rest: Vec::new() };
+    match local::decide(&mut robustness, faults, meter) {
+        Ok(Ok(Withstands::Degrees)) => Known::Yes("its least degree", all()),
+        Ok(Ok(Withstands::Robustness)) => Known::Yes("(2F+1)-robustness", all()),
+        Ok(Ok(Withstands::Ranks(order))) => Known::Yes("ranks", order),
+        Ok(Ok(Withstands::Search)) => Known::Yes("a search over the roles of all robots", all()),
+        Ok(Err(witness)) => Known::No(witness),
         Err(_) => Known::Open,
     }
 }
@@ -172,19 +169,7 @@ fn local_witness(named: &Named, faults: usize, meter: &mut Meter<'_>) -> Known {
 /// The largest F for which it survives F-local liars.
 pub(super) fn local_largest(named: &Named, limit: &str, meter: &mut Meter<'_>) -> Answer {
     let mut robustness = Robustness::new(&named.graph, &Effort::UNLIMITED);
-    let (r_max, f_max) = (robustness.r_max(meter), robustness.f_max(meter));
-    let mut known = Interval { least: (r_max.least - 1).div_euclid(2), most: f_max.most };
-    let mut found = None;
-    while known.least < known.most {
-        match local_witness(named, usize::try_from(known.least + 1).unwrap_or(0), meter) {
-            Known::Yes(..) => known.least += 1,
-            Known::No(witness) => {
-                known.most = known.least;
-                found = Some(witness);
-            }
-            Known::Open => break,
-        }
-    }
+    let (known, found) = local::f_max(&mut robustness, meter);
     let exact = known.exactly().is_some();
     let least = known.least;
     let sentence = match known.exactly() {

@@ -1,12 +1,15 @@
 //! Smooth weight of a link of the proximity graph.
 
-use crate::num::exponential::{exps, vanish};
+use crate::num::exponential::{exp, exps, vanish};
 use crate::num::number::Number;
 use crate::num::scaled::Scaled;
 use crate::num::{Vector, dot};
 
 /// How many pairs of robots are computed at a time where there are many.
 pub(crate) const PAIRS: usize = 2;
+
+/// Of an exponent below this, e is less than what 1 + e and 1 − e are rounded by.
+const FLAT: f64 = -40.0;
 
 /// Shape of the link weight.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -51,6 +54,16 @@ impl LinkShape {
     pub fn link_at<N: Number>(&self, distance_m2: f64) -> Option<Link<N>> {
         let slack_m2 = self.slack_m2(distance_m2);
         (slack_m2 >= 0.0).then(|| self.link_of(slack_m2, N::exp(self.exponent(slack_m2))))
+    }
+
+    /// The weight of [`link_at`](Self::link_at) alone, with its bits. Far inside the radius it is flat and takes no exponential.
+    #[inline]
+    #[must_use]
+    pub fn weight_at(&self, distance_m2: f64) -> Option<f64> {
+        let slack_m2 = self.slack_m2(distance_m2);
+        let exponent = self.exponent(slack_m2);
+        let weight = || self.link_of(slack_m2, exp(exponent)).weight;
+        (slack_m2 >= 0.0).then(|| if exponent < FLAT { 0.5 * self.q1 } else { weight() })
     }
 
     /// [`link_at`](Self::link_at) of many pairs, with the bits of each. The weight is written in place of each squared
@@ -174,6 +187,18 @@ mod tests {
             let weight = SHAPE.link::<1, f64>(&[f64::from(step) * 0.001]).unwrap().weight;
             assert!((0.0..=last).contains(&weight), "at step {step}");
             last = weight;
+        }
+    }
+
+    #[test]
+    fn the_weight_alone_has_the_bits_of_that_of_the_link() {
+        for q2 in [0.0, 0.05, 0.3, 0.9, 3.0, 90.0] {
+            let shape = LinkShape { q2, ..SHAPE };
+            for step in 0..=40_000 {
+                let distance_m2 = f64::from(step) * 0.000_25;
+                let weight = shape.link_at::<f64>(distance_m2).map(|link| link.weight.to_bits());
+                assert_eq!(shape.weight_at(distance_m2).map(f64::to_bits), weight, "at {distance_m2} m²");
+            }
         }
     }
 

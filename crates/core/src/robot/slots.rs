@@ -95,6 +95,12 @@ impl<const D: usize, S: Slots<D>> Robot<D, S> {
         Member { id: self.id, rank: self.rank }
     }
 
+    /// True if the robot holds anything of this one: whatever comes from others is refused.
+    #[must_use]
+    pub fn knows(&self, id: RobotId) -> bool {
+        self.neighbors().binary_search_by_key(&id, |slot| slot.id).is_ok()
+    }
+
     /// True if this neighbour counts for the robot.
     #[must_use]
     pub fn counts(&self, slot: &Slot<D>) -> bool {

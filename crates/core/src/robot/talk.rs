@@ -101,10 +101,8 @@ impl<const D: usize, S: Slots<D>> Robot<D, S> {
         Some(encoded.len())
     }
 
-    /// Takes the bytes of a message that arrived from `sender`, of the kind that robots with its controller tell. What comes from
-    /// somebody who has no slot is not even read.
+    /// Takes the bytes of a message that arrived from `sender`, of the kind that robots with its controller tell.
     pub fn receive_bytes(&mut self, sender: RobotId, bytes: &[u8]) -> Result<(), ReceiveError> {
-        self.find_member(sender).ok_or(ReceiveError::NotNeighbor)?;
         if self.params.controller().tells_lists() {
             let message = LinkMessage::parse(bytes).map_err(ReceiveError::Bytes)?;
             return self.receive_notice(sender, &message.to(self.id));

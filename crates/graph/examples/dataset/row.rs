@@ -3,6 +3,7 @@
 use core::ops::ControlFlow;
 
 use closeranks_graph::analysis::{Analysis, analyze};
+use closeranks_graph::decide::Robustness;
 use closeranks_graph::definition::Witness;
 use closeranks_graph::effort::{Effort, Meter, Progress};
 use closeranks_graph::formats::{Format, Named, write};
@@ -20,7 +21,7 @@ pub(crate) const HEAD: &str = "command,n,directed,links,degree_min,degree_max,co
 /// Nodes of the search tree that one graph may take.
 const NODES: u64 = 1_000_000;
 
-/// Up to so many nodes all F-local sets are tried.
+/// Up to so many nodes the largest F around each node is asked for.
 const LOCAL_NODES: usize = 9;
 
 /// All that is known of one graph.
@@ -70,7 +71,8 @@ fn local(graph: &Graph, known: &Analysis) -> (i32, i32) {
         return (least, known.f_max.most);
     }
     let mut go_on = |_: &Progress| ControlFlow::Continue(());
-    let exact = local::f_max(graph, &mut Meter::new(u64::MAX, &mut go_on)).unwrap();
+    let mut robustness = Robustness::new(graph, &Effort::UNLIMITED);
+    let exact = local::f_max(&mut robustness, &mut Meter::new(u64::MAX, &mut go_on)).0.exactly().unwrap();
     assert!((least..=known.f_max.most).contains(&exact), "{exact} is not in {least} to {}", known.f_max.most);
     (exact, exact)
 }

@@ -4,16 +4,24 @@
 //! The check looks at every edge a few times. `proofs/evidence.v` has the same check with a proof that a claim which passes is
 //! true; `proofs/check.sh` holds the two against each other. As text evidence carries its network, see [`Evidence::text`].
 
+mod eigen;
+mod read;
+mod search;
 mod text;
 
 use alloc::vec;
 use alloc::vec::Vec;
 use core::fmt;
 
-pub use text::EvidenceError;
+pub use read::EvidenceError;
 
+use crate::graph::set::NODE_LIMIT;
 use crate::network::Network;
 use crate::ranks::{Order, Wrong};
+use crate::roles::{Flaw, Refutation};
+use crate::spectrum::Bounds;
+pub use eigen::of_eigenvalues;
+pub use search::{CHOICES_MAX, of_order, of_robust};
 
 /// A claim about a network. Not checked: see [`Evidence::check`].
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -46,6 +54,34 @@ pub enum Claim {
     /// It survives F liars around each node, because of an order.
     //= theory thm:ranks
     Ranks(Order),
+    /// It is (r,s)-robust, because two sets would have more nodes than there are.
+    //= theory sec:spectrum
+    Eigenvalues {
+        /// The r of (r,s).
+        r: usize,
+        /// The s of (r,s), at most n.
+        s: usize,
+        /// Bounds of the eigenvalues, with what proves them.
+        bounds: Bounds,
+    },
+    /// It is (r,s)-robust, because of the choices that a search made.
+    //= theory sec:roles
+    Search {
+        /// The r of (r,s).
+        r: usize,
+        /// The s of (r,s).
+        s: usize,
+        /// The choices.
+        refutation: Refutation,
+    },
+    /// It survives F liars around each node, because of an order whose core has no split, and that because of the choices that a search made.
+    //= theory thm:ranks-exact
+    SearchedRanks {
+        /// The order.
+        order: Order,
+        /// The choices; nodes are places in the core, from 0.
+        refutation: Refutation,
+    },
 }
 
 /// Why evidence proves nothing.
@@ -67,7 +103,7 @@ pub enum Refused {
         /// s − 1.
         most: usize,
     },
-    /// An r of 0, of which nothing is proved by degrees.
+    /// An r or s of 0, of which nothing is proved by degrees or choices.
     Zero,
     /// A node hears too few others.
     Degree {
@@ -80,6 +116,17 @@ pub enum Refused {
     },
     /// The order is wrong.
     Order(Wrong),
+    /// More nodes than a search takes.
+    Large {
+        /// How many there are.
+        nodes: usize,
+    },
+    /// A link that leads one way only, or numbers that do not prove the bounds of the eigenvalues.
+    Eigenvalues,
+    /// The bounds of the eigenvalues leave room for two sets.
+    Room,
+    /// The choices of a search are wrong.
+    Choices(Flaw),
 }
 
 impl fmt::Display for Refused {
@@ -93,11 +140,20 @@ impl fmt::Display for Refused {
             Self::Exempt { count, most } => {
                 write!(f, "{count} members hear r nodes or more outside of their set, allowed are {most}")
             }
-            Self::Zero => write!(f, "r is 0, allowed is 1 or more"),
+            Self::Zero => write!(f, "r or s is 0, allowed is 1 or more"),
             Self::Degree { node, heard, least } => {
                 write!(f, "node {node} hears {heard} others, allowed are {least} or more")
             }
             Self::Order(wrong) => wrong.fmt(f),
+            Self::Large { nodes } => write!(f, "a search of {nodes} nodes, allowed are up to {NODE_LIMIT}"),
+            Self::Eigenvalues => {
+                write!(
+                    f,
+                    "a link that leads one way only, or numbers that do not prove the bounds of the eigenvalues"
+                )
+            }
+            Self::Room => write!(f, "the bounds of the eigenvalues leave room for two sets"),
+            Self::Choices(flaw) => flaw.fmt(f),
         }
     }
 }
@@ -111,6 +167,9 @@ impl Evidence {
             Claim::NotRobust { r, s, sets } => refutes(&self.network, *r, *s, sets),
             Claim::Degrees { r } => degrees(&self.network, *r),
             Claim::Ranks(order) => order.counts(&self.network).map(|_| ()).map_err(Refused::Order),
+            Claim::Eigenvalues { r, s, bounds } => eigen::robust(&self.network, *r, *s, bounds),
+            Claim::Search { r, s, refutation } => search::robust(&self.network, *r, *s, refutation),
+            Claim::SearchedRanks { order, refutation } => search::ranks(&self.network, order, refutation),
         }
     }
 }

@@ -7,41 +7,32 @@
 //! hears 1 0
 //! hears 2 0 1
 //! hears 3 2
-//! not-robust 2 1                r and s; or `robust-by-degrees 2`, r; or `ranks 1`, F
-//! set 0 1                       S₁ and S₂; after `ranks` `core ..` and `rest ..`; after degrees nothing
+//! not-robust 2 1                the claim, here r and s
+//! set 0 1                       what proves it, here S₁ and S₂
 //! set 3
 //! ```
 //!
-//! Lines that begin with `#` are remarks.
+//! | claim | then |
+//! | --- | --- |
+//! | `not-robust R S` | `set ..` twice |
+//! | `robust-by-degrees R` | |
+//! | `ranks F` | `core ..`, `rest ..` |
+//! | `robust-by-search R S` | `roots N`, N lines `root ..` |
+//! | `robust-by-eigenvalues R S` | `low Q`, a line `row ..` for each node, `high Q`, a line `row ..` for each node |
+//! | `ranks-by-search F` | `core ..`, `rest ..`, `roots N`, N lines `root ..` |
+//!
+//! A line `root` has the node that is honest in S₁, then pairs of a node and a sum of roles, as [`crate::roles::Choice`] says; of
+//! `ranks-by-search` nodes are places in the core, from 0. Lines that begin with `#` are remarks.
 
 use alloc::string::String;
-use alloc::vec::Vec;
-use core::fmt::{self, Write as _};
-use core::str::FromStr;
+use core::fmt::Write as _;
 
+use super::read::{EvidenceError, FIRST_LINE, Lines};
 use super::{Claim, Evidence};
 use crate::formats::NETWORK_TEXT_LIMIT;
-use crate::network::{NETWORK_LIMIT, Network};
 use crate::ranks::Order;
-
-const FIRST_LINE: &str = "closeranks certificate 1";
-
-/// Text that is no evidence: the line, from 1, and what is allowed there.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct EvidenceError {
-    /// The line, from 1.
-    pub line: usize,
-    /// What is allowed there.
-    pub allowed: &'static str,
-}
-
-impl fmt::Display for EvidenceError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "line {}: allowed is {}", self.line, self.allowed)
-    }
-}
-
-impl core::error::Error for EvidenceError {}
+use crate::roles::{Choice, Refutation, Root};
+use crate::spectrum::Bounds;
 
 impl Evidence {
     /// As text that [`Evidence::from_text`] and the proved checker read.
@@ -63,10 +54,21 @@ impl Evidence {
             }
             Claim::Degrees { r } => drop(writeln!(text, "robust-by-degrees {r}")),
             Claim::Ranks(order) => {
-                let _ = write!(text, "ranks {}\ncore", order.f);
-                push(&mut text, &order.core);
-                text.push_str("rest");
-                push(&mut text, &order.rest);
+                let _ = writeln!(text, "ranks {}", order.f);
+                push_order(&mut text, order);
+            }
+            Claim::Eigenvalues { r, s, bounds } => {
+                let _ = writeln!(text, "robust-by-eigenvalues {r} {s}");
+                push_bounds(&mut text, bounds);
+            }
+            Claim::Search { r, s, refutation } => {
+                let _ = writeln!(text, "robust-by-search {r} {s}");
+                push_roots(&mut text, refutation);
+            }
+            Claim::SearchedRanks { order, refutation } => {
+                let _ = writeln!(text, "ranks-by-search {}", order.f);
+                push_order(&mut text, order);
+                push_roots(&mut text, refutation);
             }
         }
         text
@@ -77,13 +79,7 @@ impl Evidence {
         if text.len() > NETWORK_TEXT_LIMIT {
             return Err(EvidenceError { line: 1, allowed: "a text of at most 268,435,456 bytes" });
         }
-        let mut lines = Lines { rest: text.lines(), line: 0 };
-        let network = lines.network()?;
-        let claim = lines.claim(network.node_count())?;
-        match lines.next() {
-            None => Ok(Self { network, claim }),
-            Some(_) => Err(lines.refuse("the end of the text")),
-        }
+        Lines::new(text).evidence()
     }
 }
 
@@ -94,97 +90,41 @@ fn push(text: &mut String, nodes: &[u32]) {
     text.push('\n');
 }
 
-struct Lines<'a> {
-    rest: core::str::Lines<'a>,
-    line: usize,
+fn push_order(text: &mut String, order: &Order) {
+    text.push_str("core");
+    push(text, &order.core);
+    text.push_str("rest");
+    push(text, &order.rest);
 }
 
-impl<'a> Lines<'a> {
-    /// The next line that is no remark.
-    fn next(&mut self) -> Option<&'a str> {
-        loop {
-            self.line += 1;
-            let line = self.rest.next()?;
-            if !line.starts_with('#') {
-                return Some(line);
+fn push_bounds(text: &mut String, bounds: &Bounds) {
+    for (word, (end, triangle)) in ["low", "high"].iter().zip(bounds.ends.iter().zip(&bounds.triangles)) {
+        let _ = writeln!(text, "{word} {end}");
+        for row in triangle {
+            text.push_str("row");
+            for entry in row {
+                let _ = write!(text, " {entry}");
             }
+            text.push('\n');
         }
-    }
-
-    fn refuse(&self, allowed: &'static str) -> EvidenceError {
-        EvidenceError { line: self.line, allowed }
-    }
-
-    fn network(&mut self) -> Result<Network, EvidenceError> {
-        if self.next() != Some(FIRST_LINE) {
-            return Err(self.refuse("`closeranks certificate 1`"));
-        }
-        let counts: Vec<usize> = self.numbers("nodes", "`nodes` and a number from 1 to 4,194,304")?;
-        let &[count @ 1..=NETWORK_LIMIT] = &counts[..] else {
-            return Err(self.refuse("`nodes` and a number from 1 to 4,194,304"));
-        };
-        let mut edges = Vec::new();
-        for node in 0..count {
-            self.hears(node, count, &mut edges)?;
-        }
-        Ok(Network::new(count, true, &edges))
-    }
-
-    fn hears(&mut self, node: usize, count: usize, edges: &mut Vec<(u32, u32)>) -> Result<(), EvidenceError> {
-        const ALLOWED: &str = "`hears`, the number of the node, and the other nodes that it hears, rising";
-        let numbers: Vec<u32> = self.numbers("hears", ALLOWED)?;
-        let Some((&own, heard)) = numbers.split_first() else { return Err(self.refuse(ALLOWED)) };
-        let rising = heard.windows(2).all(|pair| pair[0] < pair[1]);
-        let inside = heard.iter().all(|other| (*other as usize) < count && *other != own);
-        if own as usize != node || !rising || !inside {
-            return Err(self.refuse(ALLOWED));
-        }
-        edges.extend(heard.iter().map(|other| (*other, own)));
-        Ok(())
-    }
-
-    fn claim(&mut self, count: usize) -> Result<Claim, EvidenceError> {
-        const ALLOWED: &str = "`not-robust R S`, `robust-by-degrees R` or `ranks F`";
-        let line = self.next().ok_or_else(|| self.refuse(ALLOWED))?;
-        let (word, rest) = line.split_once(' ').unwrap_or((line, ""));
-        let numbers: Option<Vec<usize>> = all(rest);
-        match (word, numbers.as_deref()) {
-            ("not-robust", Some(&[r, s])) => {
-                Ok(Claim::NotRobust { r, s, sets: [self.nodes("set", count)?, self.nodes("set", count)?] })
-            }
-            ("robust-by-degrees", Some(&[r])) => Ok(Claim::Degrees { r }),
-            ("ranks", Some(&[f])) if f <= NETWORK_LIMIT => {
-                let (core, rest) = (self.nodes("core", count)?, self.nodes("rest", count)?);
-                Ok(Claim::Ranks(Order { f, core, rest }))
-            }
-            _ => Err(self.refuse(ALLOWED)),
-        }
-    }
-
-    /// A set of nodes; at most as many as the network has.
-    fn nodes(&mut self, word: &str, count: usize) -> Result<Vec<u32>, EvidenceError> {
-        const ALLOWED: &str = "`set`, `core` or `rest`, as the claim asks, and numbers of nodes";
-        let nodes: Vec<u32> = self.numbers(word, ALLOWED)?;
-        if nodes.len() <= count { Ok(nodes) } else { Err(self.refuse(ALLOWED)) }
-    }
-
-    fn numbers<N: FromStr>(&mut self, word: &str, allowed: &'static str) -> Result<Vec<N>, EvidenceError> {
-        let line = self.next().ok_or_else(|| self.refuse(allowed))?;
-        let rest = line.strip_prefix(word).filter(|rest| rest.is_empty() || rest.starts_with(' '));
-        rest.and_then(all).ok_or_else(|| self.refuse(allowed))
     }
 }
 
-/// All numbers of a line, written with digits alone.
-fn all<N: FromStr>(text: &str) -> Option<Vec<N>> {
-    let digits = |word: &str| word.bytes().all(|byte| byte.is_ascii_digit());
-    let words = text.split(' ').filter(|word| !word.is_empty());
-    words.map(|word| word.parse().ok().filter(|_| digits(word))).collect()
+fn push_roots(text: &mut String, refutation: &Refutation) {
+    let _ = writeln!(text, "roots {}", refutation.roots.len());
+    for Root { node, choices } in &refutation.roots {
+        let _ = write!(text, "root {node}");
+        for Choice { node, roles } in choices {
+            let _ = write!(text, " {node} {roles}");
+        }
+        text.push('\n');
+    }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::network::Network;
     use alloc::vec;
 
     fn triangle(claim: Claim) -> Evidence {
@@ -195,7 +135,16 @@ mod tests {
     fn what_is_written_is_read() {
         let order = Order { f: 1, core: vec![0, 2], rest: vec![1] };
         let sets = [vec![0], vec![2, 1]];
-        for claim in [Claim::NotRobust { r: 2, s: 1, sets }, Claim::Degrees { r: 3 }, Claim::Ranks(order)] {
+        let choices = vec![Choice { node: 2, roles: 9 }, Choice { node: 1, roles: 1 }];
+        let roots = vec![Root { node: 1, choices }, Root { node: 0, choices: vec![] }];
+        let refutation = Refutation { roots };
+        for claim in [
+            Claim::NotRobust { r: 2, s: 1, sets },
+            Claim::Degrees { r: 3 },
+            Claim::Ranks(order.clone()),
+            Claim::Search { r: 1, s: 2, refutation: refutation.clone() },
+            Claim::SearchedRanks { order, refutation },
+        ] {
             let evidence = triangle(claim);
             assert_eq!(Evidence::from_text(&evidence.text()), Ok(evidence));
         }

@@ -1,40 +1,31 @@
 //! Small cores that the exact search proves, where counting does not.
 
-use crate::decide::Robustness;
-use crate::effort::{Effort, Meter};
+use crate::effort::Meter;
 use crate::graph::Graph;
-use crate::local;
 use crate::network::Network;
-use crate::verdict::Verdict;
+use crate::roles::{self, Liars, Question};
 
 /// Largest core that is given to the exact search.
-pub(super) const CORE_MAX: usize = 12;
-/// All attempts for one order together may visit so many nodes of the search.
-pub(super) const EFFORT: u64 = 1 << 21;
+pub(super) const CORE_MAX: usize = 16;
+/// All attempts for one order together may visit so many places of the search.
+pub(super) const EFFORT: u64 = 1 << 18;
 /// One question about one core may visit so many.
-const QUESTION: u64 = 1 << 18;
+const QUESTION: u64 = 1 << 14;
 
-/// Whether `core` by itself survives F liars around each of its nodes: it is (2F + 1)-robust, or no set of liars splits it.
+/// Whether `core` by itself survives F liars around each of its nodes: no set of liars splits it.
 //= theory thm:ranks-exact
 pub(super) fn survives(network: &Network, core: &[u32], f: usize, meter: &mut Meter<'_>) -> bool {
-    let Some(graph) = inside(network, core) else { return false };
-    if graph.degree_min() <= f {
+    if core.len() > CORE_MAX {
         return false;
     }
-    let effort = Effort { nodes: QUESTION, table_bytes: 1 << 16 };
-    let mut robust = Robustness::new(&graph, &effort);
-    let is_robust = meter.within(QUESTION, |meter| Ok(robust.decide(2 * f + 1, 1, meter)));
-    if matches!(is_robust, Ok(Some(Verdict::Robust(_)))) {
-        return true;
-    }
-    matches!(meter.within(QUESTION, |meter| local::witness(&graph, f, meter)), Ok(Some(None)))
+    let Some(graph) = inside(network, core) else { return false };
+    let is_wide = graph.degree_min() > f;
+    let question = Question { r: f + 1, liars: Liars::Local };
+    is_wide && matches!(meter.within(QUESTION, |meter| roles::split(&graph, question, meter)), Ok(Some(None)))
 }
 
-/// The network among the nodes of a small core.
-fn inside(network: &Network, core: &[u32]) -> Option<Graph> {
-    if core.len() > CORE_MAX {
-        return None;
-    }
+/// The network among the nodes of a core; `None` if it is no graph that can be searched.
+pub(super) fn inside(network: &Network, core: &[u32]) -> Option<Graph> {
     let mut graph = Graph::empty(core.len(), network.is_directed()).ok()?;
     for (to, node) in core.iter().enumerate() {
         for (from, other) in core.iter().enumerate() {
@@ -62,8 +53,9 @@ mod tests {
             let network = Network::from(&graph);
             let all: Vec<u32> = (0..u32::try_from(graph.node_count()).unwrap()).collect();
             for f in 0..3 {
-                let witness = local::witness(&graph, f, &mut meter).unwrap();
-                assert_eq!(survives(&network, &all, f, &mut meter), witness.is_none(), "F = {f}");
+                let question = Question { r: f + 1, liars: Liars::Local };
+                let split = roles::split(&graph, question, &mut meter).unwrap();
+                assert_eq!(survives(&network, &all, f, &mut meter), split.is_none(), "F = {f}");
             }
         }
     }
@@ -75,7 +67,8 @@ mod tests {
         let mut meter = Meter::new(u64::MAX, &mut go_on);
         assert!(survives(&network, &[3, 7, 9, 11, 12], 1, &mut meter));
         assert!(!survives(&network, &[3, 7], 1, &mut meter));
-        let large: Vec<u32> = (0..13).collect();
+        let network = Network::from(&complete(17).unwrap());
+        let large: Vec<u32> = (0..17).collect();
         assert!(!survives(&network, &large, 1, &mut meter), "more than is searched");
     }
 }

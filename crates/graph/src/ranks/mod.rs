@@ -18,6 +18,7 @@ use core::ops::ControlFlow;
 pub use find::{Found, largest, order, part, parts};
 
 use crate::effort::Meter;
+use crate::graph::Graph;
 use crate::network::Network;
 
 /// An order that shows that a network survives F liars around each node.
@@ -110,6 +111,17 @@ impl Order {
             let layer = order.core_by_counts(network)?;
             order.layers(network, layer)
         })
+    }
+
+    /// The same without the core: whether all others hear enough of those before them, and all nodes are there.
+    pub fn around_core(&self, network: &Network) -> Result<usize, Wrong> {
+        self.complete(network, |order, network| order.layers(network, order.core_layer(network)?))
+    }
+
+    /// The network among the nodes of the core, in the order in which the core names them; `None` if they are more than 128, or none.
+    #[must_use]
+    pub fn core_graph(&self, network: &Network) -> Option<Graph> {
+        exact::inside(network, &self.core)
     }
 
     /// Whether the order proves that its nodes survive if they listen to each other only, and in how many layers.

@@ -20,18 +20,23 @@ const FACTOR_MOST: i128 = 1 << 40;
 /// row the absolute values of the rest sum to more than KEPT. Entries are at most 2^32, rows at most 128.
 //= theory sec:spectrum
 pub(super) fn is_semidefinite(matrix: &[Vec<i64>]) -> bool {
+    factor(matrix).is_some()
+}
+
+/// T, if it was seen.
+pub(super) fn factor(matrix: &[Vec<i64>]) -> Option<Vec<Vec<i128>>> {
     let count = matrix.len();
     let mut factor: Vec<Vec<i128>> = vec![vec![0; count]; count];
     let mut rest = vec![0_i128; count];
     for column in 0..count {
-        let Some((root, left)) = pivot(matrix, &factor, column) else { return false };
+        let (root, left) = pivot(matrix, &factor, column)?;
         factor[column][column] = root;
         rest[column] += left;
         for row in column + 1..count {
             let value = open(matrix, &factor, row, column);
             let entry = value / root;
             if entry.abs() > FACTOR_MOST {
-                return false;
+                return None;
             }
             factor[row][column] = entry;
             let left = (value - entry * root).abs();
@@ -39,7 +44,7 @@ pub(super) fn is_semidefinite(matrix: &[Vec<i64>]) -> bool {
             rest[column] += left;
         }
     }
-    rest.into_iter().all(|sum| sum <= KEPT)
+    rest.into_iter().all(|sum| sum <= KEPT).then_some(factor)
 }
 
 /// The next entry of the diagonal of T, and what its square leaves; `None` if there is none.

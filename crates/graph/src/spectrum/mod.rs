@@ -10,11 +10,11 @@ mod sizes;
 use alloc::vec::Vec;
 
 use crate::graph::Graph;
-use definite::is_semidefinite;
+use definite::{factor, is_semidefinite};
 pub use sizes::Sizes;
 
 /// Eigenvalues are bounded to 1/`SCALE`.
-const SCALE: i64 = 1 << 16;
+pub(crate) const SCALE: i64 = 1 << 16;
 
 /// Bounds of the eigenvalues of the Laplacian L of an undirected graph, apart from the 0 that belongs to equal numbers.
 ///
@@ -53,6 +53,73 @@ impl Spectrum {
     pub fn bounds(self) -> (i64, i64) {
         (self.least, self.most)
     }
+}
+
+/// A triangle of whole numbers for each bound of a [`Spectrum`], from which others can check it: [`Bounds::prove`].
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Bounds {
+    /// λ and Λ, each as a whole number of 1/65536.
+    pub ends: [i64; 2],
+    /// For each the rows of T, from the first on, each up to the diagonal.
+    pub triangles: [Vec<Vec<i64>>; 2],
+}
+
+impl Bounds {
+    /// The triangles for the bounds of an undirected graph.
+    #[must_use]
+    pub fn new(graph: &Graph) -> Option<Self> {
+        let (least, most) = Spectrum::new(graph)?.bounds();
+        let laplacian = laplacian(graph);
+        let rows = |matrix: Vec<Vec<i64>>| -> Option<Vec<Vec<i64>>> {
+            let cut = |(row, entries): (usize, &Vec<i128>)| {
+                entries[..=row].iter().map(|entry| i64::try_from(*entry).ok()).collect()
+            };
+            factor(&matrix)?.iter().enumerate().map(cut).collect()
+        };
+        let low = rows(combined(&laplacian, SCALE, -least, 2 * SCALE))?;
+        let high = rows(combined(&laplacian, -SCALE, most, 0))?;
+        Some(Self { ends: [least, most], triangles: [low, high] })
+    }
+
+    /// Whether the triangles prove the bounds for an undirected graph of up to 128 nodes: of 2^48 M less T Tᵀ no entry of the diagonal is less
+    /// than the sum of the absolute values of its row.
+    //= theory sec:spectrum
+    #[must_use]
+    pub fn prove(&self, graph: &Graph) -> bool {
+        let [least, most] = self.ends;
+        if !(0..=END_MOST).contains(&least) || !(0..=END_MOST).contains(&most) {
+            return false;
+        }
+        let laplacian = laplacian(graph);
+        let low = combined(&laplacian, SCALE, -least, 2 * SCALE);
+        let high = combined(&laplacian, -SCALE, most, 0);
+        outweighs(&low, &self.triangles[0]) && outweighs(&high, &self.triangles[1])
+    }
+}
+
+/// No bound is larger; of 128 nodes none need be.
+const END_MOST: i64 = 1 << 30;
+
+/// No entry of a triangle is larger, so that no sum overflows.
+const ENTRY_MOST: u64 = 1 << 41;
+
+/// Whether in 2^48 M − T Tᵀ each entry of the diagonal is at least the sum of the absolute values of the others of its row.
+fn outweighs(matrix: &[Vec<i64>], triangle: &[Vec<i64>]) -> bool {
+    let count = matrix.len();
+    let is_small = |entry: &i64| entry.unsigned_abs() <= ENTRY_MOST;
+    let is_row = |row: &Vec<i64>| row.len() <= count && row.iter().all(is_small);
+    if triangle.len() != count || !triangle.iter().all(is_row) {
+        return false;
+    }
+    let entry = |row: usize, column: usize| {
+        let pairs = triangle[row].iter().zip(&triangle[column]);
+        let square: i128 = pairs.map(|(one, other)| i128::from(*one) * i128::from(*other)).sum();
+        (i128::from(matrix[row][column]) << 48) - square
+    };
+    (0..count).all(|row| {
+        let others = (0..count).filter(|column| *column != row);
+        entry(row, row) >= others.map(|column| entry(row, column).abs()).sum()
+    })
 }
 
 /// The largest whole number of `low ..= high` for which `holds` was seen to hold, if it holds up to some number; `low` is not asked.

@@ -9,7 +9,7 @@
 
 mod bench;
 mod consensus;
-mod dense;
+pub(crate) mod dense;
 pub mod fleet;
 pub mod held;
 pub(crate) mod judge;

@@ -3,6 +3,7 @@
 mod agreement;
 pub(crate) mod carry;
 mod extremes;
+pub(crate) mod glance;
 mod heard;
 mod numbers;
 mod pairs;
@@ -25,6 +26,7 @@ use crate::law::{Law, Verdicts, Violation};
 use crate::monitors::carry::Carry;
 pub use crate::monitors::extremes::Extremes;
 use crate::monitors::extremes::lower;
+use crate::monitors::glance::Glance;
 pub use crate::monitors::heard::Void;
 use crate::monitors::heard::{Heard, Met};
 use crate::monitors::numbers::{Numbers, Outside};
@@ -48,6 +50,8 @@ pub struct Monitors<const D: usize> {
     /// Whether the robots know their true levels, and no more of them lie than the team is prepared for.
     plain: bool,
     few_lie: bool,
+    /// Whether numbers of the whole team can say that nothing is broken.
+    glances: bool,
     consensus: Consensus,
     rule: Arc<Rule>,
     truth: Truth,
@@ -70,6 +74,7 @@ impl<const D: usize> Monitors<D> {
             composed: scenario.composition(),
             required_degree: scenario.composition().required,
             params,
+            glances: glances(scenario, &params, &rule),
             malicious: scenario.malicious_mask(),
             aside: scenario.malicious_mask(),
             ticks_per_round: scenario.ticks_per_round(),
@@ -150,26 +155,28 @@ impl<const D: usize> Monitors<D> {
 
     /// Looks at one tick, after its robots ticked and before they move.
     pub fn watch(&mut self, tick: u32, frame: &Frame<D>) {
+        self.watch_with(tick, frame, None);
+    }
+
+    /// The same for whoever has taken a `glance` at the tick, with the same outcome.
+    pub(crate) fn watch_with(&mut self, tick: u32, frame: &Frame<D>, glance: Option<&Glance>) {
+        let glance = glance.filter(|_| self.glances);
         let broken = |verdicts: &Verdicts| verdicts.of(Law::Degree).count + verdicts.of(Law::Distance).count;
         let before = broken(&self.verdicts);
         let absent = &frame.presence.absent;
         for (aside, (malicious, absent)) in self.aside.iter_mut().zip(self.malicious.iter().zip(absent)) {
             *aside = *malicious || *absent;
         }
-        self.carry.keep(&mut self.truth);
-        self.truth.look(&self.params, &self.rule, &self.malicious, frame, self.plain);
-        // Who obeys keeps links whatever else it does; of those who move as they like there must be few.
-        let covered = self.few_lie && (self.truth.is_local || !self.rule.is_free());
-        self.carry.watch(tick, frame, &self.truth, covered, &mut self.verdicts);
-        self.watch_degrees(frame);
+        self.watch_carry(tick, frame, glance);
+        self.watch_degrees(frame, glance);
         if tick.is_multiple_of(self.ticks_per_round) {
             self.watch_values(tick, frame);
         }
         self.heard.hear(frame);
         if frame.wants_phi {
-            self.watch_composition(tick, frame.collisions);
+            self.watch_composition(tick, frame.collisions, glance);
         }
-        self.watch_programs(tick, frame);
+        self.watch_programs(tick, frame, glance);
         if broken(&self.verdicts) > before {
             self.extremes.safe_from = None;
         } else if self.extremes.safe_from.is_none() {
@@ -177,12 +184,46 @@ impl<const D: usize> Monitors<D> {
         }
     }
 
+    /// What must hold from tick to tick.
+    fn watch_carry(&mut self, tick: u32, frame: &Frame<D>, glance: Option<&Glance>) {
+        self.carry.keep(&mut self.truth);
+        if let Some(glance) = glance
+            && self.carry.glance(tick, frame, glance, self.few_lie)
+        {
+            return self.truth.glance(frame, glance);
+        }
+        self.truth.look(&self.params, &self.rule, &self.malicious, frame, self.plain);
+        // Who obeys keeps links whatever else it does; of those who move as they like there must be few.
+        let covered = self.few_lie && (self.truth.is_local || !self.rule.is_free());
+        self.carry.watch(tick, frame, &self.truth, covered, &mut self.verdicts);
+    }
+
     fn broke(&mut self, law: Law, violation: Violation) {
         let covered = self.few_lie && law.is_kept_by(&self.consensus);
         self.verdicts.broke(law, violation, covered);
     }
 
-    fn watch_degrees(&mut self, frame: &Frame<D>) {
+    fn watch_degrees(&mut self, frame: &Frame<D>, glance: Option<&Glance>) {
+        match glance {
+            Some(glance) => self.glance_at_degrees(glance),
+            None => self.look_at_degrees(frame),
+        }
+        self.extremes.distance_min_m = sqrt(self.carry.least_m2());
+        self.extremes.clear_min_m = self.carry.least_clear_m();
+    }
+
+    fn glance_at_degrees(&mut self, glance: &Glance) {
+        let Glance { degree_min, malicious_degree_min, normal_level_min, .. } = *glance;
+        let Extremes { degree_min: normal, malicious_degree_min: malicious, h_min, .. } = &mut self.extremes;
+        for (least, degree) in [(normal, degree_min), (malicious, malicious_degree_min)] {
+            if degree.is_finite() {
+                lower(least, whole(degree));
+            }
+        }
+        *h_min = h_min.min(degree_barrier(normal_level_min, self.required_degree));
+    }
+
+    fn look_at_degrees(&mut self, frame: &Frame<D>) {
         let (required, ranked) = (self.required_degree, self.rule.ranks().is_some());
         for index in 0..self.truth.degrees.len() {
             let degree = self.truth.degrees[index];
@@ -198,22 +239,24 @@ impl<const D: usize> Monitors<D> {
                 if ranked { self.truth.h[index] } else { degree_barrier(self.truth.levels[index], required) };
             self.extremes.h_min = self.extremes.h_min.min(h);
         }
-        self.extremes.distance_min_m = sqrt(self.carry.least_m2());
-        self.extremes.clear_min_m = self.carry.least_clear_m();
     }
 
     /// φ of the true levels, of the paper's weight whatever the controller.
     //= paper eq:composition
-    fn watch_composition(&mut self, tick: u32, collisions: Option<f64>) {
+    fn watch_composition(&mut self, tick: u32, collisions: Option<f64>, glance: Option<&Glance>) {
         let collisions = collisions.filter(|_| self.plain).unwrap_or_else(|| self.collisions());
-        let composed = self.composed;
-        let there = self.truth.paper_levels.iter().filter(|level| !level.is_nan());
-        let degrees: f64 = there.map(|level| composed.degree_term::<f64>(*level)).sum();
+        let degrees = glance.map_or_else(|| self.degree_terms(), |glance| glance.terms);
         let phi = 1.0 - degrees - collisions;
         self.extremes.phi_global_min = self.extremes.phi_global_min.min(phi);
         if phi < 0.0 {
             self.broke(Law::Composition, Violation { tick, robots: [0, 0], seen: phi, demanded: 0.0 });
         }
+    }
+
+    /// The sum of E_k over all robots.
+    fn degree_terms(&self) -> f64 {
+        let there = self.truth.paper_levels.iter().filter(|level| !level.is_nan());
+        there.map(|level| self.composed.degree_term::<f64>(*level)).sum()
     }
 
     /// The sum of E^c over all links.
@@ -226,7 +269,12 @@ impl<const D: usize> Monitors<D> {
         self.collisions.iter().fold(0.0, |sum, term| sum + term)
     }
 
-    fn watch_programs(&mut self, tick: u32, frame: &Frame<D>) {
+    fn watch_programs(&mut self, tick: u32, frame: &Frame<D>, glance: Option<&Glance>) {
+        if let Some(Glance { phi_min, .. }) = glance.filter(|glance| glance.phi_min >= 0.0 && glance.boxed) {
+            self.extremes.phi_min = self.extremes.phi_min.min(*phi_min);
+            self.extremes.inside_from.get_or_insert(tick);
+            return;
+        }
         let input = self.params.settings().limits.input;
         let mut inside = true;
         for (robot, index) in (1_u16..).zip(0..frame.phis.len()) {
@@ -282,6 +330,22 @@ impl<const D: usize> Monitors<D> {
         }
         spreads
     }
+}
+
+/// Whether the laws of `scenario` can be seen to hold from numbers of the whole team: everybody counts for everybody and is there, knows
+/// its level and obeys, and nothing else is in the way.
+fn glances<const D: usize>(scenario: &Scenario, params: &Params<D>, rule: &Rule) -> bool {
+    let plain =
+        scenario.is_plain() && scenario.obstacles.list.is_empty() && params.controller().tells_levels();
+    let kept = params.kept();
+    plain && !rule.is_free() && rule.ranks().is_none() && kept.gamma_c == 1.0 && kept.errors.away_m == 0.0
+}
+
+/// A degree that is a number among others.
+fn whole(degree: f64) -> u16 {
+    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a sum of a few ones")]
+    let degree = degree as u16;
+    degree
 }
 
 /// The speed if it is too great, or the first component outside its bounds, and the bound.

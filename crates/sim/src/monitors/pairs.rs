@@ -17,6 +17,8 @@ pub(crate) struct Pairs {
     references_m2: Vec<f64>,
     /// Squared distances of positions, m²; empty where the positions are the references.
     positions_m2: Vec<f64>,
+    /// True if distances are not taken yet.
+    put_off: bool,
     near: Near,
 }
 
@@ -43,7 +45,7 @@ impl Pairs {
         let away = positions_m.iter().zip(references_m).map(|(x, y)| squared_distance(x, y));
         let away_m = if same { 0.0 } else { closeranks_core::num::sqrt(away.fold(0.0, f64::max)) };
         let radius_m = radius_m + 2.0 * away_m;
-        self.robots = positions_m.len();
+        (self.robots, self.put_off) = (positions_m.len(), false);
         self.sparse = self.near.look(positions_m, radius_m);
         self.positions_m2.clear();
         self.ends.clear();
@@ -53,6 +55,20 @@ impl Pairs {
         fill_pairs(references_m, &mut self.references_m2);
         if !same {
             fill_pairs(positions_m, &mut self.positions_m2);
+        }
+    }
+
+    /// Of a small team whose positions are its references: takes no distances until they are asked for.
+    pub(crate) fn put_off(&mut self, robots: usize) {
+        (self.robots, self.sparse, self.put_off) = (robots, false, true);
+        self.positions_m2.clear();
+        self.ends.clear();
+    }
+
+    /// Takes the distances that were put off, of robots that were at `positions_m`.
+    pub(crate) fn catch_up<const D: usize>(&mut self, positions_m: &[Vector<D>]) {
+        if core::mem::replace(&mut self.put_off, false) {
+            fill_pairs(positions_m, &mut self.references_m2);
         }
     }
 

@@ -8,6 +8,7 @@ use closeranks_core::settings::params::Params;
 use crate::frame::Frame;
 use crate::geometry::around::Around;
 use crate::geometry::squared_distance;
+use crate::monitors::glance::Glance;
 use crate::monitors::pairs::Pairs;
 use crate::monitors::rule::Rule;
 
@@ -96,6 +97,17 @@ impl Truth {
                 *own = trimmed(params, rule, frame, robot, around) - f64::from(rule.required(robot));
             }
         }
+    }
+
+    /// What whoever watches the run sees of `frame`, and of the rest that of which a `glance` has shown that nothing else is asked, until the
+    /// next tick [asks](Pairs::catch_up) for pairs.
+    pub(crate) fn glance<const D: usize>(&mut self, frame: &Frame<D>, glance: &Glance) {
+        self.is_local = true;
+        self.levels.clone_from(&frame.levels);
+        self.degrees.clone_from(&frame.degrees);
+        self.neighbors.clone_from(&frame.degrees);
+        (self.least_m2, self.span_m) = (glance.least_m2, glance.span_m);
+        self.pairs.put_off(frame.positions_m.len());
     }
 
     /// Those who are absent have no level and no h.

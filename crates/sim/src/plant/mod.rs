@@ -142,7 +142,8 @@ impl<const D: usize> Bodies<D> {
     /// Greatest distance of a robot from its reference, m, when they are at `positions_m`.
     #[must_use]
     pub fn away_m(&self, positions_m: &[Vector<D>]) -> f64 {
-        let pairs = self.references_m(positions_m).iter().zip(positions_m);
+        let Self::Lag(lag) = self else { return 0.0 };
+        let pairs = lag.references_m().iter().zip(positions_m);
         pairs.map(|(reference, position)| length(&subtract(reference, position))).fold(0.0, f64::max)
     }
 

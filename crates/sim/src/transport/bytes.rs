@@ -15,6 +15,14 @@ pub enum Bytes {
     Long(Arc<[u8]>),
 }
 
+impl Bytes {
+    /// True if both are shared and the same place in memory; what is so has the same bytes.
+    #[must_use]
+    pub fn is_shared_with(&self, other: &Self) -> bool {
+        matches!((self, other), (Self::Long(one), Self::Long(other)) if Arc::ptr_eq(one, other))
+    }
+}
+
 impl Deref for Bytes {
     type Target = [u8];
 
@@ -62,6 +70,8 @@ mod tests {
         for length in [0, 1, 31, 32, 33, 200] {
             let bytes = Bytes::from(&long[..length]);
             assert_eq!((&bytes[..], bytes.clone() == bytes), (&long[..length], true));
+            assert_eq!(bytes.is_shared_with(&bytes.clone()), length != MESSAGE_BYTES);
+            assert!(!bytes.is_shared_with(&Bytes::from(&long[..length])));
         }
         assert_eq!(Bytes::from([7; MESSAGE_BYTES]), Bytes::from(&[7; MESSAGE_BYTES][..]));
     }

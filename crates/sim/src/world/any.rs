@@ -9,6 +9,7 @@ use closeranks_core::robot::report::Mode;
 use crate::engine::workers::Workers;
 use crate::frame::Frame;
 use crate::law::Verdicts;
+use crate::monitors::glance::Glance;
 use crate::monitors::robustness::Round;
 use crate::output::record::Record;
 use crate::output::snapshot::Snapshot;
@@ -150,9 +151,22 @@ impl AnyWorld {
         dispatch!(self, world => world.compute(), else {});
     }
 
-    /// The third part.
-    pub(crate) fn settle(&mut self) {
-        dispatch!(self, world => world.settle(), else {});
+    /// The first part where nothing is given.
+    pub(crate) fn begin(&mut self) {
+        dispatch!(self, world => {
+            world.begin();
+            world.ask();
+        }, else {});
+    }
+
+    /// Takes the tick that was computed into the summary.
+    pub(crate) fn collect(&mut self) {
+        dispatch!(self, world => world.collect(), else {});
+    }
+
+    /// The third part, if need be from a `glance` at the tick.
+    pub(crate) fn settle(&mut self, glance: Option<&Glance>) {
+        dispatch!(self, world => world.settle(glance), else {});
     }
 
     /// True if its team can be computed side by side with others.

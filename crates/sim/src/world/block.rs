@@ -3,18 +3,17 @@
 use closeranks_core::num::lane::LANES;
 
 use crate::engine::lanes::{InLane, Lanes};
+use crate::monitors::glance::Glance;
 use crate::scenario::Scenario;
 use crate::world::any::{AnyGiven, AnyWorld};
 use crate::world::given::GivenError;
-use crate::world::{Options, RunError, World};
+use crate::world::{Options, Run, RunError, World};
 
-/// So many worlds at least are worth the lanes of those that are not there.
-const WORTH_IT: usize = 6;
-
-/// Up to [`Block::MOST`] worlds of one scenario that differ in their seeds. They keep no record and no summary, only what a tick came
-/// to and what became of the laws.
+/// Up to [`Block::MOST`] worlds of one scenario that differ in their seeds. They keep no record, and a summary only where whole runs are
+/// asked for, else what a tick came to and what became of the laws.
 pub struct Block {
     worlds: Vec<AnyWorld>,
+    summaries: bool,
     lanes: Option<AnyLanes>,
 }
 
@@ -24,9 +23,21 @@ enum AnyLanes {
     Space(Lanes<3>),
 }
 
+impl AnyLanes {
+    fn glance(&self, lane: usize) -> Option<Glance> {
+        match self {
+            Self::Plane(lanes) => lanes.glance(lane),
+            Self::Space(lanes) => lanes.glance(lane),
+        }
+    }
+}
+
 impl Block {
     /// How many worlds a block has at most.
     pub const MOST: usize = LANES;
+
+    /// So many worlds at least are worth the lanes of those that are not there.
+    pub(crate) const WORTH_IT: usize = 6;
 
     /// The worlds of `scenario` with these seeds before their first tick; of more than [`MOST`](Self::MOST) seeds the rest is left out.
     pub fn new(scenario: &Scenario, seeds: &[u64], options: Options) -> Result<Self, RunError> {
@@ -35,14 +46,24 @@ impl Block {
         }
         let of = |seed: &u64| AnyWorld::new(&Scenario { seed: *seed, ..scenario.clone() }, options);
         let worlds: Result<Vec<AnyWorld>, RunError> = seeds.iter().take(Self::MOST).map(of).collect();
-        let mut worlds = worlds?;
-        let all = worlds.len() >= WORTH_IT && worlds.iter_mut().all(AnyWorld::goes_in_lanes);
+        Ok(Self::of_worlds(worlds?, false))
+    }
+
+    /// Whole runs of up to [`MOST`](Self::MOST) scenarios that are alike in all that lanes share.
+    pub(super) fn of_runs(scenarios: &[&Scenario], options: Options) -> Result<Self, RunError> {
+        let worlds = scenarios.iter().map(|scenario| AnyWorld::new(scenario, options));
+        let worlds: Result<Vec<AnyWorld>, RunError> = worlds.collect();
+        Ok(Self::of_worlds(worlds?, true))
+    }
+
+    fn of_worlds(mut worlds: Vec<AnyWorld>, summaries: bool) -> Self {
+        let all = worlds.len() >= Self::WORTH_IT && worlds.iter_mut().all(AnyWorld::goes_in_lanes);
         let lanes = worlds.first().filter(|_| all).and_then(|world| match world {
             AnyWorld::Plane(world) => world.lanes().map(AnyLanes::Plane),
             AnyWorld::Space(world) => world.lanes().map(AnyLanes::Space),
             AnyWorld::PlaneTeams(_) | AnyWorld::SpaceTeams(_) => None,
         });
-        Ok(Self { worlds, lanes })
+        Self { worlds, summaries, lanes }
     }
 
     /// A world for each of any number of seeds: in blocks where they are computed side by side, else each on its own, so that they can be
@@ -54,8 +75,7 @@ impl Block {
             if block.is_in_lanes() {
                 blocks.push(block);
             } else {
-                let apart = block.worlds.into_iter().map(|world| Self { worlds: vec![world], lanes: None });
-                blocks.extend(apart);
+                blocks.extend(block.worlds.into_iter().map(|world| Self::of_worlds(vec![world], false)));
             }
         }
         Ok(blocks)
@@ -87,13 +107,33 @@ impl Block {
         for (world, given) in self.worlds.iter_mut().zip(given) {
             world.begin_with(given)?;
         }
+        self.compute();
+        Ok(())
+    }
+
+    /// Computes a tick that has begun.
+    fn compute(&mut self) {
         match &mut self.lanes {
             Some(AnyLanes::Plane(lanes)) => step(lanes, self.worlds.iter_mut().filter_map(AnyWorld::plane)),
             Some(AnyLanes::Space(lanes)) => step(lanes, self.worlds.iter_mut().filter_map(AnyWorld::space)),
             None => self.worlds.iter_mut().for_each(AnyWorld::compute),
         }
-        self.worlds.iter_mut().for_each(AnyWorld::settle);
-        Ok(())
+        for (lane, world) in self.worlds.iter_mut().enumerate() {
+            let glance = self.lanes.as_ref().and_then(|lanes| lanes.glance(lane));
+            world.settle(glance.as_ref());
+            if self.summaries {
+                world.collect();
+            }
+        }
+    }
+
+    /// Runs all to the end. All have the same number of ticks.
+    pub(super) fn run(mut self) -> Vec<Run> {
+        while !self.worlds.iter().any(AnyWorld::is_over) {
+            self.worlds.iter_mut().for_each(AnyWorld::begin);
+            self.compute();
+        }
+        self.worlds.into_iter().map(AnyWorld::finish).collect()
     }
 
     /// Computes so many ticks, all with what is `given` but none after the last one, and leaves robots where the next tick finds them.

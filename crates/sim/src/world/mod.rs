@@ -7,6 +7,7 @@ pub mod given;
 mod outcome;
 mod script;
 pub mod teams;
+pub mod together;
 
 use std::sync::Arc;
 
@@ -27,6 +28,7 @@ use crate::engine::workers::{Alone, Workers};
 use crate::frame::Frame;
 use crate::law::Verdicts;
 use crate::monitors::Monitors;
+use crate::monitors::glance::Glance;
 use crate::monitors::robustness::{Round, Watcher};
 use crate::output::digest::Digest;
 use crate::output::record::Record;
@@ -255,7 +257,7 @@ impl<const D: usize> World<D> {
     fn end(&mut self) -> &Frame<D> {
         self.ask();
         self.compute();
-        self.settle();
+        self.settle(None);
         self.note();
         &self.frame
     }
@@ -263,7 +265,7 @@ impl<const D: usize> World<D> {
     /// Keeps of a tick what was asked for.
     fn note(&mut self) {
         let tick = self.done.saturating_sub(1);
-        self.collector.watch(&self.scenario, &self.frame, &self.monitors);
+        self.collect();
         if let Some(record) = &mut self.record {
             let (tick_s, required) = (self.scenario.tick_s(), record.required_degree);
             record.push(&Snapshot::new(tick, tick_s, required, &self.frame, self.monitors.truth()));
@@ -285,13 +287,13 @@ impl<const D: usize> World<D> {
 
     /// That engine, for worlds like this one.
     pub(crate) fn lanes(&self) -> Option<Lanes<D>> {
-        Lanes::new(&self.params, self.frame.positions_m.len())
+        Lanes::new(&self.params, self.scenario.malicious_mask())
     }
 
-    /// What comes of it for the world: the rest of the frame, and the laws.
-    fn settle(&mut self) {
+    /// What comes of it for the world: the rest of the frame, and the laws, if need be from a `glance` at the tick.
+    fn settle(&mut self, glance: Option<&Glance>) {
         self.judge();
-        self.watch();
+        self.watch(glance);
     }
 
     /// The rest of the frame but for the laws.
@@ -311,16 +313,22 @@ impl<const D: usize> World<D> {
     }
 
     /// Looks at the laws, and ends the tick.
-    fn watch(&mut self) {
+    fn watch(&mut self, glance: Option<&Glance>) {
         let tick = self.done;
-        self.monitors.watch(tick, &self.frame);
-        for index in 0..self.frame.values.len() {
+        self.monitors.watch_with(tick, &self.frame, glance);
+        let liars = self.monitors.malicious().iter().enumerate().filter(|(_, lies)| **lies);
+        for (index, _) in liars {
             [self.frame.one_level[index], self.frame.one_value[index]] = self.liars.tells_alike(index);
         }
         if let Some(digest) = &mut self.digest {
             digest.watch(&self.frame);
         }
         self.done = tick.saturating_add(1);
+    }
+
+    /// Takes the tick into the summary.
+    fn collect(&mut self) {
+        self.collector.watch(&self.scenario, &self.frame, &self.monitors);
     }
 
     /// What robots are asked for: what they want, or what a controller with global state makes of it.

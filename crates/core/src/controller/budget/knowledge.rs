@@ -133,7 +133,8 @@ impl Budget {
                 links += 1;
             }
         }
-        weights[..links].sort_unstable_by(f64::total_cmp);
+        // Numbers that are not negative are in the order of their bits.
+        weights[..links].sort_unstable_by_key(|weight| weight.to_bits());
         let kept = links.saturating_sub(usize::from(self.faults));
         (links, weights[..kept].iter().fold(0.0, |sum, weight| sum + weight))
     }

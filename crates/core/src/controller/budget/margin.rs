@@ -36,7 +36,7 @@ impl Budget {
     //= theory sec:margins
     pub(crate) fn weight_lower_bound<const D: usize>(&self, offset: &Vector<D>) -> f64 {
         if self.is_exact() {
-            return self.link(offset).map_or(-1.0, |link| link.weight);
+            return self.curvature.link().weight_at(dot(offset, offset)).unwrap_or(-1.0);
         }
         let (distance_m, error_m) = (length(offset), self.errors.offset_m);
         let radius_m = self.curvature.link().radius_m;
@@ -45,7 +45,7 @@ impl Budget {
 
     /// The weight of a link of this length; 0 beyond R.
     pub(crate) fn weight_at(&self, distance_m: f64) -> f64 {
-        self.link(&[distance_m]).map_or(0.0, |link| link.weight)
+        self.curvature.link().weight_at(distance_m * distance_m).unwrap_or(0.0)
     }
 
     /// How much more a weight may be than its lower bound.

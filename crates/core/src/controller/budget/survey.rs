@@ -88,7 +88,7 @@ impl Budget {
     ) {
         let (robots, one, own) = (sightings.len(), &sightings[first], survey.own);
         // What lies between two others matters where one of them counts for the other, for whom the robot itself counts.
-        let matters = |(one, other): (&Sighting<D>, &Sighting<D>)| {
+        let matters = |one: &Sighting<D>, other: &Sighting<D>| {
             self.need.counts(one.member(), other.member()) && self.need.counts(one.member(), own)
         };
         match &mut survey.links {
@@ -96,7 +96,7 @@ impl Budget {
                 let (mut low, mut degree) = (lows[first], degrees[first]);
                 let sums = lows[later.clone()].iter_mut().zip(&mut degrees[later.clone()]);
                 for (other, (other_low, other_degree)) in sightings[later].iter().zip(sums) {
-                    let [counts, counted] = [(one, other), (other, one)].map(matters);
+                    let (counts, counted) = (matters(one, other), matters(other, one));
                     if !counts && !counted {
                         continue;
                     }
@@ -117,11 +117,10 @@ impl Budget {
             Links::Table { weights, .. } => {
                 for index in later {
                     let other = &sightings[index];
-                    let both = [(one, other), (other, one)].map(matters);
-                    let weight = if both == [false; 2] { -1.0 } else { self.weight_between(one, other) };
-                    let [counts, counted] = both.map(|matters| if matters { weight } else { -1.0 });
-                    weights[first * robots + index] = counts;
-                    weights[index * robots + first] = counted;
+                    let (counts, counted) = (matters(one, other), matters(other, one));
+                    let weight = if counts || counted { self.weight_between(one, other) } else { -1.0 };
+                    weights[first * robots + index] = if counts { weight } else { -1.0 };
+                    weights[index * robots + first] = if counted { weight } else { -1.0 };
                 }
             }
             Links::Line(_) => {}

@@ -1,8 +1,9 @@
 //! What a robot holds of a neighbour where nothing is lost or late, in few bytes: for whoever computes a large team at once.
 //!
 //! Where every message arrives in the tick in which it is sent, numbers and acknowledgements follow from the ticks in which things
-//! began. Let `n(t)` be the number of the messages of tick t. Of a neighbour that came into range in tick b and is listed since tick s,
-//! a robot holds before the messages of tick t (and after them, with t + 1 in place of t)
+//! began. Let `n(t)` be the number of the messages of tick t: here t + 1, because only the order of numbers matters. Of a neighbour
+//! that came into range in tick b and is listed since tick s, a robot holds before the messages of tick t (and after them, with
+//! t + 1 in place of t)
 //!
 //! ```text
 //! born = n(b − 1)    listed_after = n(s − 1)    heard = n(t − 1) if b < t    acknowledged = n(t − 2) if b < t − 1
@@ -105,9 +106,8 @@ impl Moment {
     }
 
     /// The number of the newest message before those of `tick`.
-    fn last(&self, tick: u32) -> Number {
-        let sent = u64::from(tick).saturating_sub(1);
-        if tick == 0 { Number::NONE } else { Number(sent.saturating_mul(self.period_nanos).max(sent + 1)) }
+    fn last(tick: u32) -> Number {
+        Number(u64::from(tick))
     }
 }
 
@@ -120,35 +120,40 @@ impl Bond {
 
     /// What is said to the neighbour now.
     #[must_use]
+    #[inline]
     pub fn said(&self) -> Said {
         Said { listed: self.listed != NEVER, promised: self.promised }
     }
 
     /// Takes what the neighbour says.
+    #[inline]
     pub fn hear(&mut self, said: Said) {
         self.their = said;
     }
 
     /// What is held before the messages of `tick`.
-    fn hold(&self, moment: &Moment, tick: u32) -> Hold {
+    #[inline]
+    fn hold(&self, tick: u32) -> Hold {
         let acknowledged =
-            if self.born < tick.saturating_sub(1) { moment.last(tick - 1) } else { Number::NONE };
+            if self.born < tick.saturating_sub(1) { Moment::last(tick - 1) } else { Number::NONE };
         let entry = Entry { listed: self.their.listed, acknowledged };
-        let heard = (self.born < tick).then(|| Word { number: moment.last(tick), entry });
-        let listed_after = (self.listed != NEVER).then(|| moment.last(self.listed));
-        Hold::of(moment.last(self.born), listed_after, heard, acknowledged)
+        let heard = (self.born < tick).then(|| Word { number: Moment::last(tick), entry });
+        let listed_after = (self.listed != NEVER).then(|| Moment::last(self.listed));
+        Hold::of(Moment::last(self.born), listed_after, heard, acknowledged)
     }
 
     /// True if it is counted on, once the messages of this tick are there.
     #[must_use]
+    #[inline]
     pub fn is_counted(&self, moment: &Moment) -> bool {
-        self.held && self.hold(moment, moment.tick.saturating_add(1)).counts()
+        self.held && self.hold(moment.tick.saturating_add(1)).counts()
     }
 
     /// True if it has a row, once the messages of this tick are there.
     #[must_use]
+    #[inline]
     pub fn is_active(&self, moment: &Moment) -> bool {
-        self.hold(moment, moment.tick.saturating_add(1)).is_active()
+        self.hold(moment.tick.saturating_add(1)).is_active()
     }
 
     /// Makes `slot` that of the neighbour `who`, sensed at `offset_m` (m), before the messages of this tick; `told` is what it said to all in
@@ -165,9 +170,9 @@ impl Bond {
         (slot.id, slot.rank, slot.sensed, slot.linked) = (who.id, who.rank, true, true);
         (slot.offset_m, slot.sensed_at, slot.gone_m) = (offset_m, moment.now(), 0.0);
         let peer = &mut slot.peer;
-        (peer.hold, peer.held) = (self.hold(moment, moment.tick), self.held);
+        (peer.hold, peer.held) = (self.hold(moment.tick), self.held);
         (peer.unseen_ticks, peer.vanished, peer.inside) = (0, false, false);
-        let (number, promised) = (moment.last(moment.tick), self.their.promised);
+        let (number, promised) = (Moment::last(moment.tick), self.their.promised);
         let head = Head { number, value: None, price_m: told.price_m, wish_m_s: told.wish_m_s };
         let then = moment.before().filter(|_| self.born < moment.tick);
         peer.told = then.map(|then| Told { head, promised, at: then.now() });
@@ -201,7 +206,7 @@ impl Bond {
         };
         self.listed = match peer.hold.listed_after() {
             None => NEVER,
-            Some(after) if self.listed != NEVER && after == moment.last(self.listed) => self.listed,
+            Some(after) if self.listed != NEVER && after == Moment::last(self.listed) => self.listed,
             Some(_) => moment.tick,
         };
     }
@@ -259,7 +264,8 @@ impl<const D: usize> LinksController<D> {
         values: &mut [f64],
     ) -> f64 {
         let looked_at = moment.before().map(|before| before.now());
-        let mut ledger = Ledger { wish_m_s: *wish_m_s, looked_at, ..Ledger::begin(moment.last(moment.tick)) };
+        let mut ledger =
+            Ledger { wish_m_s: *wish_m_s, looked_at, ..Ledger::begin(Moment::last(moment.tick)) };
         self.links.agree(own, &mut ledger, slots, moment.now(), values);
         ledger.price_m
     }

@@ -131,8 +131,10 @@ impl<'a, const D: usize> LinkMessage<'a, D> {
     fn is_in_order(&self) -> bool {
         let (mut before, mut is_in_order) = (0, true);
         for entry in self.entries.as_chunks::<ENTRY_BYTES>().0 {
-            let (id, flags) = (u16::from_le_bytes([entry[0], entry[1]]), entry[2]);
-            is_in_order &= id > before && flags <= LISTED | PROMISED && (flags != 0 || word(entry, 3) != 0);
+            let [i0, i1, flags, acknowledged @ ..] = *entry;
+            let (id, says) =
+                (u16::from_le_bytes([i0, i1]), flags != 0 || u64::from_le_bytes(acknowledged) != 0);
+            is_in_order &= id > before && flags <= LISTED | PROMISED && says;
             before = id;
         }
         is_in_order && before <= ROBOTS_MAX
@@ -183,10 +185,11 @@ impl<const D: usize> Head<D> {
 
 /// The entry in [`ENTRY_BYTES`] bytes.
 fn item(bytes: &[u8; ENTRY_BYTES]) -> Item {
-    let flags = bytes[2];
+    let [i0, i1, flags, acknowledged @ ..] = *bytes;
+    let acknowledged = Number(u64::from_le_bytes(acknowledged));
     Item {
-        id: RobotId(u16::from_le_bytes([bytes[0], bytes[1]])),
-        entry: Entry { listed: flags & LISTED != 0, acknowledged: Number(word(bytes, 3)) },
+        id: RobotId(u16::from_le_bytes([i0, i1])),
+        entry: Entry { listed: flags & LISTED != 0, acknowledged },
         promised: flags & PROMISED != 0,
     }
 }

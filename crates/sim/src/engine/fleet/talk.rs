@@ -1,5 +1,6 @@
 //! What robots tell each other in a tick, and how it gets there.
 
+use closeranks_core::controller::links::wire::LinkMessage;
 use closeranks_core::message::Message;
 use closeranks_core::robot::Robot;
 use closeranks_core::robot::neighbor::Slot;
@@ -101,13 +102,25 @@ impl<const D: usize, T: Transport> Fleet<D, T> {
         self.others = receivers;
     }
 
+    /// Robots refuse what is no message, and what comes from out of range.
     pub(super) fn deliver(&mut self) {
-        while let Some(Parcel { sender, receiver, bytes }) = self.transport.poll() {
-            if self.edges.downtime.down(receiver) {
+        let parcels: Vec<Parcel> = core::iter::from_fn(|| self.transport.poll()).collect();
+        // Lists that went to many robots are parsed once, as long as nothing else comes between.
+        let mut read: Option<(&Bytes, Option<LinkMessage<'_, D>>)> = None;
+        for Parcel { sender, receiver, bytes } in &parcels {
+            let robot = &mut self.robots[*receiver];
+            if self.edges.downtime.down(*receiver) || !robot.knows(id(*sender)) {
                 continue;
             }
-            // Robots refuse what is no message, and what comes from out of range.
-            let _ = self.robots[receiver].receive_bytes(id(sender), &bytes);
+            if !self.lists {
+                let _ = robot.receive_bytes(id(*sender), bytes);
+                continue;
+            }
+            let (_, message) = match read {
+                Some(read) if read.0.is_shared_with(bytes) => read,
+                _ => *read.insert((bytes, LinkMessage::parse(bytes).ok())),
+            };
+            let _ = message.map(|message| robot.receive_notice(id(*sender), &message.to(id(*receiver))));
         }
     }
 

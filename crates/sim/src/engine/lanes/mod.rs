@@ -13,6 +13,7 @@ use closeranks_core::controller::{Control, Decision};
 use closeranks_core::equations::barrier::degree_barrier;
 use closeranks_core::num::dot;
 use closeranks_core::num::lane::{LANES, Lane};
+use closeranks_core::program::Outcome;
 use closeranks_core::settings::params::Params;
 
 use crate::attack::liars::Liars;
@@ -21,6 +22,7 @@ use crate::engine::memory::Memory;
 use crate::engine::roster::Roster;
 use crate::frame::Frame;
 use crate::geometry::near::small;
+use crate::monitors::glance::{Glance, Glances};
 
 /// A world in a lane.
 pub(crate) struct InLane<'a, const D: usize> {
@@ -42,6 +44,8 @@ pub(crate) struct Lanes<const D: usize> {
     controller: ComposedController<D>,
     radius_m2: f64,
     positions_m: Vec<[Lane; D]>,
+    /// Where robots were in the tick before; before the first one it means nothing.
+    before_m: Vec<[Lane; D]>,
     levels: Vec<Lane>,
     /// How many neighbours each has, as numbers that lie beside the others.
     degrees: Vec<Lane>,
@@ -52,16 +56,19 @@ pub(crate) struct Lanes<const D: usize> {
     /// The sum of the collision terms of all links.
     collisions: Lane,
     memory: Memory<D>,
+    glances: Glances<D>,
 }
 
 impl<const D: usize> Lanes<D> {
-    /// For teams of so many robots with these `params`; `None` under a controller that is not computed so.
-    pub(crate) fn new(params: &Params<D>, robots: usize) -> Option<Self> {
+    /// For teams with these `params` of which some are `malicious`; `None` under a controller that is not computed so.
+    pub(crate) fn new(params: &Params<D>, malicious: Vec<bool>) -> Option<Self> {
+        let robots = malicious.len();
         let radius_m = params.link().radius_m;
         Some(Self {
             controller: params.controller().in_lanes()?,
             radius_m2: radius_m * radius_m,
             positions_m: vec![[[0.0; LANES]; D]; robots],
+            before_m: vec![[[0.0; LANES]; D]; robots],
             levels: vec![[0.0; LANES]; robots],
             degrees: vec![[0.0; LANES]; robots],
             told: vec![[0.0; LANES]; robots],
@@ -69,6 +76,7 @@ impl<const D: usize> Lanes<D> {
             sums: vec![SumsInLanes::new(&[0.0; LANES]); robots],
             collisions: [0.0; LANES],
             memory: Memory::new(params, robots),
+            glances: Glances::new(malicious, params.settings().limits.input),
         })
     }
 
@@ -83,6 +91,7 @@ impl<const D: usize> Lanes<D> {
         for robot in 0..self.sums.len() {
             let desired_m_s = in_lanes(worlds, |world| world.frame.asked_m_s[robot]);
             let decision = self.controller.decide_in_lanes(&self.sums[robot], &desired_m_s);
+            self.glances.decided(&decision.phis, &decision.velocities_m_s);
             self.write(robot, &decision, worlds);
         }
         for world in worlds {
@@ -90,11 +99,18 @@ impl<const D: usize> Lanes<D> {
         }
     }
 
+    /// What the last tick of a world came to for its whole team; none if its robots must be looked at.
+    pub(crate) fn glance(&self, lane: usize) -> Option<Glance> {
+        self.glances.of(lane)
+    }
+
     /// Takes in where everybody is. Lanes without a world have the first one.
     fn place(&mut self, worlds: &[InLane<'_, D>]) {
+        self.before_m.clone_from(&self.positions_m);
         for (robot, positions_m) in self.positions_m.iter_mut().enumerate() {
             *positions_m = in_lanes(worlds, |world| world.frame.positions_m[robot]);
         }
+        self.glances.begin(&self.positions_m, &self.before_m);
     }
 
     /// Makes all pairs, and from them levels and degrees.
@@ -144,9 +160,13 @@ impl<const D: usize> Lanes<D> {
 
     /// What each adds up over its neighbours.
     fn add(&mut self) {
-        let Self { controller, positions_m, told, pairs, sums, .. } = self;
-        for (sums, told) in sums.iter_mut().zip(told) {
-            *sums = SumsInLanes::new(&controller.told_in_lanes(told));
+        let Self { controller, positions_m, levels, degrees, told, pairs, sums, glances, .. } = self;
+        for (robot, (sums, told)) in sums.iter_mut().zip(told).enumerate() {
+            let (level, of_told) = (&levels[robot], controller.told_in_lanes(told));
+            *sums = SumsInLanes::new(&of_told);
+            let of_level =
+                if glances.is_malicious(robot) { controller.told_in_lanes(level) } else { of_told };
+            glances.know(robot, level, &of_level, &degrees[robot]);
         }
         let mut pairs = pairs.iter();
         for second in 0..positions_m.len() {
@@ -161,10 +181,14 @@ impl<const D: usize> Lanes<D> {
     fn write(&mut self, robot: usize, decision: &DecisionInLanes<D>, worlds: &mut [InLane<'_, D>]) {
         for (lane, world) in worlds.iter_mut().enumerate() {
             let (frame, roster) = (&mut *world.frame, world.team.roster);
-            let Decision { velocity_m_s, outcome, phi, .. } = match decision.of(lane) {
-                Some(decision) => decision,
-                None => alone::decide(&self.controller, robot, roster, frame, &mut self.memory.lend()),
-            };
+            let decided = decision.of(lane);
+            if decided.is_none_or(|decision| decision.outcome == Outcome::Infeasible) {
+                self.glances.is_unusual(lane);
+            }
+            let decided = decided.unwrap_or_else(|| {
+                alone::decide(&self.controller, robot, roster, frame, &mut self.memory.lend())
+            });
+            let Decision { velocity_m_s, outcome, phi, .. } = decided;
             let (degree, h, need) = (frame.degrees[robot], frame.h[robot], roster.need(robot));
             let standing = Standing { degree, need, h, phi, outcome, untold: 0, missing: 0, reason: None };
             frame.velocities_m_s[robot] = velocity_m_s;

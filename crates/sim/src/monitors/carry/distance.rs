@@ -9,6 +9,7 @@ use crate::frame::Frame;
 use crate::geometry::{fill_pairs, squared_distance};
 use crate::law::{Law, Verdicts, Violation};
 use crate::monitors::carry::before::Before;
+use crate::monitors::glance::Glance;
 use crate::monitors::pairs::Places;
 use crate::monitors::truth::{ROUNDING, Truth};
 use crate::scenario::Scenario;
@@ -144,8 +145,30 @@ impl<const D: usize> Distances<D> {
     fn near_m2(&self, frame: &Frame<D>, before: Option<&Before<D>>) -> f64 {
         let moves = before.map(|before| frame.positions_m.iter().zip(&before.positions_m));
         let moves_m2 = moves.into_iter().flatten().map(|(x, y)| squared_distance(x, y));
-        let near_m = self.params.settings().limits.distance_min_m + 2.0 * sqrt(moves_m2.fold(0.0, f64::max));
+        self.near_after_m2(moves_m2.fold(0.0, f64::max))
+    }
+
+    /// The same where nobody moved farther than the root of this, m².
+    fn near_after_m2(&self, moved_m2: f64) -> f64 {
+        let near_m = self.params.settings().limits.distance_min_m + 2.0 * sqrt(moved_m2);
         near_m * near_m * (1.0 + ROUNDING)
+    }
+
+    /// True if no two robots of a plain team are near each other, or were since the tick before.
+    pub(crate) fn are_far(&self, glance: &Glance) -> bool {
+        let least_m2 = self.kept.distance_min_m * self.kept.distance_min_m;
+        glance.least_m2 >= self.near_after_m2(glance.moved_m2) && glance.least_m2 >= least_m2
+    }
+
+    /// Looks at a tick in which all [are far](Self::are_far), and carries what is safe to the next one.
+    pub(crate) fn glance(&mut self, glance: &Glance, moved: bool, inside: bool, moves: bool) {
+        self.least_m2 = self.least_m2.min(glance.least_m2);
+        self.far_apart = moves && inside;
+        if self.far_apart {
+            self.apart.fill(true);
+        } else if !(moves && moved) {
+            self.apart.fill(false);
+        }
     }
 
     /// `D − Δ_d²` of two references, m²: the least that must be left of it since the tick before, and what is left. Of a pair

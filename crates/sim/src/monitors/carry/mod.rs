@@ -23,6 +23,7 @@ use crate::monitors::carry::held::Held;
 use crate::monitors::carry::mode::ModeWatch;
 use crate::monitors::carry::rest::RestWatch;
 use crate::monitors::carry::time::{fraction, longer_ago};
+use crate::monitors::glance::Glance;
 use crate::monitors::rule::Rule;
 use crate::monitors::truth::{ROUNDING, Truth};
 use crate::scenario::Scenario;
@@ -94,31 +95,65 @@ impl<const D: usize> Carry<D> {
         covered: bool,
         verdicts: &mut Verdicts,
     ) {
-        let before = self.before.take();
+        let mut before = self.before.take();
+        if let Some(before) = &mut before {
+            before.truth.pairs.catch_up(&before.positions_m);
+        }
         self.distances.find(before.as_ref(), truth);
         let carried = before.as_ref().filter(|_| covered && !frame.assumptions.renewed);
         self.watch_h(tick, frame, truth, carried, verdicts);
         self.distances.watch(tick, frame, truth, carried, verdicts);
         self.clear.watch(tick, frame, before.as_ref(), verdicts);
-        if frame.assumptions.broken || !covered {
-            self.broken = Some(tick);
-        }
-        let moves = !frame.assumptions.broken && covered;
-        let settled = moves && longer_ago(self.broken, tick, self.settle_ticks);
         let moved = carried.is_some_and(|before| before.moves);
+        let [moves, settled] = self.assume(tick, frame, covered);
         if self.lists() {
             self.held.watch(tick, frame, [moved, moves], verdicts);
-        }
-        for (counter, counts) in self.ticks.iter_mut().zip([true, settled]) {
-            *counter += u64::from(counts);
         }
         if self.params.controller().promises() {
             self.mode.watch(tick, frame, truth, &self.clear.obstructed(frame), verdicts);
             self.rest.watch(tick, frame, truth, &self.clear, verdicts);
         }
-        let mut now = before.unwrap_or_default();
-        now.positions_m.clone_from(&frame.positions_m);
+        let now = before.unwrap_or_default();
         self.carry(frame, truth, &now, [moves, settled]);
+        self.remember(now, frame, [moves, settled]);
+    }
+
+    /// Looks at a tick of a plain team from afar, with the same outcome: false if robots must be looked at, and then nothing was done.
+    pub(crate) fn glance(&mut self, tick: u32, frame: &Frame<D>, glance: &Glance, covered: bool) -> bool {
+        let required = f64::from(self.rule.required(0));
+        let kept = glance.normal_level_min - required >= -ROUNDING && glance.degree_min >= required;
+        let inside = glance.phi_min >= 0.0;
+        let all_keep = inside && glance.level_min - required >= 0.0;
+        // Who is outside carries what it had, and nothing new; who is inside and short of neighbours must be looked at.
+        let clear = kept && (all_keep || !inside) && self.distances.are_far(glance);
+        let Some(now) = self.before.take_if(|_| clear) else { return false };
+        let [moves, settled] = self.assume(tick, frame, covered);
+        match inside {
+            true => self.kept.fill(settled),
+            false if !(settled && now.settled) => self.kept.fill(false),
+            false => {}
+        }
+        self.distances.glance(glance, now.moves, inside, moves);
+        self.remember(now, frame, [moves, settled]);
+        true
+    }
+
+    /// Whether moves obey the rows and rows rest on what is true, and whether they have done so for long enough.
+    fn assume(&mut self, tick: u32, frame: &Frame<D>, covered: bool) -> [bool; 2] {
+        let moves = !frame.assumptions.broken && covered;
+        if !moves {
+            self.broken = Some(tick);
+        }
+        let settled = moves && longer_ago(self.broken, tick, self.settle_ticks);
+        for (counter, counts) in self.ticks.iter_mut().zip([true, settled]) {
+            *counter += u64::from(counts);
+        }
+        [moves, settled]
+    }
+
+    /// Keeps a tick for the next one, whose truth is [kept](Self::keep) by itself.
+    fn remember(&mut self, mut now: Before<D>, frame: &Frame<D>, [moves, settled]: [bool; 2]) {
+        now.positions_m.clone_from(&frame.positions_m);
         (now.moves, now.settled) = (moves, settled);
         now.clear = !frame.assumptions.misplaced;
         self.before = Some(now);

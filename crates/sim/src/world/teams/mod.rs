@@ -192,7 +192,7 @@ impl<const D: usize> Teams<D> {
         self.worlds.iter_mut().for_each(World::judge);
         (0..self.worlds.len()).for_each(|team| self.introduce(team));
         for world in &mut self.worlds {
-            world.watch();
+            world.watch(None);
             world.note();
         }
         self.join();
