@@ -49,7 +49,7 @@ fn unknown_fields_and_tables_are_refused_with_what_is_known() {
     refused(
         "[start]\nkind = \"inside\"\nspacing_m = 1",
         "spacing_m",
-        "`start.spacing_m` is not a field here, allowed is `kind`",
+        "`start.spacing_m` is not a field here, allowed is `at_m`, `kind`",
     );
 }
 
