@@ -8,7 +8,7 @@
 //! An obstacle is convex and stands still, so it lies behind the plane through its nearest point: what a move may take of the
 //! distance is all that there is, in any tick of any length, between ticks too. The half-space contains v = 0.
 //!
-//! A robot that is nearer than m all the same goes away from the obstacle ([`Clearance::recover`]).
+//! A robot that is nearer than m all the same goes away from the obstacle (`Clearance::recover`).
 
 use crate::controller::rows::{Rows, may_bind};
 use crate::num::{Vector, length};
