@@ -2,9 +2,11 @@
 //!
 //! `cargo bench -p closeranks-sim`
 
+use core::time::Duration;
+
 use closeranks_core::controller::AnyController;
 use closeranks_core::settings::params::Params;
-use closeranks_core::settings::{self, LinkSettings};
+use closeranks_core::settings::{self, Clock, LinkSettings};
 use closeranks_sim::attack::LevelAttack;
 use closeranks_sim::attack::liars::Liars;
 use closeranks_sim::engine::fleet::Fleet;
@@ -203,6 +205,16 @@ fn paper_run_recorded(bencher: Bencher<'_, '_>) {
 #[divan::bench]
 fn links_run(bencher: Bencher<'_, '_>) {
     let scenario = Scenario { controller: Controller::Links, ..Scenario::default() };
+    let options = Options { without_phi: true, ..Options::default() };
+    bencher.bench(|| run(&scenario, options, &mut |_| ()).expect("runs"));
+}
+
+/// The same in ticks of 20 ms, as teams that talk have them: 500 ticks.
+#[divan::bench]
+fn links_run_of_20_ms(bencher: Bencher<'_, '_>) {
+    let plain = Scenario { controller: Controller::Links, ..Scenario::default() };
+    let clock = Clock { level_period: Duration::from_millis(20), ..plain.clock };
+    let scenario = Scenario { clock, ..plain };
     let options = Options { without_phi: true, ..Options::default() };
     bencher.bench(|| run(&scenario, options, &mut |_| ()).expect("runs"));
 }
