@@ -62,7 +62,7 @@ pub(crate) fn robustness_of<'a>(
     (!points.is_empty()).then_some(RobustnessSeries { title, faults: scenario.team.faults, points })
 }
 
-/// The same, of several teams each by itself.
+/// One figure has these curves: the robustness of every round of a run, with a curve for each of several teams.
 pub(crate) fn robustness_of_all<'a>(
     title: &'a str,
     scenario: &'a Scenario,

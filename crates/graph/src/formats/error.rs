@@ -42,7 +42,7 @@ pub enum Problem {
     },
     /// The text does not look like any format, though the reader of one would make a graph of it.
     Doubtful {
-        /// Which.
+        /// This is the format.
         format: Format,
     },
     /// The text is a single word, and not one of graph6.
@@ -145,7 +145,7 @@ pub enum WriteError {
     },
     /// The format is only read.
     ReadOnly {
-        /// Which.
+        /// This is the format.
         format: Format,
     },
 }
@@ -166,7 +166,7 @@ impl FormatError {
         Self::new(line, Problem::Missing { allowed })
     }
 
-    /// The same at this place of the line, bytes from its start.
+    /// Says at which byte of the line the problem is, from the start of the line.
     pub(super) fn at(mut self, column: usize) -> Self {
         self.column = Some(column);
         self
