@@ -25,7 +25,14 @@ impl Instant {
     /// This moment plus `period`. At the end of time (584 years) it stops instead of wrapping.
     #[must_use]
     pub fn after(self, period: Duration) -> Self {
-        Self(self.0.saturating_add(u64::try_from(period.as_nanos()).unwrap_or(u64::MAX)))
+        let seconds = period.as_secs().saturating_mul(1_000_000_000);
+        Self(self.0.saturating_add(seconds.saturating_add(u64::from(period.subsec_nanos()))))
+    }
+
+    /// True if `earlier` is no longer ago than `most`, or lies in the future: [`since`](Self::since) is at most `most`.
+    #[must_use]
+    pub fn is_within(self, most: Duration, earlier: Self) -> bool {
+        self <= earlier.after(most)
     }
 
     /// Time since `earlier`, 0 if that lies in the future.

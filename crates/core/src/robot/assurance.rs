@@ -2,7 +2,7 @@
 
 use core::time::Duration;
 
-use crate::num::{Vector, add_scaled, length, subtract};
+use crate::num::{Vector, add_scaled, dot, length, subtract};
 use crate::robot::neighbor::Slot;
 use crate::robot::report::Reason;
 use crate::settings::params::Params;
@@ -20,6 +20,8 @@ pub(crate) struct Assurance<const D: usize> {
     last: Option<(Instant, Vector<D>, Vector<D>)>,
     /// True if the reference of this tick is not the last one plus its move.
     pub(crate) anew: bool,
+    /// True if this tick came in time after the last one.
+    in_time: bool,
     /// The last time an assumption was seen broken, and which.
     broken: Option<(Instant, Reason)>,
     /// What speaks against the state of this tick. It is `Uncertain` only if the theorem carries no earlier certain state on.
@@ -28,18 +30,19 @@ pub(crate) struct Assurance<const D: usize> {
 
 impl<const D: usize> Assurance<D> {
     pub(crate) const NEW: Self =
-        Self { last: None, anew: true, broken: None, doubt: Some(Reason::Uncertain) };
+        Self { last: None, anew: true, in_time: false, broken: None, doubt: Some(Reason::Uncertain) };
 
     /// Where the robot counts itself: where it senses itself, or with a tracking error where its moves have taken it.
     ///
     /// Notes when it is not where it should be, or was not called in time. It then begins anew from where it is.
     pub(crate) fn place(&mut self, params: &Params<D>, now: Instant, sensed: Vector<D>) -> Vector<D> {
-        self.anew = true;
+        (self.anew, self.in_time) = (true, false);
         let errors = params.kept().errors;
         let Some((then, position, velocity)) = self.last else { return sensed };
         let (elapsed, hold_max) = (now.since(then), params.settings().clock.hold_max());
         let expected = add_scaled(&position, elapsed.min(hold_max).as_secs_f64(), &velocity);
         let late = elapsed > hold_max;
+        self.in_time = !late;
         if late {
             self.broken = Some((now, Reason::Late));
         }
@@ -62,13 +65,15 @@ impl<const D: usize> Assurance<D> {
 
     /// Notes a neighbour that went farther since the last tick than it can.
     pub(crate) fn watch(&mut self, params: &Params<D>, now: Instant, slot: &Slot<D>, offset_m: &Vector<D>) {
-        let Some((then, _, _)) = self.last else { return };
-        if !params.controller().is_obeyed() || now.since(then) > params.settings().clock.hold_max() {
+        if !self.in_time || !params.controller().is_obeyed() {
             return;
         }
-        let went_m = length(&subtract(offset_m, &slot.offset_m));
-        let most_m = 2.0 * params.reach().longest_m() + 2.0 * params.kept().errors.offset_m;
-        if went_m > most_m * (1.0 + CLOCK) + ROUNDING * length(&slot.position_m) {
+        let way_m = subtract(offset_m, &slot.offset_m);
+        let most_m = (2.0 * params.reach().longest_m() + 2.0 * params.kept().errors.offset_m) * (1.0 + CLOCK);
+        if dot(&way_m, &way_m) <= most_m * most_m {
+            return;
+        }
+        if length(&way_m) > most_m + ROUNDING * length(&slot.position_m) {
             self.broken = Some((now, Reason::Moved));
         }
     }
@@ -99,7 +104,7 @@ impl<const D: usize> Assurance<D> {
 
     /// Why nothing is guaranteed now; `None` if nothing speaks against it.
     pub(crate) fn reason(&self, now: Instant, told_max: Duration) -> Option<Reason> {
-        let recent = self.broken.filter(|(then, _)| now.since(*then) <= told_max);
+        let recent = self.broken.filter(|(then, _)| now.is_within(told_max, *then));
         let recent = recent.map(|(_, reason)| reason);
         match self.doubt {
             Some(Reason::Uncertain) => recent.or(self.doubt),

@@ -98,7 +98,17 @@ impl<const D: usize, S: Slots<D>> Robot<D, S> {
     /// True if the robot holds anything of this one: whatever comes from others is refused.
     #[must_use]
     pub fn knows(&self, id: RobotId) -> bool {
-        self.neighbors().binary_search_by_key(&id, |slot| slot.id).is_ok()
+        self.place(id).is_some()
+    }
+
+    /// The slot of the neighbour `id`, if it has one. In a team in which everybody sees everybody it is the one at its number.
+    pub(crate) fn place(&self, id: RobotId) -> Option<usize> {
+        let (neighbors, likely) =
+            (self.neighbors(), usize::from(id.0).wrapping_sub(1 + usize::from(id > self.id)));
+        match neighbors.get(likely) {
+            Some(slot) if slot.id == id => Some(likely),
+            _ => neighbors.binary_search_by_key(&id, |slot| slot.id).ok(),
+        }
     }
 
     /// True if this neighbour counts for the robot.

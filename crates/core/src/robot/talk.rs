@@ -135,7 +135,7 @@ impl<const D: usize, S: Slots<D>> Robot<D, S> {
     #[must_use]
     pub fn notice(&self, message: &Message, to: RobotId) -> Option<Notice<D>> {
         let head = Head { value: message.value(), ..self.ledger.head? };
-        let slot = self.neighbors().binary_search_by_key(&to, |slot| slot.id).ok();
+        let slot = self.place(to);
         let (entry, promised) = slot.map_or((Entry::default(), false), |index| {
             let Item { entry, promised, .. } = self.neighbors()[index].peer.item(to);
             (entry, promised)

@@ -160,8 +160,8 @@ pub(crate) const MUTANTS: [Mutant; 42] = [
         law: "mode",
         lines: &[(
             "core/src/robot/assurance.rs",
-            "now.since(*then) <= told_max",
-            "now.since(*then) <= 2 * told_max",
+            "now.is_within(told_max, *then)",
+            "now.is_within(2 * told_max, *then)",
         )],
     },
     Mutant {

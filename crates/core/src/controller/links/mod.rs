@@ -120,7 +120,7 @@ impl Links {
     /// broken one: it is held only as long as it cannot be beyond, and not for long, because the last sighting may have been
     /// wrong. Gives the distance, m.
     fn settle<const D: usize>(&self, slot: &mut Slot<D>, now: Instant) -> f64 {
-        let recent = now.since(slot.sensed_at) <= self.told_max;
+        let recent = now.is_within(self.told_max, slot.sensed_at);
         let error_m = self.error_m(slot.gone_m);
         let (distance_m, peer) = (length(&slot.offset_m), &mut slot.peer);
         let certainly_within = distance_m + error_m <= self.begun_m();

@@ -64,7 +64,7 @@ impl<const D: usize> Peer<D> {
 
     /// What it told at most `age_max` before `now`, if anything.
     pub(crate) fn told_within(&self, now: Instant, age_max: Duration) -> Option<&Told<D>> {
-        self.told.as_ref().filter(|told| now.since(told.at) <= age_max)
+        self.told.as_ref().filter(|told| now.is_within(age_max, told.at))
     }
 
     /// True if it is counted on and within the held radius.

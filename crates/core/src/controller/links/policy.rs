@@ -24,7 +24,7 @@ use crate::controller::links::Links;
 use crate::controller::links::peer::{Ledger, Peer};
 use crate::controller::links::protocol::Number;
 use crate::id::Member;
-use crate::num::{Vector, add_scaled, dot, length, subtract};
+use crate::num::{Vector, add_scaled, dot, length, sqrt, subtract};
 use crate::robot::neighbor::Slot;
 use crate::time::Instant;
 
@@ -59,10 +59,10 @@ impl Links {
         let (mut counted, mut in_range) = (0, 0);
         for slot in &mut *slots {
             let distance_m = self.settle(slot, now);
-            self.look(own, slot, distance_m, &ledger.wish_m_s, now);
+            let may_be_counted = self.look(own, slot, distance_m, &ledger.wish_m_s, now);
             slot.peer.deal.pass(elapsed_s);
             counted += usize::from(slot.peer.is_counted());
-            in_range += usize::from(self.may_be_counted(own, slot, now));
+            in_range += usize::from(may_be_counted);
         }
         let keep = usize::from(self.keep(own));
         let slots_left = in_range.saturating_sub(keep);
@@ -73,7 +73,8 @@ impl Links {
         ledger.looked_at = Some(now);
     }
 
-    /// Looks at one neighbour at `distance_m`: how far apart both would end, and whether it may be promised anything.
+    /// Looks at one neighbour at `distance_m`: how far apart both would end, and whether it may be promised anything. True if it
+    /// is in range and can be counted on, now or soon.
     ///
     /// Under ranks only one of the two lists the other, if any does. It releases the other alone, who has nothing to promise.
     fn look<const D: usize>(
@@ -83,9 +84,10 @@ impl Links {
         distance_m: f64,
         wish_m_s: &Vector<D>,
         now: Instant,
-    ) {
+    ) -> bool {
         let (counts, mutual) = self.mutual(own, slot.member());
         let told = slot.peer.told_within(now, HEARD);
+        let may_be_counted = counts && slot.sensed && distance_m <= self.begun_m() && told.is_some();
         let their_m_s = told.map_or([0.0; D], |told| self.capped(&told.head.wish_m_s));
         let ends_m = add_scaled(&slot.offset_m, self.horizon_s, &subtract(wish_m_s, &their_m_s));
         let (price_m, promised) = match told {
@@ -99,17 +101,12 @@ impl Links {
         deal.stretched = distance_m > STRETCHED * self.radius_m;
         let usable = deal.barred_s <= 0.0 && (deal.stretched || deal.lapsed_s <= 0.0);
         deal.eligible = slot.sensed && counts && usable && deal.key_m() >= price_m;
+        may_be_counted
     }
 
     /// Whether `other` counts for `own`, and whether `own` counts for it too.
     fn mutual(&self, own: Member, other: Member) -> (bool, bool) {
         (self.need.counts(own, other), self.need.counts(other, own))
-    }
-
-    /// True if the neighbour is in range and can be counted on, now or soon.
-    fn may_be_counted<const D: usize>(&self, own: Member, slot: &Slot<D>, now: Instant) -> bool {
-        let in_range = slot.sensed && length(&slot.offset_m) <= self.begun_m();
-        self.need.counts(own, slot.member()) && in_range && slot.peer.told_within(now, HEARD).is_some()
     }
 
     /// Releases who is to be released and follows those who have let go, as long as enough are counted on.
@@ -185,8 +182,11 @@ impl Links {
 
     /// A told wish, no faster than a robot can go.
     pub(crate) fn capped<const D: usize>(&self, wish_m_s: &Vector<D>) -> Vector<D> {
-        let speed_m_s = length(wish_m_s);
-        let fraction = if speed_m_s > self.speed_max_m_s { self.speed_max_m_s / speed_m_s } else { 1.0 };
+        let (speed_m2_s2, most_m_s) = (dot(wish_m_s, wish_m_s), self.speed_max_m_s);
+        if speed_m2_s2 <= most_m_s * most_m_s {
+            return *wish_m_s;
+        }
+        let fraction = most_m_s / sqrt(speed_m2_s2).max(most_m_s);
         wish_m_s.map(|component| fraction * component)
     }
 }

@@ -18,23 +18,26 @@ pub struct Reach<const D: usize> {
     far_m: Vector<D>,
     /// The radius of the ball, m; infinite where it cuts nothing off.
     ball_m: f64,
+    /// ρ, m.
+    longest_m: f64,
 }
 
 impl<const D: usize> Reach<D> {
     /// `T U_i` for a tick of `period_s`. A corner that is not a number, or on the wrong side of 0, becomes 0.
     #[must_use]
     pub fn new(input: &InputBox<D>, period_s: f64) -> Self {
-        let sides = Self::between(
+        let ball_m = if input.is_round() { edge(period_s * input.speed_max_m_s) } else { f64::INFINITY };
+        Self::within(
             input.min_m_s.map(|speed| 0.0 - edge(-period_s * speed)),
             input.max_m_s.map(|speed| edge(period_s * speed)),
-        );
-        let ball_m = if input.is_round() { edge(period_s * input.speed_max_m_s) } else { f64::INFINITY };
-        Self { ball_m, ..sides }
+            ball_m,
+        )
     }
 
-    fn between(min_m: Vector<D>, max_m: Vector<D>) -> Self {
+    fn within(min_m: Vector<D>, max_m: Vector<D>, ball_m: f64) -> Self {
         let far_m = core::array::from_fn(|d| larger(max_m[d], -min_m[d]));
-        Self { min_m, max_m, far_m, ball_m: f64::INFINITY }
+        let longest_m = length(&far_m).min(ball_m) * (1.0 + 4.0 * f64::EPSILON);
+        Self { min_m, max_m, far_m, ball_m, longest_m }
     }
 
     /// Least displacement per axis, m, at most 0.
@@ -52,7 +55,7 @@ impl<const D: usize> Reach<D> {
     /// ρ, m: no displacement is longer.
     #[must_use]
     pub fn longest_m(&self) -> f64 {
-        length(&self.far_m).min(self.ball_m) * (1.0 + 4.0 * f64::EPSILON)
+        self.longest_m
     }
 
     /// The radius of the ball, m, if it cuts anything off the box.
@@ -104,7 +107,7 @@ mod tests {
     fn a_tick_of_the_input_box() {
         let input = InputBox::of([-1.5, 0.0], [2.0, 4.0]);
         let reach = Reach::new(&input, 0.5);
-        assert_eq!(reach, Reach::between([-0.75, 0.0], [1.0, 2.0]));
+        assert_eq!(reach, Reach::within([-0.75, 0.0], [1.0, 2.0], f64::INFINITY));
         assert!((reach.longest_m() - libm::sqrt(5.0)).abs() < 1e-14);
         assert_eq!(reach.clip(&[-3.0, f64::NAN]), [-0.75, 0.0]);
         assert!(reach.contains(&[1.0, 2.0]) && !reach.contains(&[1.0, -1e-300]));
@@ -112,7 +115,7 @@ mod tests {
 
     #[test]
     fn no_point_of_the_box_exceeds_the_largest_left_hand_side() {
-        let reach = Reach::between([-0.75, -0.5], [0.25, 1.0]);
+        let reach = Reach::within([-0.75, -0.5], [0.25, 1.0], f64::INFINITY);
         let (normal, curvature) = ([2.0, -3.0], 0.5);
         for (x, y) in [(-0.75, -0.5), (-0.75, 1.0), (0.25, -0.5), (0.25, 1.0)] {
             let value = normal[0] * x + normal[1] * y + curvature * (x * x + y * y);
@@ -136,6 +139,6 @@ mod tests {
     #[test]
     fn a_corner_without_a_number_forbids_any_move() {
         let input = InputBox::of([f64::NAN, 1.0], [f64::NAN, -1.0]);
-        assert_eq!(Reach::new(&input, 0.5), Reach::between([0.0; 2], [0.0; 2]));
+        assert_eq!(Reach::new(&input, 0.5), Reach::within([0.0; 2], [0.0; 2], f64::INFINITY));
     }
 }
