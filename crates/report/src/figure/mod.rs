@@ -102,9 +102,9 @@ fn plane_decoration(title: &[String], view: View, own: bool) -> Decoration<'_> {
 
 /// A panel with a quantity over time.
 fn draw_series(svg: &mut Svg, axes: &Axes, case: &Case<'_>, quantity: Quantity, decoration: &Decoration<'_>) {
-    quantity.draw(svg, axes, case.record);
+    quantity.draw(svg, axes, *case);
     axes.draw(svg, decoration);
-    quantity.draw_numbers(svg, axes, case.record);
+    quantity.draw_numbers(svg, axes, *case);
 }
 
 fn series_axes(grid: &Grid, [column, row]: [usize; 2], cases: &[Case<'_>], quantity: Quantity) -> Axes {

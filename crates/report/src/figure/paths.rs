@@ -2,10 +2,9 @@
 
 use crate::figure::Case;
 use crate::figure::formation::Moment;
-use crate::figure::formation::marker::{Kind, Marker};
+use crate::figure::formation::marker::{Marker, line_colour};
 use crate::figure::formation::view::View;
 use crate::figure::panel::axes::Axes;
-use crate::svg::palette::{MALICIOUS, NORMAL_LINES};
 use crate::svg::path::PathData;
 use crate::svg::{Element, Svg};
 
@@ -16,16 +15,9 @@ const STEP: f64 = 0.8;
 pub(crate) fn draw(svg: &mut Svg, axes: &Axes, case: Case<'_>, view: View, marker: Marker) {
     Moment::end(case, view).draw_obstacles(svg, axes);
     let record = case.record;
-    let mut normal = 0;
     for index in 0..usize::from(record.robots) {
         let malicious = record.malicious.get(index) == Some(&true);
-        let kind = Kind::of(case, index);
-        let colour = match kind.team {
-            _ if malicious => MALICIOUS,
-            Some(_) => kind.team_colour(),
-            None => NORMAL_LINES[normal % NORMAL_LINES.len()],
-        };
-        normal += usize::from(!malicious);
+        let colour = line_colour(case, index);
         let way = (0..=record.last_tick()).map(|tick| axes.at(view.point(record, tick, index)));
         let way = spaced(way);
         let Some(start) = way.first() else { continue };

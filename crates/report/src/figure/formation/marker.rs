@@ -1,7 +1,7 @@
 //! Markers of robots: colour and shape say the same.
 
 use crate::figure::Case;
-use crate::svg::palette::{CLOSE, MALICIOUS, NORMAL, TEAMS};
+use crate::svg::palette::{CLOSE, MALICIOUS, NORMAL, NORMAL_LINES, TEAMS};
 use crate::svg::{Element, Piece, Svg};
 
 /// How robots are drawn.
@@ -48,6 +48,16 @@ impl Kind {
     fn edge_colour(self) -> &'static str {
         if self.malicious && self.team.is_some() { self.team_colour() } else { "#ffffff" }
     }
+}
+
+/// The colour of the line of robot `index`: of normal robots blues in turn, or where there are several teams that of its team.
+pub(crate) fn line_colour(case: Case<'_>, index: usize) -> &'static str {
+    let kind = Kind::of(case, index);
+    if kind.malicious {
+        return MALICIOUS;
+    }
+    let before = case.record.malicious.iter().take(index).filter(|malicious| !**malicious).count();
+    if kind.team.is_some() { kind.team_colour() } else { NORMAL_LINES[before % NORMAL_LINES.len()] }
 }
 
 /// What all robots of a kind share.

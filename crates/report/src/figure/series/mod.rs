@@ -7,10 +7,11 @@ use closeranks_sim::output::record::Record;
 
 use self::line_numbers::End;
 use crate::figure::Case;
+use crate::figure::formation::marker::line_colour;
 use crate::figure::panel::axes::Axes;
 use crate::figure::panel::ticks::{Range, drawable};
 use crate::figure::trace::{steps, thin};
-use crate::svg::palette::{INK, MALICIOUS, NORMAL_LINES, SHADE};
+use crate::svg::palette::{INK, MALICIOUS, SHADE};
 use crate::svg::path::PathData;
 use crate::svg::{Element, Piece, Svg};
 
@@ -102,7 +103,8 @@ impl Quantity {
     }
 
     /// Draws the panel of one case: malicious values behind, malicious barriers in front.
-    pub(crate) fn draw(self, svg: &mut Svg, axes: &Axes, record: &Record) {
+    pub(crate) fn draw(self, svg: &mut Svg, axes: &Axes, case: Case<'_>) {
+        let record = case.record;
         if self == Self::Barrier {
             draw_shade(svg, axes);
         }
@@ -110,18 +112,19 @@ impl Quantity {
         for malicious in order {
             svg.begin(&self.lines_group(malicious, record.robots));
             for (index, _) in record.malicious.iter().enumerate().filter(|(_, kind)| **kind == malicious) {
-                self.draw_line(svg, axes, record, index);
+                self.draw_line(svg, axes, case, index);
             }
             svg.end();
         }
         match self {
             Self::Barrier => draw_zero(svg, axes),
-            Self::Value(_) => self.draw_inset(svg, axes, record),
+            Self::Value(_) => self.draw_inset(svg, axes, case),
         }
     }
 
     /// Numbers of robots beside the panel, so that each line can be told. Values agree: they need none.
-    pub(crate) fn draw_numbers(self, svg: &mut Svg, axes: &Axes, record: &Record) {
+    pub(crate) fn draw_numbers(self, svg: &mut Svg, axes: &Axes, case: Case<'_>) {
+        let record = case.record;
         if self == Self::Barrier && record.last_tick() > 0 && record.robots <= NUMBERED {
             let last = [record.last_tick()];
             let end = |index: usize| End {
@@ -130,7 +133,7 @@ impl Quantity {
                     .first()
                     .map_or(f64::NAN, |point| point[1]),
                 robot: index + 1,
-                colour: colour(record, index),
+                colour: line_colour(case, index),
                 malicious: record.malicious[index],
             };
             line_numbers::draw(svg, axes, (0..record.malicious.len()).map(end).collect());
@@ -138,12 +141,13 @@ impl Quantity {
     }
 
     /// The time in which normal values come to agree, drawn larger.
-    fn draw_inset(self, svg: &mut Svg, axes: &Axes, record: &Record) {
+    fn draw_inset(self, svg: &mut Svg, axes: &Axes, case: Case<'_>) {
+        let record = case.record;
         let Some(inset) = inset::axes(axes, record, self.held(record)) else { return };
         inset::clear(svg, &inset);
         svg.begin(&self.lines_group(false, record.robots));
         for (index, _) in record.malicious.iter().enumerate().filter(|(_, malicious)| !**malicious) {
-            self.draw_line(svg, &inset, record, index);
+            self.draw_line(svg, &inset, case, index);
         }
         svg.end();
         inset::frame(svg, &inset);
@@ -159,8 +163,8 @@ impl Quantity {
         }
     }
 
-    fn draw_line(self, svg: &mut Svg, axes: &Axes, record: &Record, index: usize) {
-        let points = self.points(axes, record, index);
+    fn draw_line(self, svg: &mut Svg, axes: &Axes, case: Case<'_>, index: usize) {
+        let points = self.points(axes, case.record, index);
         let mut path = PathData::default();
         for part in points.split(|point| !point[0].is_finite()) {
             let part = if self.is_value() { steps(part) } else { part.to_vec() };
@@ -169,10 +173,10 @@ impl Quantity {
             }
         }
         if !path.is_empty() {
-            svg.add(coloured(path.element(), record, index));
+            svg.add(coloured(path.element(), case, index));
         }
-        if record.last_tick() == 0 {
-            draw_dot(svg, record, index, &points);
+        if case.record.last_tick() == 0 {
+            draw_dot(svg, case, index, &points);
         }
     }
 
@@ -201,27 +205,18 @@ fn finite(number: f64) -> f64 {
 }
 
 /// A run of a single tick has no lines.
-fn draw_dot(svg: &mut Svg, record: &Record, index: usize, points: &[[f64; 2]]) {
+fn draw_dot(svg: &mut Svg, case: Case<'_>, index: usize, points: &[[f64; 2]]) {
     for point in points.iter().filter(|point| point[0].is_finite()) {
         let dot = Element::new("circle").point(["cx", "cy"], *point).number("r", 2.0);
-        svg.add(coloured(dot, record, index));
+        svg.add(coloured(dot, case, index));
     }
 }
 
 /// Malicious robots have the colour of their group.
-fn coloured(element: Element, record: &Record, index: usize) -> Element {
-    match record.malicious.get(index) {
-        Some(false) => element.text("stroke", colour(record, index)),
+fn coloured(element: Element, case: Case<'_>, index: usize) -> Element {
+    match case.record.malicious.get(index) {
+        Some(false) => element.text("stroke", line_colour(case, index)),
         _ => element,
-    }
-}
-
-/// Blues in turn for normal robots.
-fn colour(record: &Record, index: usize) -> &'static str {
-    let before = record.malicious.iter().take(index).filter(|malicious| !**malicious).count();
-    match record.malicious.get(index) {
-        Some(false) => NORMAL_LINES[before % NORMAL_LINES.len()],
-        _ => MALICIOUS,
     }
 }
 
