@@ -80,6 +80,26 @@ fn lists_and_nested_choices_are_drawn_too() {
     assert!(has(&[1]) && has(&[2, 5]) && has(&[3, 5]));
 }
 
+/// A whole table in one column would have another text in every run.
+#[test]
+fn every_field_of_a_table_in_a_chosen_list_has_a_column() {
+    let text = "[team]\nrobots = 5\nabsent = { choose = [[], [{ robot = { draw = [2, 3] }, to_s = { draw = [0.1, 0.9] } }]] }";
+    let fields = plan(text).fields().to_vec();
+    let shown: Vec<_> = fields.iter().map(|field| (field.path.as_str(), field.number, field.few)).collect();
+    let robot = [("team.absent[0].robot", true, true), ("team.absent[0].to_s", true, false)];
+    assert_eq!(shown, [[("team.absent", false, true)].as_slice(), &robot].concat());
+    for run in runs(text, 20) {
+        let absent = run.scenarios[0].0.absences.len();
+        match run.drawn.as_slice() {
+            [Some(Drawn::Text(none)), None, None] => assert!(none == "[]" && absent == 0),
+            [None, Some(Drawn::Number(robot)), Some(Drawn::Number(to_s))] => {
+                assert!(absent == 1 && [2.0, 3.0].contains(robot) && (0.1..0.9).contains(to_s));
+            }
+            other => panic!("{other:?}"),
+        }
+    }
+}
+
 #[test]
 fn a_run_depends_on_its_number_and_the_seed_alone() {
     let text = "[team]\nrobots = { draw = [4, 12] }\n[link]\nq2 = { draw = [0.1, 0.9] }";

@@ -74,7 +74,7 @@ impl Drawer<'_> {
             Node::Number { min, max, log: false } => Value::Float(self.random.uniform(*min, *max)),
             Node::Number { min, max, log: true } => Value::Float(self.log_uniform(*min, *max)),
             Node::Choice { items, sums, .. } => self.choose(path, items, sums),
-            // What stands inside of a choice is noted by the choice, and a list is noted as a whole.
+            // What stands inside of a choice is noted by the choice, and a list without tables is noted as a whole.
             Node::Plain(value) => value.clone(),
             Node::Table(entries) => Value::Table(
                 entries.iter().map(|(key, node)| (key.clone(), self.draw(&below(path, key), node))).collect(),
@@ -113,11 +113,15 @@ impl Drawer<'_> {
         }
     }
 
-    /// Notes a drawn value. Of a table every field is noted.
+    /// Notes a drawn value. Of a table every field is noted, and so is every table of a list.
     fn note(&mut self, path: &str, value: &Value) {
         let drawn = match value {
             Value::Table(entries) => {
                 return entries.iter().for_each(|(key, value)| self.note(&below(path, key), value));
+            }
+            Value::Array(items) if items.iter().any(Value::is_table) => {
+                let items = items.iter().enumerate();
+                return items.for_each(|(index, item)| self.note(&format!("{path}[{index}]"), item));
             }
             #[expect(clippy::cast_precision_loss, reason = "beyond 2^53 no field has a meaning")]
             Value::Integer(whole) => Drawn::Number(*whole as f64),

@@ -97,7 +97,9 @@ impl Node {
                     node.fields(&below(path, key), chosen, found);
                 }
             }
-            Self::List(_) if chosen => note(found, path, false, true),
+            Self::List(items) if chosen && !items.iter().any(Self::is_table) => {
+                note(found, path, false, true);
+            }
             Self::List(items) => {
                 for (index, node) in items.iter().enumerate() {
                     node.fields(&format!("{path}[{index}]"), chosen, found);
@@ -118,6 +120,10 @@ impl Node {
 }
 
 impl Node {
+    fn is_table(&self) -> bool {
+        matches!(self, Self::Table(_) | Self::Plain(Value::Table(_)))
+    }
+
     /// True for a table without a `kind`, which goes by the names of its fields.
     pub(super) fn is_nameless(&self) -> bool {
         match self {
