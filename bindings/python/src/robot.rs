@@ -5,7 +5,7 @@ use core::time::Duration;
 use closeranks_core::controller::links::wire::bytes_max;
 use closeranks_core::num::Vector;
 use closeranks_core::robot as core_robot;
-use closeranks_core::robot::error::Observed;
+use closeranks_core::robot::error::{ObserveError, Observed};
 use closeranks_core::robot::neighbor::Member;
 use closeranks_core::{Instant, MESSAGE_BYTES, RobotId, Slot};
 use closeranks_sim::engine::memory::Memory;
@@ -52,26 +52,24 @@ pub(crate) struct Robot {
 }
 
 impl<const D: usize> Machine<D> {
-    fn new(scenario: &sim::Scenario, id: u16, value: f64, neighbors: usize) -> PyResult<Self> {
+    fn new(scenario: &sim::Scenario, id: u16, value: f64, slots: usize) -> PyResult<Self> {
         let params = scenario.params::<D>().map_err(errors::robot)?;
         let ranks = scenario.ranks::<D>().map_err(errors::robot)?;
-        let slots = vec![Slot::default(); neighbors];
         let own = member(ranks.as_deref(), id);
-        let robot = core_robot::Robot::new(params, own, value, slots).map_err(errors::robot)?;
+        let robot = core_robot::Robot::new(params, own, value, vec![Slot::default(); slots]);
+        let robot = robot.map_err(errors::robot)?;
         let message = vec![0; MESSAGE_BYTES.max(bytes_max(scenario.team.robots, D))];
-        Ok(Self { robot, memory: Memory::new(&params, neighbors), ranks, message })
+        let memory = Memory::new(&params, slots).among(&scenario.obstacles.in_dimension());
+        Ok(Self { robot, memory, ranks, message })
     }
 
     fn observe(&mut self, id: u16, position: &[f64]) -> PyResult<&'static str> {
         let other = member(self.ranks.as_deref(), id);
-        let seen = self.robot.observe(other, vector(position)?);
-        let seen = seen.map_err(|error| errors::robot(format!("{error} (robot {id})")))?;
-        Ok(match seen {
-            Observed::Neighbor => "neighbor",
-            Observed::Stranger => "stranger",
-            Observed::InView => "in view",
-            Observed::OutOfRange => "out of range",
-        })
+        said(id, self.robot.observe(other, vector(position)?))
+    }
+
+    fn observe_stranger(&mut self, id: u16, position: &[f64]) -> PyResult<&'static str> {
+        said(id, self.robot.observe_stranger(RobotId(id), vector(position)?))
     }
 
     fn share<'py>(&mut self, py: Python<'py>) -> Option<Bound<'py, PyBytes>> {
@@ -83,6 +81,17 @@ impl<const D: usize> Machine<D> {
     fn tick(&mut self, py: Python<'_>, desired: &[f64]) -> PyResult<Output> {
         let desired = vector(desired)?;
         Ok(Output::new(py, &self.robot.tick(desired, &mut self.memory.lend())))
+    }
+}
+
+/// What the robot says of another one that it observed.
+fn said(id: u16, seen: Result<Observed, ObserveError>) -> PyResult<&'static str> {
+    match seen {
+        Ok(Observed::Neighbor) => Ok("neighbor"),
+        Ok(Observed::Stranger) => Ok("stranger"),
+        Ok(Observed::InView) => Ok("in view"),
+        Ok(Observed::OutOfRange) => Ok("out of range"),
+        Err(error) => Err(errors::robot(format!("{error} (robot {id})"))),
     }
 }
 
@@ -107,11 +116,13 @@ fn instant(seconds: f64) -> PyResult<Instant> {
 #[pymethods]
 impl Robot {
     #[new]
-    fn new(scenario: &Scenario, id: u16, value: f64, neighbors: usize) -> PyResult<Self> {
-        let scenario = &scenario.scenario;
-        let any = match scenario.dimension {
-            2 => Any::Plane(Machine::new(scenario, id, value, neighbors)?),
-            _ => Any::Space(Machine::new(scenario, id, value, neighbors)?),
+    #[pyo3(signature = (scenario, id, value, slots, team))]
+    fn new(scenario: &Scenario, id: u16, value: f64, slots: usize, team: Option<usize>) -> PyResult<Self> {
+        let whole = &scenario.scenario;
+        let own = team.and_then(|team| whole.teams.get(team)).unwrap_or(whole);
+        let any = match own.dimension {
+            2 => Any::Plane(Machine::new(own, id, value, slots)?),
+            _ => Any::Space(Machine::new(own, id, value, slots)?),
         };
         Ok(Self { any })
     }
@@ -128,6 +139,14 @@ impl Robot {
 
     fn observe(&mut self, id: u16, position: Vec<f64>) -> PyResult<&'static str> {
         dispatch!(&mut self.any, machine => machine.observe(id, &position))
+    }
+
+    fn observe_stranger(&mut self, id: u16, position: Vec<f64>) -> PyResult<&'static str> {
+        dispatch!(&mut self.any, machine => machine.observe_stranger(id, &position))
+    }
+
+    fn dismiss(&mut self, id: u16) {
+        dispatch!(&mut self.any, machine => machine.robot.dismiss(RobotId(id)));
     }
 
     fn observe_all(
@@ -190,6 +209,11 @@ impl Robot {
     #[getter]
     fn neighbors(&self) -> Vec<u16> {
         dispatch!(&self.any, machine => machine.robot.neighbors().iter().map(|slot| slot.id().0).collect())
+    }
+
+    #[getter]
+    fn strangers(&self) -> Vec<u16> {
+        dispatch!(&self.any, machine => machine.robot.strangers().iter().map(|slot| slot.id().0).collect())
     }
 
     #[getter]

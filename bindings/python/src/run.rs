@@ -8,7 +8,7 @@ use closeranks_core::num::Vector;
 use closeranks_report::numbers::{Program, law, numbers};
 use closeranks_report::parquet::{Metadata, write};
 use closeranks_report::sentences;
-use closeranks_report::table::{Line, table, text};
+use closeranks_report::table::{lines_of, table, text};
 use closeranks_sim::law::Verdicts;
 use closeranks_sim::monitors::robustness::Round;
 use closeranks_sim::output::record::{Record, outcome_name};
@@ -150,11 +150,12 @@ impl Run {
 
     /// The table and the laws, as the command line prints them.
     fn report(&self) -> String {
-        let (summary, rounds) = (&self.run.summary, &self.run.rounds[..]);
-        let line = Line { scenario: &self.scenario, summary, rounds, wall_s: None };
+        let summary = &self.run.summary;
+        let rows = text(&table(&lines_of(&self.scenario, &self.run, None)));
         let start = sentences::start(&self.scenario, summary);
-        let warning = sentences::warning(&self.scenario).map(|note| note + "\n").unwrap_or_default();
-        format!("{}\n{start}\n{warning}{}", text(&table(&[line])), sentences::laws(&self.scenario, summary))
+        let notes: String =
+            sentences::notes(&self.scenario, summary).into_iter().map(|note| note + "\n").collect();
+        format!("{rows}\n{start}\n{notes}{}", sentences::laws(&self.scenario, summary))
     }
 
     /// Exact robustness of every consensus round: tick, r_max, F_max (least and most), least degree, spread.
@@ -204,18 +205,20 @@ fn points<const D: usize>(record: &Record, tick: usize) -> Vec<Vector<D>> {
     (0..robots).map(point).collect()
 }
 
-/// Linked pairs, flat, and the weight of each.
+/// Linked pairs, flat, and the weight of each. Robots of different teams have no links.
 fn links<const D: usize>(scenario: &Scenario, points: &[Vector<D>]) -> PyResult<(Vec<i64>, Vec<f64>)> {
-    let params = scenario.params::<D>().map_err(errors::scenario)?;
-    let (mut pairs, mut weights) = (Vec::new(), Vec::new());
-    for (second, there) in points.iter().enumerate() {
-        for (first, here) in points[..second].iter().enumerate() {
-            let offset = core::array::from_fn(|d| here[d] - there[d]);
+    let (mut pairs, mut weights, mut first) = (Vec::new(), Vec::new(), 0);
+    for team in scenario.each_team() {
+        let params = team.params::<D>().map_err(errors::scenario)?;
+        let end = first + usize::from(team.team.robots);
+        for (one, other) in (first..end).flat_map(|other| (first..other).map(move |one| (one, other))) {
+            let offset = core::array::from_fn(|d| points[one][d] - points[other][d]);
             if let Some(link) = params.link().link::<D, f64>(&offset) {
-                pairs.extend([first, second].map(|index| i64::try_from(index).unwrap_or(i64::MAX)));
+                pairs.extend([one, other].map(|index| i64::try_from(index).unwrap_or(i64::MAX)));
                 weights.push(link.weight);
             }
         }
+        first = end;
     }
     Ok((pairs, weights))
 }

@@ -157,6 +157,14 @@ impl Scenario {
         self.scenario.malicious.clone()
     }
 
+    /// Of each of several teams its name, n, F and F'; none of one team alone.
+    fn teams(&self) -> Vec<(String, u16, u16, u16)> {
+        let of = |team: &sim::Scenario| {
+            (team.name.clone(), team.team.robots, team.team.faults, team.composition().required)
+        };
+        self.scenario.teams.iter().map(of).collect()
+    }
+
     #[getter]
     fn dimension(&self) -> usize {
         self.scenario.dimension
@@ -204,7 +212,8 @@ impl Scenario {
 
     #[getter]
     fn required_degree(&self) -> u16 {
-        self.scenario.composition().required
+        let each = self.scenario.each_team().iter();
+        each.map(|team| team.composition().required).min().unwrap_or(0)
     }
 
     #[getter]

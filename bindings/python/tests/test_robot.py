@@ -176,6 +176,48 @@ def test_restart_and_restate() -> None:
     assert (robot.value, robot.told_level, robot.neighbors, robot.discarded) == (-3.0, 0.0, [], [])
 
 
+def test_strangers_are_kept_away_from_and_the_dismissed_are_forgotten() -> None:
+    scenario, (robot, *_) = team()
+    with pytest.raises(cr.RobotError, match="own position is unknown"):
+        robot.observe_stranger(5, [0.0, 0.4])
+    robot.sense(0.0, [0.0, 0.0])
+    with pytest.raises(cr.RobotError, match=r"a robot of another team has a number that is not above n \(robot 4\)"):
+        robot.observe_stranger(4, [0.0, 0.4])
+    guest = cr.Robot(scenario, 1, 10.0, neighbors=3, strangers=1)
+    guest.sense(0.0, [0.0, 0.0])
+    for other, place in ((2, [0.6, 0.0]), (3, [-0.6, 0.0]), (4, [0.0, -0.6])):
+        assert guest.observe(other, place) == "neighbor"
+    assert guest.observe_stranger(5, [0.0, 0.31]) == "stranger"
+    assert guest.neighbors == [2, 3, 4] and guest.strangers == [5]
+    with pytest.raises(cr.RobotError, match="no slot is left for another neighbour"):
+        guest.observe_stranger(9, [0.0, 0.9])
+    robot.sense(0.1, [0.0, 0.0])
+    told = (guest.share(), robot.share())
+    with pytest.raises(cr.MessageError, match="sender is not a neighbour"):
+        guest.receive(5, told[1] or b"")
+    velocity = guest.tick([0.0, 5.0]).velocity
+    assert velocity[1] * scenario.tick_s < 0.31 - scenario.distance_min_m + 1e-9
+    guest.dismiss(3)
+    guest.dismiss(5)
+    assert guest.neighbors == [2, 4] and guest.strangers == []
+
+
+def test_obstacles_of_the_scenario_stand_in_the_way() -> None:
+    scenario = cr.Scenario(
+        team={"robots": 2, "faults": 0, "malicious": []},
+        start={"kind": "listed", "positions_m": [[0.0, 0.0], [-1.0, 0.0]]},
+        controller={"kind": "budget"},
+        obstacles={"clearance_m": 0.15, "discs": [[1.0, 0.0, 0.5]]},
+    )
+    robot, place = cr.Robot(scenario, 1), 0.0
+    for tick in range(400):
+        robot.sense(tick * scenario.tick_s, [place, 0.0])
+        robot.observe(2, [place - 1.0, 0.0])
+        robot.share()
+        place += scenario.tick_s * robot.tick([1.0, 0.0]).velocity[0]
+    assert 0.3 < place <= 1.0 - 0.5 - 0.15
+
+
 def test_space_has_three_numbers() -> None:
     robot = cr.Robot(cr.Scenario(dimension=3), 1)
     robot.sense(0.0, [0.0, 0.0, 0.0])

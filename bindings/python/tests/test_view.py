@@ -86,7 +86,7 @@ def test_what_is_sent_is_the_run(short: cr.Run) -> None:
     assert np.array_equal(sent[:, :, :2], short.positions[view.ticks].astype(np.float32))
     assert np.array_equal(sent[:, :, 2], short.values[view.ticks].astype(np.float32))
     assert np.array_equal(sent[:, :, 3], short.degree[view.ticks])
-    assert view.team["malicious"] == [1, 2] and view.team["required_degree"] == 7
+    assert view.team["malicious"] == [1, 2] and view.team["required_degrees"] == [7] * 11 and view.team["team_of"] == [0] * 11
     view.frame = 4
     assert view.get_state(["frame", "playing"]) == {"frame": 4, "playing": False}
     with pytest.raises(traitlets.TraitError, match="frame is 5, allowed is 0 to 4"):

@@ -6,7 +6,7 @@ use closeranks_report::content::{Link, Page, Section};
 use closeranks_report::figure::{Case, MANY, animation, overview, swarm};
 use closeranks_report::html::html;
 use closeranks_report::robustness::robustness;
-use closeranks_report::table::{Line, table, text};
+use closeranks_report::table::{lines_of, table, text};
 use closeranks_sim::output::snapshot::Snapshot;
 use closeranks_sim::scenario::Scenario;
 use closeranks_sim::world::{Options, Run};
@@ -116,10 +116,7 @@ fn too_large(scenario: &Scenario) -> Option<String> {
 fn told(arguments: &crate::Run, Done { scenario, run, wall_s, .. }: &Done) -> String {
     let start = sentences::start(scenario, &run.summary);
     let laws = sentences::laws(scenario, &run.summary);
-    let mut notes: Vec<String> = sentences::warning(scenario).into_iter().collect();
-    notes.extend(sentences::teams(scenario));
-    notes.extend(sentences::ranks(scenario, &run.summary));
-    notes.extend(sentences::presence(scenario, &run.summary));
+    let mut notes = sentences::notes(scenario, &run.summary);
     notes.extend(too_large(scenario));
     if arguments.draw.is_none() {
         let file = invocation::quoted(&arguments.file.display().to_string());
@@ -127,20 +124,8 @@ fn told(arguments: &crate::Run, Done { scenario, run, wall_s, .. }: &Done) -> St
     }
     let lines: Vec<&str> = [start.as_str()].into_iter().chain(notes.iter().map(String::as_str)).collect();
     let digest = run.digest.map(|digest| format!("digest: {digest:016x}\n")).unwrap_or_default();
-    let rows = table(&table_lines(scenario, run, *wall_s));
+    let rows = table(&lines_of(scenario, run, *wall_s));
     format!("{}\n{}\n{laws}{digest}", text(&rows), lines.join("\n"))
-}
-
-/// The run, and below it what each of several teams came to by itself.
-fn table_lines<'a>(scenario: &'a Scenario, run: &'a Run, wall_s: Option<f64>) -> Vec<Line<'a>> {
-    let all = Line { scenario, summary: &run.summary, rounds: &run.rounds, wall_s };
-    let teams = scenario.teams.iter().zip(&run.teams).map(|(scenario, team)| Line {
-        scenario,
-        summary: &team.summary,
-        rounds: &team.rounds,
-        wall_s: None,
-    });
-    [all].into_iter().chain(teams).collect()
 }
 
 /// Writes everything; says which files.
@@ -168,10 +153,7 @@ fn save(mut folder: Folder, done: &Done) -> Result<String> {
 fn page(done: &Done, overview: String, robustness: Option<String>, files: Vec<Link>) -> Page {
     let Done { scenario, source, run, wall_s } = done;
     let mut paragraphs = vec![sentences::start(scenario, &run.summary)];
-    paragraphs.extend(sentences::warning(scenario));
-    paragraphs.extend(sentences::teams(scenario));
-    paragraphs.extend(sentences::ranks(scenario, &run.summary));
-    paragraphs.extend(sentences::presence(scenario, &run.summary));
+    paragraphs.extend(sentences::notes(scenario, &run.summary));
     let caption = if scenario.team.robots > MANY {
         pages::SWARM.to_owned()
     } else {
@@ -190,7 +172,7 @@ fn page(done: &Done, overview: String, robustness: Option<String>, files: Vec<Li
         laws: sentences::law_lines(scenario, &run.summary),
         tables: vec![(
             "Least and greatest over the run; heads as in the terminal.".to_owned(),
-            table(&table_lines(scenario, run, *wall_s)),
+            table(&lines_of(scenario, run, *wall_s)),
         )],
         figures,
         ..Section::default()

@@ -5,7 +5,7 @@ use closeranks_sim::law::Law;
 use closeranks_sim::parse::scenario;
 use closeranks_sim::scenario::{Controller, Scenario};
 use closeranks_sim::world::any::AnyWorld;
-use closeranks_sim::world::{Options, Run, RunError, World, run};
+use closeranks_sim::world::{Options, Run, RunError, World, initial_numbers, run};
 
 const CROSSING: &str = include_str!("../../../scenarios/teams.toml");
 
@@ -95,6 +95,20 @@ fn a_team_that_meets_nobody_is_as_if_alone() {
             assert_eq!(both.positions_m()[..10], *alone.positions_m(), "{of}");
             assert_eq!(both.held()[..5], *alone.held(), "{of}");
         }
+    }
+}
+
+/// Each team begins with its own values, drawn with its own seed.
+#[test]
+fn values_of_all_teams_are_those_that_they_begin_with() {
+    let spread = "[consensus]\ndimension = 2\n";
+    for more in ["", spread] {
+        let scenario = scenario(&text("budget", more)).unwrap();
+        let world = AnyWorld::new(&scenario, Options::default()).unwrap();
+        let numbers = initial_numbers(&scenario).unwrap();
+        assert_eq!(numbers[0], world.held(), "{more}");
+        assert_ne!(numbers[0][..5], numbers[0][5..10]);
+        assert!(numbers.iter().all(|column| column.len() == 11), "{more}");
     }
 }
 

@@ -21,7 +21,7 @@ from closeranks._native import Error, GraphError, MessageError, Output, RobotErr
 from closeranks._robot import Robot
 from closeranks._robustness import Robustness, Verdict, Witness, is_robust, robustness
 from closeranks._run import Round, Run, Violation
-from closeranks._scenario import Scenario, controllers
+from closeranks._scenario import Scenario, Team, controllers
 from closeranks._sweep import Sweep, sweep
 from closeranks._wmsr import WMSR, WMSRRound
 from closeranks._world import World
@@ -41,6 +41,7 @@ __all__ = [
     "Scenario",
     "ScenarioError",
     "Sweep",
+    "Team",
     "Verdict",
     "Violation",
     "WMSRRound",

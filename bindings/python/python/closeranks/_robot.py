@@ -16,6 +16,9 @@ if TYPE_CHECKING:
     from closeranks._scenario import Scenario
 
 
+_STRANGERS_MAX = 65_535
+
+
 class Robot:
     """The filter between the planner and the motion controller of one robot, for people with their own simulator or robots.
 
@@ -30,14 +33,20 @@ class Robot:
     Parameters
     ----------
     scenario : Scenario
-        The settings of the team (n, F, R, controller, clock, errors), which must be the same for all robots of a team. Of its start
-        nothing is used but the ranks that are chosen from it, where there are ranks. Motion, attack and faults are not used.
+        The settings of the team (n, F, R, controller, clock, errors), which must be the same for all robots of a team, and its
+        obstacles: where there are any, positions are in the scenario's frame. Of its start nothing is used but the ranks that are
+        chosen from it, where there are ranks. Motion, attack and faults are not used.
     id : int
-        The robot's number, from 1 to n.
+        The robot's number, from 1 to n, in its own team.
     value : float
         Initial value y_i, at most 1e300 in magnitude.
     neighbors : int, optional
         How many neighbours it can have; n - 1 by default.
+    team : int, optional
+        Which one of `scenario.teams` it is of, from 0, where there are several.
+    strangers : int, optional
+        How many robots of other teams it can have in sight beside those neighbours; by default all robots of the scenario's other teams.
+        They share the room.
 
     Raises
     ------
@@ -48,13 +57,26 @@ class Robot:
     __slots__ = ("_native",)
     _native: NativeRobot
 
-    def __init__(self, scenario: Scenario, id: int, value: float = 0.0, *, neighbors: int | None = None) -> None:
-        room = scenario.robots - 1 if neighbors is None else neighbors
-        if not 0 <= room < scenario.robots:
-            raise _native.RobotError(f"neighbors is {room}, allowed is 0 to {scenario.robots - 1}")
-        if not 1 <= id <= scenario.robots:
-            raise _native.RobotError(f"robot {id} is not one of 1 to {scenario.robots}")
-        self._native = _native.Robot(scenario._native, id, value, room)
+    def __init__(
+        self,
+        scenario: Scenario,
+        id: int,
+        value: float = 0.0,
+        *,
+        neighbors: int | None = None,
+        team: int | None = None,
+        strangers: int | None = None,
+    ) -> None:
+        robots = _robots(scenario, team)
+        room = robots - 1 if neighbors is None else neighbors
+        if not 0 <= room < robots:
+            raise _native.RobotError(f"neighbors is {room}, allowed is 0 to {robots - 1}")
+        more = scenario.robots - robots if strangers is None else strangers
+        if not 0 <= more <= _STRANGERS_MAX:
+            raise _native.RobotError(f"strangers is {more}, allowed is 0 to {_STRANGERS_MAX}")
+        if not 1 <= id <= robots:
+            raise _native.RobotError(f"robot {id} is not one of 1 to {robots}")
+        self._native = _native.Robot(scenario._native, id, value, room + more, team)
 
     def sense(self, now_s: float, position: npt.ArrayLike) -> None:
         """Begins a tick at `now_s` (s from any fixed start on the robot's own clock, never falling) at `position` (D,), m.
@@ -67,7 +89,7 @@ class Robot:
         self._native.sense(now_s, _vector(position))
 
     def observe(self, id: int, position: npt.ArrayLike) -> str:
-        """Takes the sensed position (D,), m, of another robot: "neighbor" (within R), "in view" (perhaps) or "out of range".
+        """Takes the sensed position (D,), m, of another robot of the team: "neighbor" (within R), "in view" (perhaps) or "out of range".
 
         Raises
         ------
@@ -76,8 +98,29 @@ class Robot:
         """
         return self._native.observe(id, _vector(position))
 
+    def observe_stranger(self, id: int, position: npt.ArrayLike) -> str:
+        """Takes the sensed position (D,), m, of a robot of another team: "stranger" (within R), "in view" (perhaps) or "out of range".
+
+        It is kept away from and nothing else: it is no neighbour, and what it tells is refused. Whoever owns this robot gives each
+        of the others a number above n of its own, for as long as it is sensed; the number of a tracker will do.
+
+        Raises
+        ------
+        RobotError
+            If the number is not above n, there is no own position, or no room is left.
+        """
+        return self._native.observe_stranger(id, _vector(position))
+
+    def dismiss(self, id: int) -> None:
+        """Forgets another robot, which has left: its owner carried it away. Who is only not observed any more is taken for missing.
+
+        This is trusted as positions are, so nothing that a neighbour tells is a reason for it. A robot that is observed again is a
+        neighbour as any other.
+        """
+        self._native.dismiss(id)
+
     def observe_all(self, ids: npt.ArrayLike, positions: npt.ArrayLike) -> None:
-        """As `observe` for many robots: numbers (k,) and positions (k, D), m. Stops at the first that is refused."""
+        """As `observe` for many robots of the team: numbers (k,) and positions (k, D), m. Stops at the first that is refused."""
         numbers = np.ascontiguousarray(ids, dtype=np.int64).reshape(-1)
         points = np.ascontiguousarray(positions, dtype=np.float64)
         self._native.observe_all(numbers, points.reshape(len(numbers), -1) if points.size == 0 else points)
@@ -148,12 +191,29 @@ class Robot:
         return self._native.neighbors
 
     @property
+    def strangers(self) -> list[int]:
+        """Numbers of the robots of other teams that it keeps away from, ascending."""
+        return self._native.strangers
+
+    @property
     def discarded(self) -> list[int]:
         """Whose values W-MSR discarded in the last round."""
         return self._native.discarded
 
     def __repr__(self) -> str:
         return f"<Robot {self.id}: value {self.value:g}, {len(self.neighbors)} neighbours>"
+
+
+def _robots(scenario: Scenario, team: int | None) -> int:
+    """n of the team that is meant."""
+    teams = scenario.teams
+    if not teams and team is None:
+        return scenario.robots
+    if not teams:
+        raise _native.RobotError(f"team is {team}, but the scenario has one team alone")
+    if team is None or not 0 <= team < len(teams):
+        raise _native.RobotError(f"team is {team}, but the scenario has {len(teams)} teams: allowed is 0 to {len(teams) - 1}")
+    return len(teams[team].robots)
 
 
 def _vector(numbers: npt.ArrayLike) -> list[float]:

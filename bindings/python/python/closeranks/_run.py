@@ -157,7 +157,7 @@ class Run:
 
     @property
     def rounds(self) -> list[Round]:
-        """Exact robustness of the network in every consensus round; none in teams of more than 128."""
+        """Exact robustness of the network in every consensus round, of several teams the least; none in teams of more than 128."""
         rows = self._native.rounds()
         return [Round(tick, number(r), number(f), degree, spread) for tick, r, f, degree, spread in rows]
 
@@ -186,12 +186,12 @@ class Run:
     def links(self, tick: int) -> nx.Graph[int]:
         """The network at a tick (negative ones count from the end), as a networkx graph.
 
-        Nodes are robots, from 1, with `position` (tuple, m), `value`, `degree` and `malicious`; edges have `weight` a_ij and
-        `distance_m`.
+        Nodes are robots, from 1, with `position` (tuple, m), `value`, `degree`, `malicious` and `team` (from 0); edges have `weight`
+        a_ij and `distance_m`. Robots of different teams have no links.
         """
         import networkx as nx
 
-        ticks = len(self.h)
+        ticks, teams = len(self.h), self._scenario.team_of.tolist()
         if not -ticks <= tick < ticks:
             raise IndexError(f"tick {tick} is not one of {-ticks} to {ticks - 1}")
         row = tick % ticks
@@ -199,7 +199,8 @@ class Run:
         for index, liar in enumerate(self._scenario.is_malicious):
             position, degree = tuple(points[index].tolist()), int(self.degree[row, index])
             value = float(self.values[row, index])
-            graph.add_node(index + 1, position=position, value=value, degree=degree, malicious=bool(liar))
+            kind = {"malicious": bool(liar), "team": teams[index]}
+            graph.add_node(index + 1, position=position, value=value, degree=degree, **kind)
         pairs, weights = self._native.edges(row)
         for (one, other), weight in zip(pairs.tolist(), weights, strict=True):
             distance = float(np.linalg.norm(points[one] - points[other]))

@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 from collections.abc import Callable, Mapping
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 import numpy.typing as npt
@@ -30,6 +30,19 @@ def controllers() -> dict[str, str]:
     'budget'
     """
     return dict(_native.controllers())
+
+
+class Team(NamedTuple):
+    """One of several teams of a scenario (docs/teams.md)."""
+
+    name: str
+    """Its name."""
+    robots: range
+    """The numbers of its robots among all robots of the scenario, from 1: robot k of the team is `robots[k - 1]`."""
+    faults: int
+    """F."""
+    required_degree: int
+    """F' = F + floor(n/2), of its own n."""
 
 
 class Scenario:
@@ -129,18 +142,39 @@ class Scenario:
 
     @property
     def robots(self) -> int:
-        """n."""
+        """n; of several teams all robots, one team after another."""
         return self._native.robots
 
     @property
     def faults(self) -> int:
-        """F, how many malicious robots the team is prepared for."""
+        """F, how many malicious robots the team is prepared for; of several teams the greatest."""
         return self._native.faults
 
     @property
     def required_degree(self) -> int:
-        """F' = F + floor(n/2), how many neighbours every normal robot must keep."""
+        """F' = F + floor(n/2), how many neighbours every normal robot must keep; of several teams the least, see `required_degrees`."""
         return self._native.required_degree
+
+    @property
+    def teams(self) -> list[Team]:
+        """The teams of `[[teams]]`, in their order; none where there is one team alone."""
+        teams, first = [], 1
+        for name, robots, faults, required in self._native.teams():
+            teams.append(Team(name, range(first, first + robots), faults, required))
+            first += robots
+        return teams
+
+    @property
+    def team_of(self) -> npt.NDArray[np.int64]:
+        """Which one of `teams` each robot is of, (n,), from 0; all 0 where there is one team alone."""
+        sizes = [len(team.robots) for team in self.teams] or [self.robots]
+        return np.repeat(np.arange(len(sizes)), sizes)
+
+    @property
+    def required_degrees(self) -> npt.NDArray[np.int64]:
+        """F' of the team of each robot, (n,)."""
+        required = [team.required_degree for team in self.teams] or [self.required_degree]
+        return np.array(required)[self.team_of]
 
     @property
     def malicious(self) -> list[int]:
@@ -276,5 +310,6 @@ class Scenario:
         return (Scenario, (self.text,))
 
     def __repr__(self) -> str:
-        team = f"{self.robots} robots, F = {self.faults}, {len(self.malicious)} malicious"
+        teams = f" of {len(self.teams)} teams" if self.teams else ""
+        team = f"{self.robots} robots{teams}, F = {self.faults}, {len(self.malicious)} malicious"
         return f"<Scenario {self.name!r}: {team}, {self.controller}, {self.duration_s:g} s, seed {self.seed}>"

@@ -40,7 +40,7 @@ class RunView(anywidget.AnyWidget):
     playing = traitlets.Bool(False).tag(sync=True)
     ticks = traitlets.List(traitlets.Int()).tag(sync=True)
     team = traitlets.Dict().tag(sync=True)
-    """What stays: tick_s, radius_m, required_degree, malicious robots, and the interval of colours."""
+    """What stays: tick_s, radius_m, required degrees, teams, malicious robots, and the interval of colours."""
     numbers = traitlets.Bytes().tag(sync=True)
     """float32, little-endian, (frames, n, 4): x and y, m, value and degree."""
 
@@ -67,7 +67,8 @@ def _team(run: Run) -> dict[str, Any]:
         "malicious": scenario.malicious,
         "tick_s": scenario.tick_s,
         "radius_m": scenario.radius_m,
-        "required_degree": scenario.required_degree,
+        "required_degrees": scenario.required_degrees.tolist(),
+        "team_of": scenario.team_of.tolist(),
         "values": [float(normal.min()), float(normal.max())],
     }
 

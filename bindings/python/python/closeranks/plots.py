@@ -1,7 +1,7 @@
 """The paper's figures in matplotlib.
 
 Normal robots are blue circles, malicious ones orange squares, so that the two are told apart in grey print and by everybody's
-eyes. `formations` is the paper's figure 1, `series` its figure 2; `overview` is one run in one figure.
+eyes. Where there are several teams, normal robots have the colour of theirs. `formations` is the paper's figure 1, `series` its figure 2; `overview` is one run in one figure.
 
 Figures are made without pyplot: they show in notebooks by themselves, and elsewhere `figure.savefig("name.png")` writes them.
 """
@@ -22,6 +22,8 @@ if TYPE_CHECKING:
 __all__ = ["draw_formation", "draw_h", "draw_values", "formations", "overview", "series"]
 
 _NORMAL, _MALICIOUS, _LINK = "#0072b2", "#d55e00", "#888888"
+_TEAMS = (_NORMAL, "#009e73", "#3c3c3c", "#56b4e9")
+"""Colours of teams, in turn."""
 _POINTS_MAX = 2_000
 
 
@@ -53,16 +55,22 @@ def draw_formation(axes: Axes, run: Run, tick: int = -1, *, ways: bool = False) 
         axes.plot(ends[:, 0], ends[:, 1], color=color, linewidth=0.5, linestyle=":", zorder=1)
     if ways:
         stop = range(len(run.h))[tick] + 1
-        for way in np.moveaxis(run.positions[:stop:_stride(stop)], 1, 0):
-            axes.plot(way[:, 0], way[:, 1], color=_NORMAL, linewidth=0.6, alpha=0.4, zorder=1)
-    for liar, color, marker in ((False, _NORMAL, "o"), (True, _MALICIOUS, "s")):
-        shown = points[run.scenario.is_malicious == liar]
-        axes.scatter(shown[:, 0], shown[:, 1], color=color, marker=marker, s=70, zorder=2)
+        for way, color in zip(np.moveaxis(run.positions[:stop:_stride(stop)], 1, 0), _colors(run), strict=True):
+            axes.plot(way[:, 0], way[:, 1], color=color, linewidth=0.6, alpha=0.4, zorder=1)
+    for liar, color, marker in ((False, None, "o"), (True, _MALICIOUS, "s")):
+        those = run.scenario.is_malicious == liar
+        colors = list(np.array(_colors(run))[those]) if color is None else color
+        axes.scatter(points[those, 0], points[those, 1], color=colors, marker=marker, s=70, zorder=2)
     for index, point in enumerate(points):
         axes.annotate(str(index + 1), point[:2], color="white", fontsize=6, ha="center", va="center", zorder=3)
     axes.set_aspect("equal", adjustable="box")
     axes.set_xlabel("x, m")
     axes.set_ylabel("y, m")
+
+
+def _colors(run: Run) -> list[str]:
+    """The colour of the team of each robot."""
+    return [_TEAMS[team % len(_TEAMS)] for team in run.scenario.team_of]
 
 
 def draw_h(axes: Axes, run: Run) -> None:
@@ -78,7 +86,8 @@ def draw_values(axes: Axes, run: Run) -> None:
     liars = run.scenario.is_malicious
     time, values, told = run.time_s[rounds], run.values[rounds], run.values_told[rounds]
     axes.step(time, told[:, liars], where="post", color=_MALICIOUS, linewidth=0.6, alpha=0.5)
-    axes.step(time, values[:, ~liars], where="post", color=_NORMAL, linewidth=1.0)
+    for index in np.flatnonzero(~liars):
+        axes.step(time, values[:, index], where="post", color=_colors(run)[index], linewidth=1.0)
     axes.set_xlabel("time, s")
     axes.set_ylabel("$y_i$")
 
@@ -90,18 +99,20 @@ def _stride(ticks: int) -> int:
 def _lines(axes: Axes, run: Run, numbers: np.ndarray[Any, Any]) -> None:
     stride, liars = _stride(len(numbers)), run.scenario.is_malicious
     time, shown = run.time_s[::stride], numbers[::stride]
-    axes.plot(time, shown[:, ~liars], color=_NORMAL, linewidth=0.9)
+    for index in np.flatnonzero(~liars):
+        axes.plot(time, shown[:, index], color=_colors(run)[index], linewidth=0.9)
     axes.plot(time, shown[:, liars], color=_MALICIOUS, linewidth=0.9, linestyle="--")
     axes.set_xlabel("time, s")
 
 
-def _legend(figure: Figure) -> None:
+def _legend(figure: Figure, runs: Sequence[Run]) -> None:
     from matplotlib.lines import Line2D
 
     shown = {"linestyle": "none", "markersize": 7}
-    normal = Line2D([], [], color=_NORMAL, marker="o", label="normal", **shown)  # type: ignore[arg-type]
-    malicious = Line2D([], [], color=_MALICIOUS, marker="s", label="malicious", **shown)  # type: ignore[arg-type]
-    figure.legend(handles=[normal, malicious], loc="outside lower center", ncols=2, frameon=False)
+    names = [team.name for team in max((run.scenario.teams for run in runs), key=len)] or ["normal"]
+    kinds = [(_TEAMS[team % len(_TEAMS)], "o", name) for team, name in enumerate(names)] + [(_MALICIOUS, "s", "malicious")]
+    handles = [Line2D([], [], color=color, marker=marker, label=name, **shown) for color, marker, name in kinds]  # type: ignore[arg-type]
+    figure.legend(handles=handles, loc="outside lower center", ncols=len(handles), frameon=False)
 
 
 def formations(runs: Sequence[Run], titles: Sequence[str] | None = None) -> Figure:
@@ -115,7 +126,7 @@ def formations(runs: Sequence[Run], titles: Sequence[str] | None = None) -> Figu
         panels[index + 1].set_title(f"{_letter(index + 1)} {title}")
     for axes in panels:
         axes.label_outer()
-    _legend(figure)
+    _legend(figure, runs)
     return figure
 
 
@@ -130,7 +141,7 @@ def series(runs: Sequence[Run], titles: Sequence[str] | None = None) -> Figure:
         panels[1, index].set_title(_letter(len(runs) + index))
     for axes in panels.flat:
         axes.label_outer()
-    _legend(figure)
+    _legend(figure, runs)
     return figure
 
 
@@ -147,5 +158,5 @@ def overview(run: Run, title: str | None = None) -> Figure:
     for axes, what in ((start, "start"), (end, "end, and the ways there"), (h, "h"), (values, "values")):
         axes.set_title(what)
     figure.suptitle(run.scenario.name if title is None else title)
-    _legend(figure)
+    _legend(figure, [run])
     return figure

@@ -33,11 +33,11 @@ export function placed(moment) {
   return { points: moment.map(place), scale };
 }
 
-function links(context, moment, points, radius_m) {
+function links(context, moment, points, { radius_m, team_of }) {
   context.beginPath();
   moment.forEach((one, index) => {
     moment.slice(0, index).forEach((other, before) => {
-      if (Math.hypot(one.x - other.x, one.y - other.y) > radius_m) return;
+      if (team_of[index] !== team_of[before] || Math.hypot(one.x - other.x, one.y - other.y) > radius_m) return;
       context.moveTo(...points[index]);
       context.lineTo(...points[before]);
     });
@@ -69,7 +69,7 @@ function body(context, robot, number, [x, y], size, team) {
   context.lineWidth = liar ? 4 : 2;
   context.strokeStyle = liar ? LIAR : "#ffffff";
   context.stroke();
-  if (!liar && robot.degree < team.required_degree) ring(context, [x, y], size);
+  if (!liar && robot.degree < team.required_degrees[number - 1]) ring(context, [x, y], size);
   context.fillStyle = ink;
   context.font = `600 ${Math.round(0.85 * size)}px system-ui, sans-serif`;
   context.textAlign = "center";
@@ -81,17 +81,19 @@ function draw(context, moment, team) {
   const { points, scale } = placed(moment);
   const size = Math.max(7, Math.min(15, 0.22 * scale, 120 / Math.sqrt(moment.length)));
   context.clearRect(0, 0, WIDTH, HEIGHT);
-  links(context, moment, points, team.radius_m);
+  links(context, moment, points, team);
   moment.forEach((robot, index) => body(context, robot, index + 1, points[index], size, team));
 }
 
 /** What a moment comes to, in a sentence: for who does not see the picture, and for everybody below it. */
 export function said(moment, team, time_s) {
-  const normal = moment.filter((_, index) => !team.malicious.includes(index + 1));
-  const least = Math.min(...normal.map(({ degree }) => degree));
+  const all = moment.map((robot, index) => ({ ...robot, needed: team.required_degrees[index] }));
+  const normal = all.filter((_, index) => !team.malicious.includes(index + 1));
+  const spare = ({ degree, needed }) => degree - needed;
+  const least = normal.reduce((one, other) => (spare(other) < spare(one) ? other : one));
   const values = normal.map(({ value }) => value).filter(Number.isFinite);
   const spread = values.length > 0 ? Math.max(...values) - Math.min(...values) : NaN;
-  return `${time_s.toFixed(2)} s: least degree ${least} of ${team.required_degree} needed, values ${spread.toPrecision(3)} apart`;
+  return `${time_s.toFixed(2)} s: least degree ${least.degree} of ${least.needed} needed, values ${spread.toPrecision(3)} apart`;
 }
 
 /** The element `name` with `fields`, holding `inside`. */

@@ -69,6 +69,13 @@ pub fn advice(scenario: &Scenario, summary: &Summary, file: &str) -> Option<Stri
         .then(|| format!("note: `closeranks advise {file}` says which starts, speeds and F are possible"))
 }
 
+/// What stands below the table of a run: a warning, who is of which team, what ranks there are, and who came and went.
+#[must_use]
+pub fn notes(scenario: &Scenario, summary: &Summary) -> Vec<String> {
+    let notes = [warning(scenario), teams(scenario), ranks(scenario, summary), presence(scenario, summary)];
+    notes.into_iter().flatten().collect()
+}
+
 /// A warning when more robots lie than the team is prepared for.
 #[must_use]
 pub fn warning(scenario: &Scenario) -> Option<String> {

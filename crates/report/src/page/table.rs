@@ -5,6 +5,7 @@ use closeranks_sim::law::Law;
 use closeranks_sim::monitors::robustness::{Round, weakest};
 use closeranks_sim::output::summary::Summary;
 use closeranks_sim::scenario::Scenario;
+use closeranks_sim::world::Run;
 
 use super::content::Table;
 pub use super::text_table::text;
@@ -20,6 +21,19 @@ pub struct Line<'a> {
     pub rounds: &'a [Round],
     /// Wall time of the run, s, if it was measured.
     pub wall_s: Option<f64>,
+}
+
+/// The line of a run, and below it what each of several teams came to by itself.
+#[must_use]
+pub fn lines_of<'a>(scenario: &'a Scenario, run: &'a Run, wall_s: Option<f64>) -> Vec<Line<'a>> {
+    let all = Line { scenario, summary: &run.summary, rounds: &run.rounds, wall_s };
+    let teams = scenario.teams.iter().zip(&run.teams).map(|(scenario, team)| Line {
+        scenario,
+        summary: &team.summary,
+        rounds: &team.rounds,
+        wall_s: None,
+    });
+    [all].into_iter().chain(teams).collect()
 }
 
 /// Heads of the table; the second line of each is the unit or the kind of robot.

@@ -256,6 +256,12 @@ impl Scenario {
         Ok(positions_m)
     }
 
+    /// Each team: of one alone the scenario itself.
+    #[must_use]
+    pub fn each_team(&self) -> &[Self] {
+        if self.teams.is_empty() { core::slice::from_ref(self) } else { &self.teams }
+    }
+
     /// Which of several teams robot `index` is of, both counted from 0; 0 where there is one team.
     #[must_use]
     pub fn team_of(&self, index: usize) -> usize {

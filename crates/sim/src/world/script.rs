@@ -7,14 +7,21 @@ use crate::random::{Random, Stream};
 use crate::scenario::desired::Desired;
 use crate::scenario::{Scenario, Values};
 use crate::world::outcome::RunError;
+use crate::world::teams;
 
 /// The first number of y_i(t₀), and the only one where values have one.
 pub fn initial_values(scenario: &Scenario) -> Result<Vec<f64>, RunError> {
     initial_numbers(scenario).map(|mut numbers| numbers.swap_remove(0))
 }
 
-/// y_i(t₀), a list for each of its numbers.
+/// y_i(t₀), a list for each of its numbers; of several teams one team after another.
 pub fn initial_numbers(scenario: &Scenario) -> Result<Vec<Vec<f64>>, RunError> {
+    let each: Result<Vec<_>, RunError> = teams::each(scenario).map(|team| initial_numbers(&team)).collect();
+    if let Some(all) = each?.into_iter().reduce(|all, team| {
+        all.into_iter().zip(team).map(|(numbers, more)| [numbers, more].concat()).collect()
+    }) {
+        return Ok(all);
+    }
     let (robots, dimension) = (scenario.team.robots, scenario.consensus.dimension.max(1));
     let found = |found: usize| {
         if found == usize::from(robots) { Ok(()) } else { Err(RunError::Values { found, robots }) }

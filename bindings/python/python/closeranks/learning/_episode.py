@@ -130,7 +130,7 @@ class Episode:
         seen = np.concatenate([np.where(near[:, :, None], offsets, 0.0), near[:, :, None]], axis=2)
         others = ~np.eye(scenario.robots, dtype=bool)
         rows = seen[others].reshape(scenario.robots, -1)
-        margin = world.degree.astype(np.float64) - scenario.required_degree
+        margin = world.degree.astype(np.float64) - scenario.required_degrees
         goals, speeds = (self.goals - positions) / radius_m, world.velocities / scenario.speed_max_m_s
         own = np.column_stack([goals, speeds, world.h, margin, world.is_up])
         shown: Observations = np.clip(np.column_stack([own, rows])[self._normal], -BOUND, BOUND).astype(np.float32)

@@ -52,15 +52,20 @@ pub(crate) fn seed_of(seed: u64, team: u64) -> u64 {
     (seed ^ team.wrapping_mul(0x9e37_79b9_7f4a_7c15)) >> u32::from(team > 0)
 }
 
+/// Each of several teams as a scenario of its own, with its seed.
+pub(crate) fn each(scenario: &Scenario) -> impl Iterator<Item = Scenario> {
+    let alone =
+        |(team, number): (&Scenario, u64)| Scenario { seed: seed_of(scenario.seed, number), ..team.clone() };
+    scenario.teams.iter().zip(0..).map(alone)
+}
+
 impl<const D: usize> Teams<D> {
     /// The teams of `scenario`, which must be of `D` dimensions, before their first tick.
     pub fn new(scenario: &Scenario, options: Options) -> Result<Self, RunError> {
         let alone = Options { record: false, digest: false, ..options };
-        let mut worlds = Vec::new();
-        for (team, number) in scenario.teams.iter().zip(0..) {
-            worlds
-                .push(World::new(&Scenario { seed: seed_of(scenario.seed, number), ..team.clone() }, alone)?);
-        }
+        let worlds: Result<Vec<World<D>>, RunError> =
+            each(scenario).map(|team| World::new(&team, alone)).collect();
+        let worlds = worlds?;
         let places = ranges(worlds.iter().map(|world| world.frame.positions_m.len()));
         let frame = join::frame(worlds.iter().map(|world| &world.frame));
         let params = worlds.first().ok_or(RunError::Teams)?.params;
