@@ -8,6 +8,7 @@
 #     ./ci.sh proofs       the theorems of docs/theory, checked by Coq (Debian's packages; proofs/check.sh)
 #     ./ci.sh node         robots as processes over Zenoh (crates/node, a workspace of its own with 200 more crates; Python 3 and PyPI)
 #     ./ci.sh python       the Python package: wheel, tests, stubs, audit (Python 3.10 or later and PyPI; scripts/python.sh)
+#     ./ci.sh python-torch its examples that need torch (the same and 6 GB of disk; scripts/python-torch.sh)
 #     ./ci.sh bare-metal   the core on a microcontroller, emulated (Debian's packages; scripts/bare-metal.sh)
 #     ./ci.sh web          the page: built anew, compared with the committed one, tried in a browser (bindings/web/README.md)
 set -euo pipefail
@@ -41,6 +42,9 @@ case "${1:-}" in
   python)
     exec scripts/python.sh
     ;;
+  python-torch)
+    exec scripts/python-torch.sh
+    ;;
   bare-metal)
     step "the core on a microcontroller"
     exec scripts/bare-metal.sh
@@ -55,7 +59,7 @@ case "${1:-}" in
     exec node --test test/model.test.mjs test/page.test.mjs
     ;;
   *)
-    echo "no stage is called \`$1\`, allowed are writers, recordings, live, proofs, node, python, web, bare-metal, or none"
+    echo "no stage is called \`$1\`, allowed are writers, recordings, live, proofs, node, python, python-torch, web, bare-metal, or none"
     exit 2
     ;;
 esac

@@ -1,6 +1,8 @@
 //! What to run.
 
 use annotate_snippets::Renderer;
+use closeranks_core::RobotId;
+use closeranks_core::robot::neighbor::Member;
 use closeranks_report::problems;
 use closeranks_sim::parse::{self, Files};
 use closeranks_sim::scenario::{self as sim, Controller};
@@ -64,6 +66,24 @@ fn merge(table: &mut toml::Table, over: toml::Table) {
 /// True if fields of `old` still mean something beside those of `new`. Controllers keep their parameters side by side.
 fn is_alike(name: &str, old: &toml::Table, new: &toml::Table) -> bool {
     name == "controller" || new.get("kind").is_none_or(|kind| old.get("kind") == Some(kind))
+}
+
+/// The rank of each robot of a team, where it has ranks.
+fn ranks(team: &sim::Scenario) -> PyResult<Option<Vec<u16>>> {
+    match team.dimension {
+        2 => team.ranks::<2>().map_err(errors::scenario),
+        _ => team.ranks::<3>().map_err(errors::scenario),
+    }
+}
+
+/// How many robots that count for it each robot of a team must keep as neighbours.
+fn needs<const D: usize>(team: &sim::Scenario) -> PyResult<Vec<u16>> {
+    let Some(ranks) = ranks(team)? else {
+        return Ok(vec![team.composition().required; usize::from(team.team.robots)]);
+    };
+    let params = team.params::<D>().map_err(errors::scenario)?;
+    let need = |(rank, id)| params.need().need(Member { id: RobotId(id), rank });
+    Ok(ranks.into_iter().zip(1..).map(need).collect())
 }
 
 #[pymethods]
@@ -163,6 +183,22 @@ impl Scenario {
             (team.name.clone(), team.team.robots, team.team.faults, team.composition().required)
         };
         self.scenario.teams.iter().map(of).collect()
+    }
+
+    /// The rank of each robot, if there are ranks.
+    fn ranks(&self) -> PyResult<Option<Vec<u16>>> {
+        let each: PyResult<Vec<_>> = self.scenario.each_team().iter().map(ranks).collect();
+        Ok(each?.into_iter().collect::<Option<Vec<_>>>().map(|each| each.concat()))
+    }
+
+    /// How many neighbours each robot must keep.
+    fn required_degrees(&self) -> PyResult<Vec<u16>> {
+        let each = self.scenario.each_team().iter();
+        let each: PyResult<Vec<_>> = match self.scenario.dimension {
+            2 => each.map(needs::<2>).collect(),
+            _ => each.map(needs::<3>).collect(),
+        };
+        Ok(each?.concat())
     }
 
     #[getter]

@@ -36,6 +36,24 @@ def test_ir_sim_finds_no_collision_with_the_filter(tmp_path: Path) -> None:
     assert (tmp_path / "irsim.png").stat().st_size > 10_000
 
 
+def test_vmas_finds_no_collision_with_the_filter(tmp_path: Path) -> None:
+    pytest.importorskip("vmas")
+    told = said("in_vmas.py", tmp_path)
+    unfiltered, filtered = re.findall(r"(\d+) collisions in 4 worlds, least degree (\d+)", told)
+    assert int(unfiltered[0]) > 0 and int(unfiltered[1]) < 7, told
+    assert filtered == ("0", "7"), told
+    assert (tmp_path / "vmas.png").stat().st_size > 10_000
+
+
+def test_an_algorithm_of_benchmarl_learns_and_breaks_nothing_meanwhile(tmp_path: Path) -> None:
+    pytest.importorskip("benchmarl")
+    told = said("learn_benchmarl.py", tmp_path, "3")
+    first, last = (float(number) for number in re.findall(r"([+-]\d+\.\d+) m in", told))
+    assert last > first + 0.3, told
+    assert told.endswith("laws broken: 0\n"), told
+    assert "<svg" in (tmp_path / "benchmarl.svg").read_text()
+
+
 def test_the_robotarium_finds_nothing_wrong_with_the_filter(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv("MPLBACKEND", "agg")  # the simulator imports what draws windows
     told = said("on_robotarium.py", tmp_path)

@@ -132,3 +132,15 @@ def test_files_that_cannot_be_read_are_named(tmp_path: Path) -> None:
 def test_rows_of_files_stand_in_the_text() -> None:
     patrol = cr.Scenario.from_file(ROOT / "scenarios/patrol.toml")
     assert cr.Scenario(patrol.text) == patrol and "file" not in patrol.fields["motion"]
+
+
+def test_ranks_say_who_needs_how_many() -> None:
+    ranked = cr.Scenario.from_file(ROOT / "scenarios" / "ranks.toml")
+    ranks, needed = ranked.ranks, ranked.required_degrees
+    assert ranks is not None and ranks.shape == needed.shape == (40,)
+    core = int((ranks == 0).sum())
+    assert core >= 5 and (needed[ranks > 0] == 2 * ranked.faults + 1).all()
+    assert (needed[ranks == 0] == ranked.faults + core // 2).all() and ranked.required_degree == 22
+    run = ranked.replace(duration_s=0.2).run(progress=False)
+    assert run.summary["ranks"] == ranks.tolist() and (run.degree >= needed)[:, ~ranked.is_malicious].all()
+    assert cr.Scenario().ranks is None

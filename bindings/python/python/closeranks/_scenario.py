@@ -152,7 +152,8 @@ class Scenario:
 
     @property
     def required_degree(self) -> int:
-        """F' = F + floor(n/2), how many neighbours every normal robot must keep; of several teams the least, see `required_degrees`."""
+        """F' = F + floor(n/2), how many neighbours every normal robot must keep; of several teams the least. Ranks are not in it: see
+        `required_degrees`."""
         return self._native.required_degree
 
     @property
@@ -172,9 +173,14 @@ class Scenario:
 
     @property
     def required_degrees(self) -> npt.NDArray[np.int64]:
-        """F' of the team of each robot, (n,)."""
-        required = [team.required_degree for team in self.teams] or [self.required_degree]
-        return np.array(required)[self.team_of]
+        """How many neighbours each robot must keep, (n,): F' of its team, or where there are ranks as many of those that count for it."""
+        return np.array(self._native.required_degrees())
+
+    @property
+    def ranks(self) -> npt.NDArray[np.int64] | None:
+        """The rank of each robot, (n,), or None where there are no ranks (docs/ranks.md)."""
+        ranks = self._native.ranks()
+        return None if ranks is None else np.array(ranks)
 
     @property
     def malicious(self) -> list[int]:
