@@ -173,6 +173,7 @@ def draw(rewards: list[float], best: float) -> None:
     axis.plot(range(1, len(rewards) + 1), rewards, marker=".", label="MAPPO, mean of 40 episodes")
     axis.axhline(best, color="tab:grey", linewidth=0.8, label="straight to the goal")
     axis.axhline(0.0, color="black", linewidth=0.5)
+    axis.xaxis.get_major_locator().set_params(integer=True)
     axis.set_xlabel("iteration")
     axis.set_ylabel("metres nearer to the goal")
     axis.legend(fontsize="small", loc="lower right")
