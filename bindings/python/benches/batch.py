@@ -2,9 +2,9 @@
 
     python bindings/python/benches/batch.py [WORLDS [TICKS [TURNS]]]
 
-64 worlds, 100 ticks and 7 turns by default. Both get the wishes of every robot as arrays and read all positions in every tick, as a policy
-would. They take turns, and what is told is processor time, which does not depend on who else uses the machine as much as time on the clock
-does: medians of all turns, and of the ratios within each.
+64 worlds, 100 ticks (a multiple of ten) and 7 turns by default. All get the wishes of every robot as arrays and are asked for all positions, in
+every tick or in every tenth, as by a policy. Fewer than six worlds are not computed side by side. They take turns, and what is told is
+processor time, which depends less than time on the clock on who else uses the machine: medians of all turns, and of the ratios within each.
 """
 
 from __future__ import annotations
@@ -42,13 +42,15 @@ def together(kind: str, worlds: int) -> Callable[[], None]:
     return lambda: batch.step(desired=-batch.positions)
 
 
-def held(kind: str, worlds: int) -> Callable[[], None]:
-    """The same with wishes that are held for ten ticks, a tenth of it told."""
-    batch, count = cr.Batch(scenario(kind), range(worlds), jobs=1), iter(range(1 << 30))
+def held(kind: str, worlds: int, size: int) -> Callable[[], None]:
+    """The same of batches of `size` worlds, with wishes that are held for ten ticks."""
+    parts = [range(first, min(first + size, worlds)) for first in range(0, worlds, size)]
+    made, count = [cr.Batch(scenario(kind), seeds, jobs=1) for seeds in parts], iter(range(1 << 30))
 
     def tick() -> None:
         if next(count) % 10 == 0:
-            batch.step(desired=-batch.positions, ticks=10)
+            for batch in made:
+                batch.step(desired=-batch.positions, ticks=10)
 
     return tick
 
@@ -63,16 +65,21 @@ def us(tick: Callable[[], None], worlds: int, ticks: int) -> float:
 
 def main(worlds: int, ticks: int, turns: int) -> None:
     """Measures in turns and prints a row a controller."""
-    print(f"{worlds} worlds, {turns} turns of {ticks} ticks: processor time of a world's step, us, and how many times less in a batch")
+    ways = {
+        "World.step, one by one": one_by_one,
+        "Batch.step": together,
+        "Batch.step of ten ticks": lambda kind, worlds: held(kind, worlds, worlds),
+        "the same, four worlds a batch": lambda kind, worlds: held(kind, worlds, 4),
+    }
+    print(f"{worlds} worlds, {turns} turns of {ticks} ticks: processor time of a world's step, us, and how many times less than one by one")
     for kind in ("composed", "links", "budget"):
-        rows = []
-        for _ in range(turns):
-            ways = [make(kind, worlds) for make in (one_by_one, together, held)]
-            rows.append([us(way, worlds, ticks) for way in ways])
-        alone, batch, long = (statistics.median(column) for column in zip(*rows, strict=True))
-        gains = [statistics.median(row[0] / row[way] for row in rows) for way in (1, 2)]
-        print(f"{kind:9} one by one {alone:6.2f}, batch {batch:6.2f} ({gains[0]:.2f}), batch of ten ticks a call {long:6.2f} ({gains[1]:.2f})")
+        turned = [[us(make(kind, worlds), worlds, ticks) for make in ways.values()] for _ in range(turns)]
+        for place, way in enumerate(ways):
+            own = statistics.median(turn[place] for turn in turned)
+            gain = statistics.median(turn[0] / turn[place] for turn in turned)
+            print(f"{kind:9} {way:30} {own:6.2f}  {gain:.2f}")
 
 
 if __name__ == "__main__":
-    main(*(int(word) for word in (sys.argv[1:] + ["64", "100", "7"][len(sys.argv) - 1 :])))
+    given = [int(word) for word in sys.argv[1:]]
+    main(*given, *(64, 100, 7)[len(given) :])

@@ -57,10 +57,9 @@ def draw_formation(axes: Axes, run: Run, tick: int = -1, *, ways: bool = False) 
         stop = range(len(run.h))[tick] + 1
         for way, color in zip(np.moveaxis(run.positions[:stop:_stride(stop)], 1, 0), _colors(run), strict=True):
             axes.plot(way[:, 0], way[:, 1], color=color, linewidth=0.6, alpha=0.4, zorder=1)
-    for liar, color, marker in ((False, None, "o"), (True, _MALICIOUS, "s")):
-        those = run.scenario.is_malicious == liar
-        colors = list(np.array(_colors(run))[those]) if color is None else color
-        axes.scatter(points[those, 0], points[those, 1], color=colors, marker=marker, s=70, zorder=2)
+    malicious, colors = run.scenario.is_malicious, np.where(run.scenario.is_malicious, _MALICIOUS, _colors(run))
+    for those, marker in ((~malicious, "o"), (malicious, "s")):
+        axes.scatter(points[those, 0], points[those, 1], color=colors[those].tolist(), marker=marker, s=70, zorder=2)
     for index, point in enumerate(points):
         axes.annotate(str(index + 1), point[:2], color="white", fontsize=6, ha="center", va="center", zorder=3)
     axes.set_aspect("equal", adjustable="box")
