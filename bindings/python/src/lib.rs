@@ -10,11 +10,11 @@ mod makers;
 mod output;
 mod paper;
 mod robot;
+mod rule;
 mod run;
 mod scenario;
 mod sweep;
 mod values;
-mod wmsr;
 mod world;
 
 use pyo3::prelude::*;
@@ -37,8 +37,9 @@ fn native(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_class::<output::Output>()?;
     module.add_function(wrap_pyfunction!(scenario::named, module)?)?;
     module.add_function(wrap_pyfunction!(scenario::controllers, module)?)?;
-    module.add_function(wrap_pyfunction!(wmsr::wmsr_update, module)?)?;
-    module.add_function(wrap_pyfunction!(wmsr::wmsr_step, module)?)?;
+    module.add_function(wrap_pyfunction!(rule::rules, module)?)?;
+    module.add_function(wrap_pyfunction!(rule::rule_update, module)?)?;
+    module.add_function(wrap_pyfunction!(rule::rule_step, module)?)?;
     module.add_function(wrap_pyfunction!(graph::analyze, module)?)?;
     module.add_function(wrap_pyfunction!(graph::decide, module)?)?;
     module.add_function(wrap_pyfunction!(makers::make, module)?)?;

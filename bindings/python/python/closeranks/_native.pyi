@@ -30,8 +30,9 @@ __all__ = [
     "decide",
     "make",
     "named",
-    "wmsr_step",
-    "wmsr_update",
+    "rule_step",
+    "rule_update",
+    "rules",
 ]
 
 VERSION: str
@@ -200,8 +201,9 @@ class Output:
 
 def named(text: str) -> list[str]: ...
 def controllers() -> list[tuple[str, str]]: ...
-def wmsr_update(own: float, told: _Floats, faults: int) -> tuple[float, int, int, float, float, int]: ...
-def wmsr_step(values: _Floats, told: _Floats, faults: int) -> _Floats: ...
+def rules() -> list[tuple[str, str]]: ...
+def rule_update(name: str, own: float, told: _Floats, faults: int) -> tuple[float, int, int, float, float, int]: ...
+def rule_step(name: str, values: _Floats, told: _Floats, faults: int) -> _Floats: ...
 def analyze(
     nodes: int,
     edges: list[tuple[int, int]],

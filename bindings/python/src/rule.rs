@@ -1,14 +1,30 @@
-//! W-MSR on arrays.
+//! Rules of consensus on arrays.
 
-use closeranks_core::wmsr::update;
+use closeranks_core::consensus::Rule;
 use numpy::{PyArray1, PyReadonlyArray1, PyReadonlyArray2};
 use pyo3::prelude::*;
 
 use crate::errors;
 
+/// The rule of this name.
+fn named(name: &str) -> PyResult<Rule> {
+    let found = Rule::ALL.into_iter().find(|(each, _)| *each == name);
+    found.map(|(_, rule)| rule).ok_or_else(|| {
+        let allowed = Rule::ALL.map(|(name, _)| name).join(", ");
+        errors::refused(format!("no rule on arrays is called \"{name}\", allowed are {allowed}"))
+    })
+}
+
+/// Names of all rules, and the graph that each needs.
+#[pyfunction]
+pub(crate) fn rules() -> Vec<(&'static str, &'static str)> {
+    Rule::ALL.map(|(name, rule)| (name, rule.condition())).to_vec()
+}
+
 /// One robot, one round: new value, discarded below and above, least and greatest value kept, how many kept.
 #[pyfunction]
-pub(crate) fn wmsr_update(
+pub(crate) fn rule_update(
+    name: &str,
     own: f64,
     told: PyReadonlyArray1<'_, f64>,
     faults: u16,
@@ -16,14 +32,15 @@ pub(crate) fn wmsr_update(
     if !own.is_finite() {
         return Err(errors::refused(format!("own is {own}, allowed is a finite number")));
     }
-    let round = update(own, &mut told.as_array().to_vec(), faults);
+    let round = named(name)?.update(own, &mut told.as_array().to_vec(), faults);
     Ok((round.value, round.below, round.above, round.low, round.high, round.kept))
 }
 
 /// A whole team, one round: row i of `told` holds what robot i was told, NaN where it was told nothing.
 #[pyfunction]
-pub(crate) fn wmsr_step<'py>(
+pub(crate) fn rule_step<'py>(
     py: Python<'py>,
+    name: &str,
     values: PyReadonlyArray1<'py, f64>,
     told: PyReadonlyArray2<'py, f64>,
     faults: u16,
@@ -36,11 +53,11 @@ pub(crate) fn wmsr_step<'py>(
     if let Some(robot) = values.iter().position(|value| !value.is_finite()) {
         return Err(errors::refused(format!("`values` of robot {} is not finite", robot + 1)));
     }
-    let mut row = Vec::with_capacity(values.len());
+    let (rule, mut row) = (named(name)?, Vec::with_capacity(values.len()));
     let next = values.iter().zip(told.rows()).enumerate().map(|(index, (own, told))| {
         row.clear();
         row.extend(told.iter().enumerate().filter(|(other, _)| *other != index).map(|(_, value)| *value));
-        update(*own, &mut row, faults).value
+        rule.update(*own, &mut row, faults).value
     });
     Ok(PyArray1::from_vec(py, next.collect()))
 }
