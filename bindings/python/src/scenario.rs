@@ -2,6 +2,7 @@
 
 use annotate_snippets::Renderer;
 use closeranks_core::RobotId;
+use closeranks_core::obstacle::Obstacle;
 use closeranks_core::robot::neighbor::Member;
 use closeranks_report::problems;
 use closeranks_sim::parse::{self, Files};
@@ -145,6 +146,16 @@ impl Scenario {
             _ => self.scenario.positions::<3>().map_err(errors::scenario)?.into_flattened(),
         };
         rows(py, flat, self.scenario.dimension)
+    }
+
+    /// Both ends of each obstacle and how far it reaches around them, (k, 2 D + 1), m.
+    fn obstacles<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray2<f64>>> {
+        let dimension = self.scenario.dimension;
+        let row = |one: &Obstacle<3>| {
+            let ends = one.from_m[..dimension].iter().chain(&one.to_m[..dimension]).copied();
+            ends.chain([one.radius_m]).collect::<Vec<f64>>()
+        };
+        rows(py, self.scenario.obstacles.list.iter().flat_map(row).collect(), 2 * dimension + 1)
     }
 
     /// y_i(t_0), (n,).

@@ -9,6 +9,7 @@ import pytest
 from matplotlib.figure import Figure
 
 import closeranks as cr
+from conftest import ROOT
 
 
 def test_the_papers_two_figures(nominal: cr.Run, tmp_path: Path) -> None:
@@ -41,3 +42,18 @@ def test_one_run_in_one_figure(nominal: cr.Run) -> None:
     assert len(h.lines) == 12 and len(values.lines) == 11
     assert np.array_equal(h.lines[0].get_ydata(), nominal.h[:, 2])
     assert len(cr.plots.overview(nominal).axes) == 4
+
+
+def test_obstacles_are_drawn_where_they_stand() -> None:
+    scenario = cr.Scenario.from_file(ROOT / "scenarios" / "obstacles.toml").replace(duration_s=0.1)
+    obstacles = scenario.obstacles
+    discs = obstacles[obstacles[:, 4] > 0]
+    assert obstacles.shape[1] == 5 and 0 < len(discs) < len(obstacles)
+    assert np.array_equal(discs[:, :2], discs[:, 2:4])
+    run, axes = scenario.run(progress=False), Figure().subplots()
+    cr.plots.draw_formation(axes, run)
+    drawn = [(*patch.center, patch.radius) for patch in axes.patches]
+    assert np.array_equal(drawn, discs[:, [0, 1, 4]])
+    assert len(axes.lines) == len(obstacles) + run.links(-1).number_of_edges()
+    assert cr.Scenario(dimension=3, controller={"kind": "budget"}, obstacles={"discs": [[9, 0, 0, 0.5]]}).obstacles.shape == (1, 7)
+    assert cr.Scenario().obstacles.shape == (0, 5)

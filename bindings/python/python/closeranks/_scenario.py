@@ -248,6 +248,12 @@ class Scenario:
         return self._native.positions()
 
     @property
+    def obstacles(self) -> Floats:
+        """What stands in the way, listed or drawn, (k, 2 D + 1), m: both ends of a segment and how far the obstacle reaches around it.
+        Both ends of a disc are its centre; a wall reaches nowhere."""
+        return self._native.obstacles()
+
+    @property
     def values(self) -> Floats:
         """Initial values y_i, (n,)."""
         return self._native.values()

@@ -22,6 +22,7 @@ if TYPE_CHECKING:
 __all__ = ["draw_formation", "draw_h", "draw_values", "formations", "overview", "series"]
 
 _NORMAL, _MALICIOUS, _LINK = "#0072b2", "#d55e00", "#888888"
+_OBSTACLE = "#bdb4a7"
 _TEAMS = (_NORMAL, "#009e73", "#3c3c3c", "#56b4e9")
 """Colours of teams, in turn."""
 _POINTS_MAX = 2_000
@@ -49,6 +50,7 @@ def draw_formation(axes: Axes, run: Run, tick: int = -1, *, ways: bool = False) 
     """Draws robots and links at a tick (negative ones count from the end) in the plane of the first two axes; with `ways`, where
     every robot came from."""
     points, graph = run.positions[tick], run.links(tick)
+    _draw_obstacles(axes, run)
     for one, other in graph.edges:
         color = _MALICIOUS if graph.nodes[one]["malicious"] or graph.nodes[other]["malicious"] else _LINK
         ends = points[[one - 1, other - 1]]
@@ -65,6 +67,17 @@ def draw_formation(axes: Axes, run: Run, tick: int = -1, *, ways: bool = False) 
     axes.set_aspect("equal", adjustable="box")
     axes.set_xlabel("x, m")
     axes.set_ylabel("y, m")
+
+
+def _draw_obstacles(axes: Axes, run: Run) -> None:
+    from matplotlib.patches import Circle
+
+    dimension = run.scenario.dimension
+    for row in run.scenario.obstacles:
+        ends, radius = np.array([row[:2], row[dimension : dimension + 2]]), float(row[-1])
+        if radius > 0:
+            axes.add_patch(Circle((ends[0, 0], ends[0, 1]), radius, color=_OBSTACLE, zorder=0))
+        axes.plot(ends[:, 0], ends[:, 1], color=_OBSTACLE, linewidth=2.0, zorder=0)
 
 
 def _colors(run: Run) -> list[str]:
