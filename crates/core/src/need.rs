@@ -118,6 +118,19 @@ impl Need {
         others.filter(|other| self.counts(robot, *other)).count()
     }
 
+    /// The same of robots with these `ranks`, of which `robot` itself is one.
+    #[inline]
+    pub fn counting_among_ranks(&self, robot: impl Into<Member>, ranks: &[u16]) -> u16 {
+        let rank = robot.into().rank;
+        if self.above.is_none() {
+            return u16::try_from(ranks.len().saturating_sub(1)).unwrap_or(u16::MAX);
+        }
+        // In the core all but the robot itself count; above it those below.
+        let (below, itself) = if rank == 0 { (1, 1) } else { (rank, 0) };
+        let count = ranks.iter().fold(0_u16, |count, other| count.wrapping_add(u16::from(*other < below)));
+        count.saturating_sub(itself)
+    }
+
     /// n, the number of robots in the team.
     #[must_use]
     pub fn robots(&self) -> u16 {
@@ -170,5 +183,18 @@ mod tests {
         }
         let all_core = Need::ranked(11, 11, 2, Keep::Neighbors);
         assert_eq!(all_core.need(of(3, 0)), Need::new(11, 2, Keep::Neighbors).need(RobotId(3)));
+    }
+
+    #[test]
+    fn counting_ranks_is_counting_robots() {
+        let ranks = [0, 3, 0, 5, 5, 1, 0, 2];
+        let member = |index: usize| Member { id: RobotId(u16::try_from(index).unwrap()), rank: ranks[index] };
+        for need in [Need::ranked(40, 3, 1, Keep::Neighbors), Need::new(40, 1, Keep::Neighbors)] {
+            for own in 0..ranks.len() {
+                let others = (0..ranks.len()).filter(|other| *other != own).map(member);
+                let counted = need.counting_among(member(own), others);
+                assert_eq!(usize::from(need.counting_among_ranks(member(own), &ranks)), counted, "{own}");
+            }
+        }
     }
 }

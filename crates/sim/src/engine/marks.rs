@@ -7,11 +7,21 @@ use crate::engine::roster::Roster;
 use crate::engine::sees::Around;
 use crate::frame::Frame;
 
+/// For each robot those around it that count for it, in order, with the weights of their links.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Counting {
+    /// Where those of each robot begin, and one past the last.
+    starts: Vec<u32>,
+    thirds: Vec<(u16, f64)>,
+}
+
 /// Whom a robot sees in this tick. Memory is a number a robot.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Marks {
     looker: u32,
     seen_by: Vec<u32>,
+    /// The ranks of the robot that looked and of those that it sees.
+    ranks: Vec<u16>,
 }
 
 /// What a robot sees of the links of a neighbour.
@@ -23,9 +33,29 @@ pub(crate) struct Seen {
     pub(crate) links: usize,
 }
 
+impl Counting {
+    /// Takes in a team in which those in `around` are linked and pairs weigh so much.
+    pub(crate) fn fill(&mut self, around: &Around, weights: &[f64], roster: &Roster) {
+        self.starts.clear();
+        self.thirds.clear();
+        for robot in 0..roster.members().len() {
+            self.starts.push(u32::try_from(self.thirds.len()).unwrap_or(u32::MAX));
+            let counts = around.of(robot).iter().filter(|half| roster.counts(robot, usize::from(half.other)));
+            self.thirds.extend(counts.map(|half| (half.other, weights[half.pair as usize])));
+        }
+        self.starts.push(u32::try_from(self.thirds.len()).unwrap_or(u32::MAX));
+    }
+
+    #[inline]
+    fn of(&self, robot: usize) -> &[(u16, f64)] {
+        &self.thirds[self.starts[robot] as usize..self.starts[robot + 1] as usize]
+    }
+}
+
 impl Marks {
-    /// Marks `robot` and whom it sees in `around`, a team of so many robots.
-    pub(crate) fn look_from(&mut self, robot: usize, robots: usize, around: &Around) {
+    /// Marks `robot` and whom it sees in `around`, in the team of `roster`.
+    pub(crate) fn look_from(&mut self, robot: usize, roster: &Roster, around: &Around) {
+        let robots = roster.members().len();
         if self.seen_by.len() != robots {
             (self.looker, self.seen_by) = (0, vec![0; robots]);
         }
@@ -34,35 +64,31 @@ impl Marks {
             self.seen_by.fill(0);
             1
         });
-        self.seen_by[robot] = self.looker;
-        for half in around.of(robot) {
-            self.seen_by[usize::from(half.other)] = self.looker;
+        self.ranks.clear();
+        for seen in around.of(robot).iter().map(|half| usize::from(half.other)).chain([robot]) {
+            self.seen_by[seen] = self.looker;
+            self.ranks.push(roster.member(seen).rank);
         }
     }
 
-    /// What the robot that looked sees of the links of `other`, whose weights are `weights`.
+    /// What the robot that looked sees of the links of `other`.
     #[inline]
-    pub(crate) fn seen(&self, other: usize, around: &Around, weights: &[f64], roster: &Roster) -> Seen {
+    pub(crate) fn seen(&self, other: usize, counting: &Counting) -> Seen {
         let mut seen = Seen::default();
-        let ranked = roster.is_ranked();
-        for half in around.of(other) {
-            let third = usize::from(half.other);
-            if self.seen_by[third] == self.looker && (!ranked || roster.counts(other, third)) {
-                seen.low += weights[half.pair as usize];
-                seen.links += 1;
-            }
+        for (third, weight) in counting.of(other) {
+            let sees = self.seen_by[usize::from(*third)] == self.looker;
+            // No weight is negative: a sum does not change by 0.
+            seen.low += if sees { *weight } else { 0.0 };
+            seen.links += usize::from(sees);
         }
         seen
     }
-}
 
-/// How many of those that `robot` sees, itself among them, count for `other`.
-pub(crate) fn counting(robot: usize, other: usize, around: &Around, roster: &Roster) -> usize {
-    if !roster.is_ranked() {
-        return around.of(robot).len();
+    /// How many of those that the robot that looked sees, itself among them, count for `other`, whom it sees.
+    #[inline]
+    pub(crate) fn counting(&self, other: usize, roster: &Roster) -> usize {
+        usize::from(roster.counting_among_ranks(other, &self.ranks))
     }
-    let seen = around.of(robot).iter().map(|half| usize::from(half.other)).chain([robot]);
-    seen.filter(|third| roster.counts(other, *third)).count()
 }
 
 /// What whoever sees everybody sees of `member`, where so many are `counted` for each robot.

@@ -47,6 +47,12 @@ impl Roster {
         self.need.counts(self.members[robot], self.members[other])
     }
 
+    /// How many robots of these ranks count for `robot`, which is one of them.
+    #[inline]
+    pub(crate) fn counting_among_ranks(&self, robot: usize, ranks: &[u16]) -> u16 {
+        self.need.counting_among_ranks(self.members[robot], ranks)
+    }
+
     /// How many that count `robot` needs.
     #[inline]
     pub(crate) fn need(&self, robot: usize) -> u16 {

@@ -17,7 +17,7 @@ use crate::engine::consensus::Consensus;
 use crate::engine::dense::{DENSE_MAX, Dense};
 use crate::engine::lanes::Lent;
 use crate::engine::links::{Linked, Links};
-use crate::engine::marks::{Marks, counting, glimpse};
+use crate::engine::marks::{Counting, Marks, glimpse};
 use crate::engine::phi::Phi;
 use crate::engine::roster::Roster;
 use crate::engine::sees::{Around, Half, Sees};
@@ -49,6 +49,7 @@ struct Robots<const D: usize, C: AtOnce<D>> {
     /// In a small team without ranks who sees whom, in bits.
     sees: Option<Sees>,
     around: Around,
+    counting: Counting,
     /// Tables in place of `around`, in a small team whose controller looks at neighbours.
     dense: Option<Dense>,
     /// What others make of what each told, and what each adds up.
@@ -90,6 +91,7 @@ impl<const D: usize, C: AtOnce<D> + Copy> Team<D, C> {
             links: Links::new(),
             sees: small.then(|| Sees::new(count)),
             around: Around::default(),
+            counting: Counting::default(),
             dense: (C::LOOKS && small).then(|| Dense::new(count)),
             told: Vec::with_capacity(count),
             sums: Vec::with_capacity(count),
@@ -109,7 +111,7 @@ impl<const D: usize, C: AtOnce<D> + Copy> Team<D, C> {
     pub fn step(&mut self, frame: &mut Frame<D>, liars: &mut Liars, workers: &dyn Workers) {
         let (robots, round) = (&mut self.robots, self.consensus.is_due(self.tick));
         robots.links.find(&robots.params, &robots.controller, &robots.roster, frame);
-        robots.look(round, frame.positions_m.len());
+        robots.look(round, frame);
         liars.begin_tick(self.tick);
         robots.tell(frame, liars);
         if round {
@@ -163,11 +165,16 @@ impl<const D: usize, C: AtOnce<D> + Copy> Team<D, C> {
 
 impl<const D: usize, C: AtOnce<D> + Copy> Robots<D, C> {
     /// Takes in who is linked to whom, as far as somebody asks: controllers that look at neighbours, and rounds.
-    fn look(&mut self, round: bool, count: usize) {
+    fn look(&mut self, round: bool, frame: &Frame<D>) {
         match &mut self.sees {
             _ if !C::LOOKS && !round => {}
             Some(sees) => sees.fill(self.links.by_second()),
-            None => self.around.fill(count, self.links.ends()),
+            None => self.around.fill(frame.positions_m.len(), self.links.ends()),
+        }
+        let all = |degree: &u16| usize::from(*degree) + 1 == frame.degrees.len();
+        let everybody = !self.roster.is_ranked() && frame.degrees.iter().all(all);
+        if C::LOOKS && self.sees.is_none() && !everybody {
+            self.counting.fill(&self.around, self.links.pair_weights(), &self.roster);
         }
     }
 
@@ -268,7 +275,7 @@ impl<const D: usize, C: AtOnce<D> + Copy> Robots<D, C> {
     ) -> Decided<D> {
         let looker = Looker::new(robot, frame);
         if looker.unseen > 0 || self.roster.is_ranked() {
-            marks.look_from(robot, frame.positions_m.len(), &self.around);
+            marks.look_from(robot, &self.roster, &self.around);
         }
         let halves = self.around.of(robot).iter();
         let neighbors = halves.map(|half| self.neighbor_in_lists(&looker, *half, marks, frame));
@@ -348,8 +355,8 @@ impl<const D: usize, C: AtOnce<D> + Copy> Robots<D, C> {
             Other { known, .. } if !ranked && looker.unseen == 0 => *known,
             Other { told_level, level, degree, .. } => {
                 let weights = self.links.pair_weights();
-                let seen = marks.seen(other, &self.around, weights, &self.roster);
-                let counting = counting(looker.index, other, &self.around, &self.roster);
+                let seen = marks.seen(other, &self.counting);
+                let counting = marks.counting(other, &self.roster);
                 self.controller.know(&Glimpse {
                     member,
                     weight: weights[pair],

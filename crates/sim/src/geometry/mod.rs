@@ -1,6 +1,8 @@
 //! Distances of pairs of robots.
 
 pub(crate) mod around;
+pub(crate) mod crowd;
+mod grid;
 pub(crate) mod near;
 
 use closeranks_core::num::{Vector, dot, subtract};

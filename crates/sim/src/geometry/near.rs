@@ -2,25 +2,15 @@
 
 use closeranks_core::num::Vector;
 
+use crate::geometry::crowd::Crowd;
 use crate::geometry::squared_distance;
-
-/// Teams up to this size are looked at pair by pair.
-const FEW: usize = 128;
-/// So many candidates are sorted after most of them are left out, more of them before.
-const SOME: usize = 96;
-/// A grid of fewer cells than this per axis does not help.
-const CELLS_MIN: f64 = 4.0;
-/// Cells per axis are never more than this: memory stays in bounds however wide the team is.
-const CELLS_MAX: f64 = 64.0;
 
 /// Finds, robot by robot, those of lower numbers that are near.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Near {
-    grid: Grid,
-    /// Whether the grid is in use in this tick.
-    sparse: bool,
-    /// With a grid, robots of lower numbers that may be near.
-    candidates: Vec<u16>,
+    crowd: Crowd,
+    /// Who was near each robot when it was looked at last: mostly they still are.
+    known: Vec<Vec<u16>>,
     found: Found,
 }
 
@@ -31,23 +21,15 @@ struct Found {
     distances_m2: Vec<f64>,
 }
 
-/// Robots by the cell in which they stand.
-#[derive(Clone, Debug, Default)]
-struct Grid {
-    cells: [usize; 3],
-    low_m: [f64; 3],
-    side_m: [f64; 3],
-    /// Where the robots of each cell begin in `robots`.
-    starts: Vec<u32>,
-    robots: Vec<u16>,
-    cell_of: Vec<u32>,
-}
-
 impl Near {
     /// Gets ready for robots at `positions_m`; true if a grid of cells is in use.
     pub(crate) fn look<const D: usize>(&mut self, positions_m: &[Vector<D>], radius_m: f64) -> bool {
-        self.sparse = positions_m.len() > FEW && self.grid.fill(positions_m, radius_m);
-        self.sparse
+        let sparse = self.crowd.split(positions_m, radius_m);
+        if sparse {
+            self.crowd.count(positions_m);
+            self.known.resize(positions_m.len(), Vec::new());
+        }
+        sparse
     }
 
     /// Robots before `second` within the radius, in order, and their squared distances, m².
@@ -59,33 +41,29 @@ impl Near {
         radius_m: f64,
     ) -> (&[u16], &[f64]) {
         let own = &positions_m[second];
-        if self.sparse {
-            self.grid.around(second, &mut self.candidates);
-            let Self { candidates, found, .. } = self;
-            let some = candidates.len() <= SOME;
-            if !some {
-                candidates.sort_unstable();
-            }
-            let near = candidates.iter().map(|first| (*first, &positions_m[usize::from(*first)]));
-            let kept = found.take(candidates.len(), near, own, radius_m);
-            if some {
-                found.sort(kept);
-            }
-            found.first(kept)
-        } else {
-            let kept = self.found.take(second, (0..).zip(&positions_m[..second]), own, radius_m);
-            self.found.first(kept)
+        if !self.crowd.is_sparse() {
+            let kept = self.found.take(second, positions_m, own, radius_m);
+            return self.found.first(kept);
         }
+        let Self { crowd, known, found } = self;
+        let known = &mut known[second];
+        let many = usize::from(crowd.counts()[second]);
+        if known.len() != many || !found.measure(known, positions_m, own, radius_m) {
+            crowd.around(second, positions_m, known);
+            found.measure(known, positions_m, own, radius_m);
+        }
+        let lower = known.partition_point(|other| usize::from(*other) < second);
+        (&known[..lower], &found.distances_m2[..lower])
     }
 }
 
 impl Found {
-    /// Keeps of at most `count` robots those within the radius of `own`, and says how many they are.
+    /// Keeps of the first `count` robots those within the radius of `own`, and says how many they are.
     #[inline]
-    fn take<'a, const D: usize>(
+    fn take<const D: usize>(
         &mut self,
         count: usize,
-        robots: impl Iterator<Item = (u16, &'a Vector<D>)>,
+        positions_m: &[Vector<D>],
         own: &Vector<D>,
         radius_m: f64,
     ) -> usize {
@@ -95,7 +73,7 @@ impl Found {
         }
         let (firsts, distances_m2) = (&mut self.firsts[..count], &mut self.distances_m2[..count]);
         let (mut kept, radius_m2) = (0, radius_m * radius_m);
-        for (first, position_m) in robots {
+        for (first, position_m) in (0..).zip(&positions_m[..count]) {
             let distance_m2 = squared_distance(position_m, own);
             (firsts[kept], distances_m2[kept]) = (first, distance_m2);
             // Where a robot is out of range, the next one takes its place.
@@ -104,17 +82,24 @@ impl Found {
         kept
     }
 
-    /// Puts the first few that were kept in order: most of the candidates are gone by then.
-    fn sort(&mut self, kept: usize) {
-        let (firsts, distances_m2) = (&mut self.firsts[..kept], &mut self.distances_m2[..kept]);
-        for next in 1..kept {
-            let mut place = next;
-            while place > 0 && firsts[place - 1] > firsts[place] {
-                firsts.swap(place - 1, place);
-                distances_m2.swap(place - 1, place);
-                place -= 1;
-            }
+    /// Measures how far those that are `known` are from `own`. True if all are within the radius.
+    #[inline]
+    fn measure<const D: usize>(
+        &mut self,
+        known: &[u16],
+        positions_m: &[Vector<D>],
+        own: &Vector<D>,
+        radius_m: f64,
+    ) -> bool {
+        if self.distances_m2.len() < known.len() {
+            self.distances_m2.resize(known.len(), 0.0);
         }
+        let (mut all, radius_m2) = (true, radius_m * radius_m);
+        for (distance_m2, other) in self.distances_m2.iter_mut().zip(known) {
+            *distance_m2 = squared_distance(&positions_m[usize::from(*other)], own);
+            all &= radius_m2 - *distance_m2 >= 0.0;
+        }
+        all
     }
 
     /// The first so many.
@@ -123,89 +108,8 @@ impl Found {
     }
 }
 
-impl Grid {
-    /// Sorts robots into cells whose sides are at least the radius; false if that would not help.
-    fn fill<const D: usize>(&mut self, positions_m: &[Vector<D>], radius_m: f64) -> bool {
-        (self.cells, self.low_m, self.side_m) = ([1; 3], [0.0; 3], [1.0; 3]);
-        let mut helps = false;
-        for d in 0..D.min(3) {
-            let along = || positions_m.iter().map(|position| position[d]);
-            let (low, high) =
-                (along().fold(f64::INFINITY, f64::min), along().fold(f64::NEG_INFINITY, f64::max));
-            // A hair more than the radius, so that rounding puts no near robot two cells away.
-            let count = ((high - low) / (radius_m * (1.0 + 1e-9))).floor().min(CELLS_MAX);
-            helps |= count >= CELLS_MIN;
-            if count >= 2.0 {
-                (self.cells[d], self.low_m[d], self.side_m[d]) = (whole(count), low, (high - low) / count);
-            }
-        }
-        if helps {
-            self.sort(positions_m);
-        }
-        helps
-    }
-
-    fn sort<const D: usize>(&mut self, positions_m: &[Vector<D>]) {
-        let cells: usize = self.cells.iter().product();
-        self.starts.clear();
-        self.starts.resize(cells + 1, 0);
-        self.cell_of.clear();
-        for position in positions_m {
-            let mut cell = 0;
-            for d in (0..D.min(3)).rev() {
-                cell = cell * self.cells[d] + self.place(position[d], d);
-            }
-            self.starts[cell + 1] += 1;
-            self.cell_of.push(u32::try_from(cell).unwrap_or(u32::MAX));
-        }
-        for cell in 0..cells {
-            self.starts[cell + 1] += self.starts[cell];
-        }
-        self.robots.resize(positions_m.len(), 0);
-        for robot in (0..positions_m.len()).rev() {
-            let end = &mut self.starts[self.cell_of[robot] as usize + 1];
-            *end -= 1;
-            self.robots[*end as usize] = u16::try_from(robot).unwrap_or(u16::MAX);
-        }
-        // Each entry is now where its cell begins, one place too far to the right.
-        self.starts.rotate_left(1);
-        self.starts[cells] = u32::try_from(positions_m.len()).unwrap_or(u32::MAX);
-    }
-
-    fn place(&self, along: f64, d: usize) -> usize {
-        whole((along - self.low_m[d]) / self.side_m[d]).min(self.cells[d] - 1)
-    }
-
-    /// Robots of lower numbers than `robot` in its cell and those beside it, in order of cells.
-    fn around(&self, robot: usize, candidates: &mut Vec<u16>) {
-        candidates.clear();
-        let mut cell = self.cell_of[robot] as usize;
-        let mut ranges = [[0; 2]; 3];
-        for (range, count) in ranges.iter_mut().zip(self.cells) {
-            let place = cell % count;
-            *range = [place.saturating_sub(1), (place + 1).min(count - 1)];
-            cell /= count;
-        }
-        let [x, y, z] = ranges;
-        for k in z[0]..=z[1] {
-            for j in y[0]..=y[1] {
-                let line = (k * self.cells[1] + j) * self.cells[0];
-                let (from, to) = (self.starts[line + x[0]], self.starts[line + x[1] + 1]);
-                let robots = self.robots[from as usize..to as usize].iter();
-                candidates.extend(robots.filter(|other| usize::from(**other) < robot));
-            }
-        }
-    }
-}
-
 pub(crate) fn small(index: usize) -> u16 {
     u16::try_from(index).unwrap_or(u16::MAX)
-}
-
-fn whole(number: f64) -> usize {
-    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "saturates, and is cut")]
-    let whole = number as usize;
-    whole
 }
 
 #[cfg(test)]
@@ -218,7 +122,7 @@ mod tests {
         let mut place = || core::array::from_fn(|_| random.uniform(-half_side_m, half_side_m));
         let positions_m: Vec<Vector<D>> = (0..robots).map(|_| place()).collect();
         let mut near = Near::default();
-        near.look(&positions_m, 1.0);
+        let sparse = near.look(&positions_m, 1.0);
         for second in 0..robots {
             let (firsts, distances_m2) = near.before(second, &positions_m, 1.0);
             let firsts = firsts.iter().map(|first| usize::from(*first));
@@ -227,7 +131,7 @@ mod tests {
             let within: Vec<_> = all.enumerate().filter(|(_, distance_m2)| *distance_m2 <= 1.0).collect();
             assert_eq!(found, within, "robot {second} of {robots}, seed {seed}");
         }
-        near.sparse
+        sparse
     }
 
     #[test]
@@ -241,5 +145,29 @@ mod tests {
             }
         }
         assert!(sparse >= 36, "{sparse}");
+    }
+
+    /// Robots that were known are looked for again where some came or left.
+    #[test]
+    fn robots_that_move_are_found_as_if_nobody_had_been_known() {
+        let mut random = Random::new(7, Stream::Start);
+        let mut draw = |by_m: f64| core::array::from_fn(|_| random.uniform(-by_m, by_m));
+        let mut positions_m: Vec<Vector<2>> = (0..300).map(|_| draw(8.0)).collect();
+        let (mut near, mut changed) = (Near::default(), 0);
+        for _ in 0..30 {
+            let mut fresh = Near::default();
+            assert!(near.look(&positions_m, 1.0) && fresh.look(&positions_m, 1.0));
+            for second in 0..300 {
+                let before = near.known[second].clone();
+                let found = near.before(second, &positions_m, 1.0);
+                assert_eq!(found, fresh.before(second, &positions_m, 1.0));
+                changed += usize::from(near.known[second] != before);
+            }
+            for position_m in &mut positions_m {
+                let step_m: Vector<2> = draw(0.05);
+                *position_m = [position_m[0] + step_m[0], position_m[1] + step_m[1]];
+            }
+        }
+        assert!((600..6_000).contains(&changed), "{changed}");
     }
 }

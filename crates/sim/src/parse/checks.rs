@@ -1,5 +1,8 @@
 //! What no single field can tell: ranges that depend on others, and whether the start exists.
 
+use std::collections::BTreeMap;
+
+use closeranks_core::num::Vector;
 use closeranks_core::settings::field::Field;
 use closeranks_core::settings::params::{Params, ParamsError};
 use closeranks_core::settings::range::Allowed;
@@ -245,26 +248,40 @@ fn start<const D: usize>(reader: &mut Reader, scenario: &Scenario) {
         Ok(positions) => positions,
         Err(error) => return refuse_start(reader, scenario, &error),
     };
-    for (second, x) in positions.iter().enumerate() {
-        if let Some(first) = positions[..second].iter().position(|y| squared_distance(x, y) == 0.0) {
-            let pair = format!("robots {} and {}", first + 1, second + 1);
-            let (field, length_m) = match scenario.start {
-                Start::Hexagon { spacing_m } => ("start.spacing_m", spacing_m),
-                Start::Random { half_side_m, .. } => ("start.half_side_m", half_side_m),
-                _ => {
-                    let found = format!("{pair} at one point {x:?}");
-                    reader.refuse(
-                        &format!("start.positions_m[{second}]"),
-                        found,
-                        "a different point for each robot",
-                    );
-                    continue;
-                }
-            };
-            let found = format!("{length_m:e}, where the distance of {pair} is rounded to 0");
-            return reader.refuse(field, found, "a larger start");
+    for (second, first) in at_one_point(&positions) {
+        let pair = format!("robots {} and {}", first + 1, second + 1);
+        let (field, length_m) = match scenario.start {
+            Start::Hexagon { spacing_m } => ("start.spacing_m", spacing_m),
+            Start::Random { half_side_m, .. } => ("start.half_side_m", half_side_m),
+            _ => {
+                let found = format!("{pair} at one point {:?}", positions[second]);
+                let field = format!("start.positions_m[{second}]");
+                reader.refuse(&field, found, "a different point for each robot");
+                continue;
+            }
+        };
+        let found = format!("{length_m:e}, where the distance of {pair} is rounded to 0");
+        return reader.refuse(field, found, "a larger start");
+    }
+}
+
+/// Every robot whose distance to one before it is rounded to 0, with the first such one. Only robots beside each other along the
+/// first axis are compared.
+fn at_one_point<const D: usize>(positions_m: &[Vector<D>]) -> BTreeMap<usize, usize> {
+    let along = |robot: usize| positions_m[robot][0];
+    let mut order: Vec<usize> = (0..positions_m.len()).collect();
+    order.sort_unstable_by(|one, other| along(*one).total_cmp(&along(*other)));
+    let mut found = BTreeMap::new();
+    for (place, one) in order.iter().enumerate() {
+        let beside = |other: &&usize| squared_distance(&[along(*one)], &[along(**other)]) <= 0.0;
+        for other in order[place + 1..].iter().take_while(beside) {
+            if squared_distance(&positions_m[*one], &positions_m[*other]) == 0.0 {
+                let first = found.entry(*one.max(other)).or_insert(usize::MAX);
+                *first = (*first).min(*one.min(other));
+            }
         }
     }
+    found
 }
 
 fn refuse_start(reader: &mut Reader, scenario: &Scenario, error: &StartError) {
@@ -278,5 +295,26 @@ fn refuse_start(reader: &mut Reader, scenario: &Scenario, error: &StartError) {
             reader.refuse("start.half_side_m", found, "a larger box or a smaller start.distance_min_m");
         }
         _ => reader.refuse("start.kind", error.to_string(), "a start for this team and dimension"),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn each_robot_at_the_point_of_another_is_found_with_the_first_there() {
+        let at = |x: f64, y: f64| [x, y];
+        let positions_m =
+            [at(1.0, 2.0), at(3.0, 2.0), at(1.0, 2.0), at(1.0, 5.0), at(3.0, 2.0 + 1e-200), at(1.0, 2.0)];
+        let mut expected = BTreeMap::new();
+        for second in 0..positions_m.len() {
+            let same = |y: &[f64; 2]| squared_distance(&positions_m[second], y) == 0.0;
+            if let Some(first) = positions_m[..second].iter().position(same) {
+                expected.insert(second, first);
+            }
+        }
+        assert_eq!(at_one_point(&positions_m), expected);
+        assert_eq!(expected.into_iter().collect::<Vec<_>>(), [(2, 0), (4, 1), (5, 0)]);
     }
 }

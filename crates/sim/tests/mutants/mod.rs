@@ -281,7 +281,7 @@ pub(crate) const MUTANTS: [Mutant; 42] = [
                 "self.listed_after.is_some_and(|after| after < self.acknowledged)",
                 "self.acknowledged > self.born",
             ),
-            (POLICY, "(peer.deal.released, peer.held) = (true, false);", "peer.deal.released = true;"),
+            (POLICY, "partner.hold(false);", ""),
         ],
     },
     Mutant {
@@ -335,13 +335,17 @@ pub(crate) const MUTANTS: [Mutant; 42] = [
         name: "ranks: everybody is listed, whatever its rank",
         law: "degree",
         lines: &[
-            (POLICY, "slot.sensed && self.need.counts(own, slot.member())", "slot.sensed"),
+            (POLICY, "partner.is_sensed() && self.need.counts(own, partner.member())", "partner.is_sensed()"),
             (
                 POLICY,
                 "(self.need.counts(own, other), self.need.counts(other, own))",
                 "(true, self.need.counts(other, own))",
             ),
-            (POLICY, "self.need.counts(own, slot.member()) && in_range", "in_range"),
+            (
+                POLICY,
+                "counts && sensed && distance_m <= self.begun_m()",
+                "sensed && distance_m <= self.begun_m()",
+            ),
         ],
     },
     Mutant {

@@ -11,9 +11,9 @@
 //!
 //! and 0 otherwise. [`Hold`], the rule who releases whom and the rows are those of a robot on its own, so both come to the same bits.
 
-use crate::controller::links::control::LinksController;
-use crate::controller::links::deal::Deal;
-use crate::controller::links::peer::{Ledger, Told};
+pub use crate::controller::links::deal::Deal;
+use crate::controller::links::partner::HEARD;
+use crate::controller::links::peer::Told;
 use crate::controller::links::protocol::{Entry, Hold, Number, Word};
 use crate::controller::links::rows::Beside;
 use crate::controller::links::wire::Head;
@@ -24,20 +24,22 @@ use crate::robot::neighbor::Slot;
 use crate::time::Instant;
 
 /// Stands for a tick that never was.
-const NEVER: u32 = u32::MAX;
+pub(super) const NEVER: u32 = u32::MAX;
 
 /// A tick of a team whose clocks show the same time, from 0 on.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Moment {
-    tick: u32,
+    pub(super) tick: u32,
     period_nanos: u64,
+    /// True if what was told in the tick before still counts.
+    pub(super) told: bool,
 }
 
 /// What a robot says to one neighbour.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Said {
     listed: bool,
-    promised: bool,
+    pub(super) promised: bool,
 }
 
 /// What a robot says to all.
@@ -53,24 +55,12 @@ pub struct Voice<const D: usize> {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Bond {
     /// The tick in which it came, and since which it is listed.
-    born: u32,
-    listed: u32,
-    held: bool,
-    promised: bool,
+    pub(super) born: u32,
+    pub(super) listed: u32,
+    pub(super) held: bool,
+    pub(super) promised: bool,
     /// What it said in the tick before.
-    their: Said,
-}
-
-/// What is held beside of a neighbour that counts: how long promises last.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Terms {
-    engaged: bool,
-    released: bool,
-    waiting_ticks: u32,
-    unused_s: f64,
-    lapsed_s: f64,
-    barred_s: f64,
-    bar_s: f64,
+    pub(super) their: Said,
 }
 
 /// Where a neighbour is that is not sensed and keeps its place, because others may rest on it.
@@ -78,10 +68,10 @@ pub struct Terms {
 pub struct Unseen<const D: usize> {
     /// Where it was sensed last, m, and when.
     position_m: Vector<D>,
-    sensed_at: Instant,
+    pub(super) sensed_at: Instant,
     /// How far it can have gone since, m.
-    gone_m: f64,
-    ticks: u32,
+    pub(super) gone_m: f64,
+    pub(super) ticks: u32,
     vanished: bool,
     inside: bool,
 }
@@ -90,7 +80,9 @@ impl Moment {
     /// Tick number `tick` of a team that ticks every so many nanoseconds.
     #[must_use]
     pub fn new(tick: u32, period_nanos: u64) -> Self {
-        Self { tick, period_nanos }
+        let moment = Self { tick, period_nanos, told: false };
+        let told = moment.before().is_some_and(|before| moment.now().is_within(HEARD, before.now()));
+        Self { told, ..moment }
     }
 
     /// The time.
@@ -102,11 +94,11 @@ impl Moment {
     /// The tick before, if there is one.
     #[must_use]
     pub fn before(&self) -> Option<Self> {
-        self.tick.checked_sub(1).map(|tick| Self { tick, ..*self })
+        self.tick.checked_sub(1).map(|tick| Self { tick, told: false, ..*self })
     }
 
     /// The number of the newest message before those of `tick`.
-    fn last(tick: u32) -> Number {
+    pub(super) fn last(tick: u32) -> Number {
         Number(u64::from(tick))
     }
 }
@@ -133,7 +125,7 @@ impl Bond {
 
     /// What is held before the messages of `tick`.
     #[inline]
-    fn hold(&self, tick: u32) -> Hold {
+    pub(super) fn hold(&self, tick: u32) -> Hold {
         let acknowledged =
             if self.born < tick.saturating_sub(1) { Moment::last(tick - 1) } else { Number::NONE };
         let entry = Entry { listed: self.their.listed, acknowledged };
@@ -157,11 +149,11 @@ impl Bond {
     }
 
     /// Makes `slot` that of the neighbour `who`, sensed at `offset_m` (m), before the messages of this tick; `told` is what it said to all in
-    /// the tick before. The slot may have been that of another one: whatever [`LinksController::agree_at_once`] looks at is written.
+    /// the tick before.
     pub fn fill<const D: usize>(
         &self,
         slot: &mut Slot<D>,
-        terms: &Terms,
+        deal: &Deal,
         moment: &Moment,
         who: Member,
         offset_m: Vector<D>,
@@ -176,39 +168,7 @@ impl Bond {
         let head = Head { number, value: None, price_m: told.price_m, wish_m_s: told.wish_m_s };
         let then = moment.before().filter(|_| self.born < moment.tick);
         peer.told = then.map(|then| Told { head, promised, at: then.now() });
-        peer.deal = Deal {
-            gain_m: 0.0,
-            promised: self.promised,
-            engaged: terms.engaged,
-            eligible: false,
-            stretched: false,
-            released: terms.released,
-            unused_s: terms.unused_s,
-            lapsed_s: terms.lapsed_s,
-            barred_s: terms.barred_s,
-            bar_s: terms.bar_s,
-            waiting_ticks: terms.waiting_ticks,
-        };
-    }
-
-    /// Takes over what became of the slot before the messages of this tick.
-    pub fn keep<const D: usize>(&mut self, terms: &mut Terms, moment: &Moment, slot: &Slot<D>) {
-        let (peer, deal) = (&slot.peer, &slot.peer.deal);
-        (self.held, self.promised) = (peer.held, deal.promised);
-        *terms = Terms {
-            engaged: deal.engaged,
-            released: deal.released,
-            waiting_ticks: deal.waiting_ticks,
-            unused_s: deal.unused_s,
-            lapsed_s: deal.lapsed_s,
-            barred_s: deal.barred_s,
-            bar_s: deal.bar_s,
-        };
-        self.listed = match peer.hold.listed_after() {
-            None => NEVER,
-            Some(after) if self.listed != NEVER && after == Moment::last(self.listed) => self.listed,
-            Some(_) => moment.tick,
-        };
+        peer.deal = *deal;
     }
 }
 
@@ -239,6 +199,12 @@ impl<const D: usize> Unseen<D> {
         (peer.unseen_ticks, peer.vanished, peer.inside) = (self.ticks, self.vanished, self.inside);
     }
 
+    /// From where it was sensed last to a robot at `own_m`, m.
+    #[must_use]
+    pub fn offset_m(&self, own_m: &Vector<D>) -> Vector<D> {
+        subtract(own_m, &self.position_m)
+    }
+
     /// True if the robot reckons with it although it must have been sensed.
     #[must_use]
     pub fn is_missing(&self) -> bool {
@@ -248,25 +214,6 @@ impl<const D: usize> Unseen<D> {
     /// What bounds the move of a robot at `own_m` (m) next to it, of whose bond only whether it is `active` matters.
     #[must_use]
     pub fn beside(&self, own_m: &Vector<D>, active: bool) -> Beside<D> {
-        Beside { offset_m: subtract(own_m, &self.position_m), gone_m: self.gone_m, sensed: false, active }
-    }
-}
-
-impl<const D: usize> LinksController<D> {
-    /// Decides whom robot `own` lists and promises something, who wants to go with `wish_m_s`, as a robot on its own does before it tells. Gives
-    /// the price of a promise, m. `values` has a number a slot. Neighbours that do not count for `own` may be left out: nothing becomes of them.
-    pub fn agree_at_once(
-        &self,
-        own: Member,
-        moment: &Moment,
-        wish_m_s: &Vector<D>,
-        slots: &mut [Slot<D>],
-        values: &mut [f64],
-    ) -> f64 {
-        let looked_at = moment.before().map(|before| before.now());
-        let mut ledger =
-            Ledger { wish_m_s: *wish_m_s, looked_at, ..Ledger::begin(Moment::last(moment.tick)) };
-        self.links.agree(own, &mut ledger, slots, moment.now(), values);
-        ledger.price_m
+        Beside { offset_m: self.offset_m(own_m), gone_m: self.gone_m, sensed: false, active }
     }
 }

@@ -5,6 +5,7 @@ use crate::controller::clearance::Clearance;
 use crate::controller::links::Links;
 use crate::controller::links::peer::{Ledger, Peer};
 use crate::controller::links::rows::Beside;
+use crate::controller::links::slack::Slack;
 use crate::controller::{Control, Decision, Kept, Motion, Standing, View};
 use crate::equations::link::LinkShape;
 use crate::id::Member;
@@ -24,6 +25,7 @@ pub struct LinksController<const D: usize> {
     /// The parameters of the rows and of the rule who releases whom.
     pub links: Links,
     reach: Reach<D>,
+    slack: Slack,
     input: InputBox<D>,
     clearance: Clearance,
     hold_s: f64,
@@ -62,14 +64,15 @@ impl<const D: usize> LinksController<D> {
         let (input, clearance) = (settings.limits.input, Clearance::new(settings));
         let ticks = settings.clock.told_max.as_nanos() / period.as_nanos().max(1);
         let unseen_max = u32::try_from(ticks).unwrap_or(u32::MAX);
-        Self { links, reach, input, clearance, hold_s, unseen_max, shape }
+        let slack = Slack::new(&links, &reach);
+        Self { links, reach, slack, input, clearance, hold_s, unseen_max, shape }
     }
 
     /// The desired velocity as the robot tells and follows it.
     fn wish(&self, view: &View<'_, D>, desired: &Vector<D>) -> Vector<D> {
         let heard = view.sensed().filter_map(|slot| {
             let told = slot.peer.told_within(view.now, self.links.told_max)?;
-            Some((slot.offset_m, told.head.wish_m_s))
+            Some((slot.offset_m, &told.head.wish_m_s))
         });
         self.links.turned(desired, heard)
     }
@@ -94,7 +97,7 @@ impl<const D: usize> LinksController<D> {
         scratch: &mut Scratch<'_, D>,
     ) -> Decision<D> {
         let desired_m = motion.desired_m_s.map(|component| component * self.hold_s);
-        let mut rows = self.links.rows(others, &desired_m, self.reach, scratch.rows);
+        let mut rows = self.links.rows(others, &desired_m, (self.reach, &self.slack), scratch.rows);
         self.clearance.push(&motion.position_m, scratch.map, &mut rows.program);
         self.clearance.recover(&motion.position_m, scratch.map, &mut rows);
         let moved = rows.decide(&motion.before_m_s.map(|component| component * self.hold_s));

@@ -12,10 +12,10 @@ const FORGET_PER_S: f64 = 0.1;
 const BAR_S: f64 = 2.0;
 const BAR_MAX_S: f64 = 1_000.0;
 
-/// What a robot and a neighbour have agreed on.
+/// What a robot and a neighbour have agreed on. Only the rule who releases whom looks into it.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[expect(clippy::struct_excessive_bools, reason = "five facts, each with its own life")]
-pub(crate) struct Deal {
+pub struct Deal {
     /// V_ij, m; of use only in the tick in which it was computed.
     pub(super) gain_m: f64,
     /// True if the neighbour is promised a release.

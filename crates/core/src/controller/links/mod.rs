@@ -22,28 +22,31 @@
 //! | who lists whom, who is counted on, whose row is active | [`protocol`] |
 //! | what is told, as bytes | [`wire`] |
 //! | what a robot holds of a neighbour | [`peer`] |
-//! | the rows of a tick | `rows` |
-//! | who releases whom: no guarantee rests on it | `policy`, `deal` |
+//! | the rows of a tick, and where none are needed | [`rows`], `slack` |
+//! | who releases whom: no guarantee rests on it | `policy`, `deal`; what it asks of a neighbour: `partner` |
 //! | the seam | [`control`] |
-//! | the same in few bytes, for large teams in which nothing goes wrong | [`bond`] |
+//! | the same in few bytes, for large teams in which nothing goes wrong | [`bond`], [`line`] |
 
 pub mod bond;
 pub mod control;
 mod deal;
+pub mod line;
+mod partner;
 pub mod peer;
 mod policy;
 pub mod protocol;
 pub mod rows;
+mod slack;
 pub mod wire;
 
 use core::time::Duration;
 
 use crate::controller::assume::Assume;
 use crate::controller::errors::ErrorBounds;
+use crate::controller::links::partner::Partner;
 use crate::id::Member;
 use crate::need::Need;
 use crate::num::length;
-use crate::robot::neighbor::Slot;
 use crate::time::Instant;
 
 /// Links are held so much below R, and distances so much above Δ_d, as fractions: far more than rounding, far less than anybody
@@ -119,14 +122,14 @@ impl Links {
     /// counted on (thm:held), unless it is certainly beyond: then some assumption was broken. One that is not sensed may have
     /// broken one: it is held only as long as it cannot be beyond, and not for long, because the last sighting may have been
     /// wrong. Gives the distance, m.
-    fn settle<const D: usize>(&self, slot: &mut Slot<D>, now: Instant) -> f64 {
-        let recent = now.is_within(self.told_max, slot.sensed_at);
-        let error_m = self.error_m(slot.gone_m);
-        let (distance_m, peer) = (length(&slot.offset_m), &mut slot.peer);
+    fn settle<const D: usize>(&self, partner: &mut impl Partner<D>, now: Instant) -> f64 {
+        let recent = partner.was_sensed_within(self.told_max, now);
+        let error_m = self.error_m(partner.gone_m());
+        let distance_m = length(partner.offset_m());
         let certainly_within = distance_m + error_m <= self.begun_m();
         let certainly_beyond = distance_m - error_m > self.radius_m * (1.0 + HAIR);
-        let carried = peer.held && peer.unseen_ticks == 0 && !certainly_beyond;
-        peer.held = peer.hold.counts() && recent && (carried || certainly_within);
+        let carried = partner.is_held() && partner.unseen_ticks() == 0 && !certainly_beyond;
+        partner.hold(partner.acknowledges() && recent && (carried || certainly_within));
         distance_m
     }
 }

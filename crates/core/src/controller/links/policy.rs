@@ -18,25 +18,24 @@
 //! A promise that is of no use for a while lapses. Who goes on listing a robot that has stopped listing it is listed again, because
 //! its row is active anyway, and is barred for a time that doubles.
 
-use core::time::Duration;
-
 use crate::controller::links::Links;
-use crate::controller::links::peer::{Ledger, Peer};
+use crate::controller::links::partner::Partner;
+use crate::controller::links::peer::Ledger;
 use crate::controller::links::protocol::Number;
 use crate::id::Member;
 use crate::num::{Vector, add_scaled, dot, length, sqrt, subtract};
-use crate::robot::neighbor::Slot;
 use crate::time::Instant;
 
 /// A pair is released beyond this fraction of the held radius, and listed again below the other.
 const STRETCHED: f64 = 0.95;
 const NEAR: f64 = 0.85;
-/// What was told longer ago does not count.
-const HEARD: Duration = Duration::from_secs(1);
 /// So many ticks a neighbour has time to follow a release.
 const PATIENCE_TICKS: u32 = 10;
 /// No more time than this passes between two looks, s.
 const STEP_MAX_S: f64 = 1.0;
+
+/// Up to so many keys are put in order one by one.
+const FEW: usize = 16;
 
 /// Who passes to the right looks so many Δ_d ahead; the cosine of 45 degrees.
 const PASS_DISTANCES: f64 = 1.2;
@@ -45,31 +44,32 @@ const COS_45: f64 = core::f64::consts::FRAC_1_SQRT_2;
 const TIE: [f64; 2] = [0.999_800_006_666_577_8, 0.019_998_666_693_333_08];
 
 impl Links {
-    /// Decides whom robot `own` lists from now on, and what it promises. `values` is scratch, one number a slot.
-    pub(crate) fn agree<const D: usize>(
+    /// Decides whom robot `own` lists from now on of those that are its `partners`, and what it promises. `values` is scratch, one
+    /// number for each.
+    pub(crate) fn agree<const D: usize, P: Partner<D>>(
         &self,
         own: Member,
         ledger: &mut Ledger<D>,
-        slots: &mut [Slot<D>],
+        partners: &mut [P],
         now: Instant,
         values: &mut [f64],
     ) {
         let elapsed_s = ledger.looked_at.map_or(0.0, |then| now.since(then).as_secs_f64().min(STEP_MAX_S));
         let (last, first) = (ledger.numbers.last(), ledger.looked_at.is_none());
         let (mut counted, mut in_range) = (0, 0);
-        for slot in &mut *slots {
-            let distance_m = self.settle(slot, now);
-            let may_be_counted = self.look(own, slot, distance_m, &ledger.wish_m_s, now);
-            slot.peer.deal.pass(elapsed_s);
-            counted += usize::from(slot.peer.is_counted());
+        for partner in &mut *partners {
+            let distance_m = self.settle(partner, now);
+            let may_be_counted = self.look(own, partner, distance_m, &ledger.wish_m_s, now);
+            partner.deal_mut().pass(elapsed_s);
+            counted += usize::from(partner.is_counted());
             in_range += usize::from(may_be_counted);
         }
         let keep = usize::from(self.keep(own));
         let slots_left = in_range.saturating_sub(keep);
-        promise(slots, slots_left, values);
-        ledger.price_m = price_m(slots, slots_left);
-        Self::release(slots, counted, keep);
-        self.list(own, slots, last, first || counted < keep);
+        promise(partners, slots_left, values);
+        ledger.price_m = price_m(partners, slots_left);
+        release(partners, counted, keep);
+        self.list(own, partners, last, first || counted < keep);
         ledger.looked_at = Some(now);
     }
 
@@ -80,27 +80,28 @@ impl Links {
     fn look<const D: usize>(
         &self,
         own: Member,
-        slot: &mut Slot<D>,
+        partner: &mut impl Partner<D>,
         distance_m: f64,
         wish_m_s: &Vector<D>,
         now: Instant,
     ) -> bool {
-        let (counts, mutual) = self.mutual(own, slot.member());
-        let told = slot.peer.told_within(now, HEARD);
-        let may_be_counted = counts && slot.sensed && distance_m <= self.begun_m() && told.is_some();
-        let their_m_s = told.map_or([0.0; D], |told| self.capped(&told.head.wish_m_s));
-        let ends_m = add_scaled(&slot.offset_m, self.horizon_s, &subtract(wish_m_s, &their_m_s));
+        let (counts, mutual) = self.mutual(own, partner.member());
+        let told = partner.told(now);
+        let sensed = partner.is_sensed();
+        let may_be_counted = counts && sensed && distance_m <= self.begun_m() && told.is_some();
+        let their_m_s = told.map_or([0.0; D], |told| self.capped(told.wish_m_s));
+        let ends_m = add_scaled(partner.offset_m(), self.horizon_s, &subtract(wish_m_s, &their_m_s));
         let (price_m, promised) = match told {
             None => (f64::INFINITY, false),
-            Some(told) if mutual => (told.head.price_m, told.promised),
+            Some(told) if mutual => (told.price_m, told.promised),
             Some(_) => (0.0, true),
         };
-        let deal = &mut slot.peer.deal;
+        let deal = partner.deal_mut();
         deal.gain_m = length(&ends_m);
         deal.engaged = deal.promised && promised;
         deal.stretched = distance_m > STRETCHED * self.radius_m;
         let usable = deal.barred_s <= 0.0 && (deal.stretched || deal.lapsed_s <= 0.0);
-        deal.eligible = slot.sensed && counts && usable && deal.key_m() >= price_m;
+        deal.eligible = sensed && counts && usable && deal.key_m() >= price_m;
         may_be_counted
     }
 
@@ -109,46 +110,22 @@ impl Links {
         (self.need.counts(own, other), self.need.counts(other, own))
     }
 
-    /// Releases who is to be released and follows those who have let go, as long as enough are counted on.
-    //= theory thm:anew
-    fn release<const D: usize>(slots: &mut [Slot<D>], mut counted: usize, keep: usize) {
-        loop {
-            let loose = |peer: &Peer<D>| {
-                let (is_counted, deal) = (peer.is_counted(), &peer.deal);
-                let let_go = peer.hold.is_released() && (deal.engaged || !is_counted);
-                peer.hold.is_listed()
-                    && deal.stretched
-                    && (deal.engaged || let_go)
-                    && counted >= keep + usize::from(is_counted)
-            };
-            let mut farthest: Option<&mut Peer<D>> = None;
-            for peer in slots.iter_mut().map(|slot| &mut slot.peer).filter(|peer| loose(peer)) {
-                if farthest.as_ref().is_none_or(|most| peer.deal.gain_m > most.deal.gain_m) {
-                    farthest = Some(peer);
-                }
-            }
-            let Some(peer) = farthest else { return };
-            counted -= usize::from(peer.is_counted());
-            (peer.deal.released, peer.held) = (true, false);
-            peer.hold.release();
-        }
-    }
-
     /// Lists who is near, who does not let go, and with `all` who may be in range.
-    fn list<const D: usize>(&self, own: Member, slots: &mut [Slot<D>], last: Number, all: bool) {
-        for slot in slots.iter_mut().filter(|slot| slot.sensed && self.need.counts(own, slot.member())) {
-            let Peer { hold, deal, .. } = &mut slot.peer;
-            let waits = !hold.is_listed() && hold.lists();
+    fn list<const D: usize, P: Partner<D>>(&self, own: Member, partners: &mut [P], last: Number, all: bool) {
+        let counts = |partner: &&mut P| partner.is_sensed() && self.need.counts(own, partner.member());
+        let reach_m = if all { self.begun_m() + self.errors.offset_m } else { NEAR * self.radius_m };
+        for partner in partners.iter_mut().filter(counts) {
+            let waits = !partner.is_listed() && partner.lists();
+            let deal = partner.deal_mut();
             deal.waiting_ticks = if waits { deal.waiting_ticks.saturating_add(1) } else { 0 };
             let impatient = deal.waiting_ticks > PATIENCE_TICKS;
             if impatient && deal.released {
                 deal.bar();
             }
-            let reach_m = if all { self.begun_m() + self.errors.offset_m } else { NEAR * self.radius_m };
-            let near = dot(&slot.offset_m, &slot.offset_m) <= reach_m * reach_m;
-            if !hold.is_listed() && (impatient || near) {
-                deal.released = false;
-                hold.list(last);
+            let near = dot(partner.offset_m(), partner.offset_m()) <= reach_m * reach_m;
+            if !partner.is_listed() && (impatient || near) {
+                partner.deal_mut().released = false;
+                partner.list(last);
             }
         }
     }
@@ -156,19 +133,18 @@ impl Links {
     /// The wish, turned to the right if somebody comes towards the robot, seen along the first two axes: by a hair, so that two
     /// robots that meet head-on slide past each other, or as far as they may.
     #[must_use]
-    pub fn turned<const D: usize>(
+    pub fn turned<'a, const D: usize>(
         &self,
         wish_m_s: &Vector<D>,
-        mut sensed: impl Iterator<Item = (Vector<D>, Vector<D>)>,
+        mut sensed: impl Iterator<Item = (Vector<D>, &'a Vector<D>)>,
     ) -> Vector<D> {
-        let near_m = PASS_DISTANCES * self.distance_min_m;
         let wish_m2_s2 = dot(wish_m_s, wish_m_s);
-        let comes = |(offset_m, their_m_s): (Vector<D>, Vector<D>)| {
+        let comes = |(offset_m, their_m_s): (Vector<D>, &Vector<D>)| {
             let (ahead, square_m2) = (-dot(&offset_m, wish_m_s), dot(&offset_m, &offset_m));
-            let within = square_m2 <= near_m * near_m && ahead >= 0.0;
+            let within = self.may_meet(square_m2) && ahead >= 0.0;
             within
                 && ahead * ahead >= COS_45 * COS_45 * square_m2 * wish_m2_s2
-                && dot(&their_m_s, wish_m_s) < 0.0
+                && dot(their_m_s, wish_m_s) < 0.0
         };
         if D < 2 || !sensed.any(comes) {
             return *wish_m_s;
@@ -178,6 +154,14 @@ impl Links {
         turned[0] = along * wish_m_s[0] + right * wish_m_s[1];
         turned[1] = along * wish_m_s[1] - right * wish_m_s[0];
         turned
+    }
+
+    /// True if a robot at this squared distance, m², is near enough to turn the wish ([`turned`](Self::turned)).
+    #[inline]
+    #[must_use]
+    pub fn may_meet(&self, square_m2: f64) -> bool {
+        let near_m = PASS_DISTANCES * self.distance_min_m;
+        square_m2 <= near_m * near_m
     }
 
     /// A told wish, no faster than a robot can go.
@@ -192,20 +176,19 @@ impl Links {
 }
 
 /// Promises the `left` slots to the eligible with the largest V; of equals, to those of the lowest numbers.
-fn promise<const D: usize>(slots: &mut [Slot<D>], left: usize, values: &mut [f64]) {
+fn promise<const D: usize, P: Partner<D>>(partners: &mut [P], left: usize, values: &mut [f64]) {
     let mut count = 0;
-    for slot in slots.iter().filter(|slot| slot.peer.deal.eligible) {
+    for deal in partners.iter().map(Partner::deal).filter(|deal| deal.eligible) {
         if let Some(value) = values.get_mut(count) {
-            *value = slot.peer.deal.key_m();
+            *value = deal.key_m();
             count += 1;
         }
     }
     let keys = values.get_mut(..count).unwrap_or(&mut []);
-    keys.sort_unstable_by(|one, other| other.total_cmp(one));
-    let least = if left == 0 { f64::INFINITY } else { keys.get(left - 1).copied().unwrap_or(0.0) };
+    let least = if left == 0 { f64::INFINITY } else { largest(keys, left - 1) };
     let above = keys.iter().filter(|key| **key > least).count();
     let mut equal = left.saturating_sub(above);
-    for deal in slots.iter_mut().map(|slot| &mut slot.peer.deal) {
+    for deal in partners.iter_mut().map(Partner::deal_mut) {
         let key_m = deal.key_m();
         let last = deal.eligible && key_m == least && equal > 0;
         equal -= usize::from(last);
@@ -214,12 +197,57 @@ fn promise<const D: usize>(slots: &mut [Slot<D>], left: usize, values: &mut [f64
     }
 }
 
+/// The largest of `keys` but so many; 0 if there are no more. Their order is lost. None of them is NaN or negative.
+fn largest(keys: &mut [f64], but: usize) -> f64 {
+    if but >= keys.len() {
+        return 0.0;
+    }
+    if keys.len() > FEW {
+        return *keys.select_nth_unstable_by(but, |one, other| other.total_cmp(one)).1;
+    }
+    for next in 1..keys.len() {
+        let (key, mut place) = (keys[next], next);
+        while place > 0 && keys[place - 1] < key {
+            keys[place] = keys[place - 1];
+            place -= 1;
+        }
+        keys[place] = key;
+    }
+    keys[but]
+}
+
 /// What a promise of the robot costs, m, whose slots are so many.
-fn price_m<const D: usize>(slots: &[Slot<D>], left: usize) -> f64 {
-    let engaged = || slots.iter().map(|slot| &slot.peer.deal).filter(|deal| deal.engaged);
+fn price_m<const D: usize, P: Partner<D>>(partners: &[P], left: usize) -> f64 {
+    let engaged = || partners.iter().map(Partner::deal).filter(|deal| deal.engaged);
     match left {
         0 => f64::INFINITY,
         _ if engaged().count() < left => 0.0,
         _ => engaged().fold(f64::INFINITY, |least, deal| least.min(deal.gain_m)),
+    }
+}
+
+/// Releases who is to be released and follows those who have let go, as long as enough are counted on.
+//= theory thm:anew
+fn release<const D: usize, P: Partner<D>>(partners: &mut [P], mut counted: usize, keep: usize) {
+    loop {
+        let loose = |partner: &P| {
+            let (is_counted, deal) = (partner.is_counted(), partner.deal());
+            let let_go = partner.is_released() && (deal.engaged || !is_counted);
+            partner.is_listed()
+                && deal.stretched
+                && (deal.engaged || let_go)
+                && counted >= keep + usize::from(is_counted)
+        };
+        let mut farthest: Option<&mut P> = None;
+        for partner in partners.iter_mut().filter(|partner| loose(partner)) {
+            if farthest.as_ref().is_none_or(|most| partner.deal().gain_m > most.deal().gain_m) {
+                farthest = Some(partner);
+            }
+        }
+        let Some(partner) = farthest else { return };
+        counted -= usize::from(partner.is_counted());
+        partner.deal_mut().released = true;
+        partner.hold(false);
+        partner.release();
     }
 }

@@ -131,11 +131,6 @@ impl Hold {
         Self { born, listed_after, heard, acknowledged }
     }
 
-    /// While i lists j: the number of the last message before it began to.
-    pub(crate) fn listed_after(&self) -> Option<Number> {
-        self.listed_after
-    }
-
     /// Lists j from the next message on; `last` is the number of the newest message of i. Nothing changes if j is listed.
     pub fn list(&mut self, last: Number) {
         self.listed_after.get_or_insert(last);

@@ -1,6 +1,7 @@
 //! The rows of a tick: (held) for neighbours that keep each other, (near) for all.
 
 use crate::controller::links::Links;
+use crate::controller::links::slack::Slack;
 use crate::controller::rows::{Rows, give_m2, may_bind};
 use crate::num::{Vector, dot, length};
 use crate::program::balls::reach::Reach;
@@ -35,27 +36,33 @@ impl<const D: usize> Beside<D> {
 }
 
 impl Links {
-    /// All rows of a robot that has these `others`, wants to move by `desired_m` (m) and can move within `reach`.
+    /// All rows of a robot that has these `others`, wants to move by `desired_m` (m) and can move within `reach`, to which `slack`
+    /// belongs.
     //= theory thm:held
+    #[inline]
     pub(super) fn rows<'memory, const D: usize>(
         &self,
         others: impl Iterator<Item = Beside<D>>,
         desired_m: &Vector<D>,
-        reach: Reach<D>,
+        (reach, slack): (Reach<D>, &Slack),
         memory: &'memory mut [Row<D>],
     ) -> Rows<'memory, D> {
         let mut rows = Rows::new(desired_m, reach, memory);
         for other in others {
-            if other.active {
+            let (square_m2, exact) = (dot(&other.offset_m, &other.offset_m), other.gone_m == 0.0);
+            if !(exact && slack.is_held_slack(square_m2)) && other.active {
                 self.push_held(&other, &mut rows);
             }
-            self.push_near(&other, &mut rows);
+            if !(exact && slack.is_near_slack(square_m2)) {
+                self.push_near(&other, &mut rows);
+            }
         }
         rows
     }
 
     /// (held) for a neighbour, unless it is certainly farther away than anybody counts on.
     //= theory eq:held
+    #[inline]
     fn push_held<const D: usize>(&self, other: &Beside<D>, rows: &mut Rows<'_, D>) {
         let (offset_m, error_m) = (&other.offset_m, self.error_m(other.gone_m));
         let square_m2 = dot(offset_m, offset_m);
@@ -69,6 +76,7 @@ impl Links {
 
     /// (near) for a neighbour, and recovery of the distance of one that is sensed.
     //= theory eq:near
+    #[inline]
     fn push_near<const D: usize>(&self, other: &Beside<D>, rows: &mut Rows<'_, D>) {
         let (offset_m, error_m) = (&other.offset_m, self.error_m(other.gone_m));
         let square_m2 = dot(offset_m, offset_m);
@@ -129,10 +137,8 @@ mod tests {
 
     fn row_of(links: &Links, offset_m: [f64; 2], memory: &mut [Row<2>]) -> [f64; 2] {
         let slot = Slot { sensed: true, offset_m, ..Slot::default() };
-        links
-            .rows([Beside::of(&slot, false)].into_iter(), &offset_m, reach(), memory)
-            .closest()
-            .displacement_m
+        let (beside, slack) = ([Beside::of(&slot, false)], Slack::new(links, &reach()));
+        links.rows(beside.into_iter(), &offset_m, (reach(), &slack), memory).closest().displacement_m
     }
 
     //= theory eq:held type=test
@@ -164,5 +170,31 @@ mod tests {
                 0.25 * links.gamma * (squared(links.radius_m) - dot(&offset_m, &offset_m)).max(0.0);
             assert!(dot(&offset_m, &moved_m) + dot(&moved_m, &moved_m) <= bound_m2 + 1e-15);
         }
+    }
+
+    /// At any distance, in any direction: where both rows are left out because neither can bind, neither would have been kept.
+    #[test]
+    fn rows_that_are_left_out_would_not_have_been_kept() {
+        let none = Slack::new(&links(ErrorBounds::new(0.02, 0.0)), &reach());
+        let (mut left_out, mut kept) = (0, 0);
+        for side_m in [0.02, 0.1, 0.3, 0.6] {
+            let reach = Reach::new(&InputBox::of([-side_m, -0.5 * side_m], [0.7 * side_m, side_m]), 1.0);
+            let links = links(ErrorBounds::NONE);
+            let slack = Slack::new(&links, &reach);
+            for step in 0..3_000 {
+                let (angle, far_m) = (0.7 * f64::from(step), 0.001 * f64::from(step));
+                let offset_m = [far_m * libm::cos(angle), far_m * libm::sin(angle)];
+                let other = Beside { offset_m, gone_m: 0.0, sensed: true, active: true };
+                let memory = &mut [Row::default(); 12];
+                let all = links.rows([other].into_iter(), &[0.0; 2], (reach, &none), memory);
+                let rows = all.program.rows().len() - reach.rows();
+                let square_m2 = dot(&offset_m, &offset_m);
+                let spare =
+                    usize::from(slack.is_held_slack(square_m2)) + usize::from(slack.is_near_slack(square_m2));
+                assert!(rows + spare <= 2, "{far_m} m, {side_m} m");
+                (left_out, kept) = (left_out + spare, kept + rows);
+            }
+        }
+        assert!(left_out > 4_000 && kept > 2_000, "{left_out} {kept}");
     }
 }

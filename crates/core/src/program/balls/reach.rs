@@ -58,6 +58,11 @@ impl<const D: usize> Reach<D> {
         self.longest_m
     }
 
+    /// How far the farthest corner of the box is, m.
+    pub(crate) fn corner_m(&self) -> f64 {
+        length(&self.far_m)
+    }
+
     /// The radius of the ball, m, if it cuts anything off the box.
     #[must_use]
     pub fn ball_m(&self) -> Option<f64> {

@@ -3,14 +3,14 @@
 use core::ops::Range;
 
 use closeranks_core::controller::Control;
-use closeranks_core::controller::links::bond::{Bond, Moment, Terms, Unseen, Voice};
+use closeranks_core::controller::links::bond::{Bond, Deal, Moment, Unseen, Voice};
 use closeranks_core::controller::links::control::LinksController;
-use closeranks_core::num::Vector;
+use closeranks_core::num::{Vector, dot, subtract};
 use closeranks_core::robot::missing::Horizon;
 use closeranks_core::robot::neighbor::Slot;
 
 use crate::engine::roster::Roster;
-use crate::geometry::around::Around;
+use crate::geometry::crowd::Crowd;
 use crate::geometry::near::small;
 
 /// So many more neighbours a robot has room for than it has when room is made.
@@ -22,23 +22,30 @@ pub(crate) struct Lists<const D: usize> {
     /// Where the room of each robot begins, and one past the last; and how much of it is in use.
     starts: Vec<u32>,
     counts: Vec<u16>,
-    rows: Rows,
+    rows: Rows<D>,
     /// Those that are not sensed and keep their place, in the same order. There are hardly ever any.
     unseen: Vec<Ghost<D>>,
     unseen_before: Vec<Ghost<D>>,
+    /// Of each robot the squared distance to whoever is nearest to it, m²; infinite if nobody is near.
+    nearest_m2: Vec<f64>,
     /// Where robots were in the tick before, m.
     before_m: Vec<Vector<D>>,
-    around: Around,
-    /// Memory for the neighbours of one robot.
-    fresh: Rows,
+    crowd: Crowd,
+    /// Memory for the neighbours of one robot, and for those that it senses.
+    fresh: Rows<D>,
+    near: Vec<u16>,
 }
 
 /// One line a neighbour.
-#[derive(Clone, Debug, Default)]
-pub(crate) struct Rows {
+#[derive(Clone, Debug)]
+struct Rows<const D: usize> {
     others: Vec<u16>,
-    pub(crate) bonds: Vec<Bond>,
-    pub(crate) terms: Vec<Terms>,
+    /// True of those that count for the robot.
+    counts: Vec<bool>,
+    /// x_i − x_j, m, as sensed last.
+    offsets_m: Vec<Vector<D>>,
+    bonds: Vec<Bond>,
+    deals: Vec<Deal>,
 }
 
 /// A neighbour of a robot that the robot does not sense.
@@ -53,6 +60,10 @@ struct Ghost<const D: usize> {
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Others<'a, const D: usize> {
     pub(crate) numbers: &'a [u16],
+    /// True of those that count for the robot.
+    pub(crate) counts: &'a [bool],
+    /// x_i − x_j, m, as sensed last.
+    pub(crate) offsets_m: &'a [Vector<D>],
     unseen: &'a [Ghost<D>],
 }
 
@@ -70,57 +81,91 @@ impl<const D: usize> Lists<D> {
         Self {
             starts: vec![0; robots + 1],
             counts: vec![0; robots],
-            rows: Rows::default(),
+            rows: Rows::new(),
             unseen: Vec::new(),
             unseen_before: Vec::new(),
+            nearest_m2: vec![f64::INFINITY; robots],
             before_m: vec![[0.0; D]; robots],
-            around: Around::default(),
-            fresh: Rows::default(),
+            crowd: Crowd::default(),
+            fresh: Rows::new(),
+            near: Vec::new(),
         }
     }
 
     /// Robots at `positions_m` look around as far as `radius_m`.
     pub(crate) fn look(&mut self, positions_m: &[Vector<D>], radius_m: f64, rule: &Rule<'_, D>) {
-        self.around.look(positions_m, radius_m);
-        let robots = 0..positions_m.len();
-        if robots.clone().any(|robot| self.around.of(robot).len() > self.room(robot).len()) {
-            self.make_room(rule, |lists, robot| lists.around.of(robot).len());
+        self.crowd.split(positions_m, radius_m);
+        self.crowd.count(positions_m);
+        let counts = self.crowd.counts();
+        if (0..counts.len()).any(|robot| usize::from(counts[robot]) > self.room(robot).len()) {
+            self.make_room(rule, |lists, robot| usize::from(lists.crowd.counts()[robot]));
         }
         core::mem::swap(&mut self.unseen, &mut self.unseen_before);
         self.unseen.clear();
-        for robot in robots {
-            let same = self.rows.others[self.range(robot)] == *self.around.of(robot);
+        for robot in 0..positions_m.len() {
+            let same = self.measure(robot, positions_m, radius_m * radius_m);
             if !same || !self.unseen_before.is_empty() {
                 self.merge(robot, positions_m, rule);
                 self.put(robot, rule);
+                self.measure(robot, positions_m, radius_m * radius_m);
             }
         }
+        self.measure_unseen(positions_m);
         self.before_m.copy_from_slice(positions_m);
+    }
+
+    /// Measures where the neighbours of one robot are. True if they are those that it senses: all of them, and nobody else.
+    fn measure(&mut self, robot: usize, positions_m: &[Vector<D>], radius_m2: f64) -> bool {
+        let (range, own_m) = (self.range(robot), &positions_m[robot]);
+        let mut same = range.len() == usize::from(self.crowd.counts()[robot]);
+        let offsets_m = &mut self.rows.offsets_m[range.clone()];
+        let mut nearest_m2 = f64::INFINITY;
+        for (offset_m, other) in offsets_m.iter_mut().zip(&self.rows.others[range]) {
+            *offset_m = subtract(own_m, &positions_m[usize::from(*other)]);
+            let square_m2 = dot(offset_m, offset_m);
+            same &= radius_m2 - square_m2 >= 0.0;
+            nearest_m2 = if square_m2 < nearest_m2 { square_m2 } else { nearest_m2 };
+        }
+        self.nearest_m2[robot] = nearest_m2;
+        same
+    }
+
+    /// Measures where neighbours were that are not sensed.
+    fn measure_unseen(&mut self, positions_m: &[Vector<D>]) {
+        for Ghost { robot, other, unseen } in &self.unseen {
+            let range = self.range(usize::from(*robot));
+            if let Ok(line) = self.rows.others[range.clone()].binary_search(other) {
+                let own_m = &positions_m[usize::from(*robot)];
+                self.rows.offsets_m[range.start + line] = unseen.offset_m(own_m);
+            }
+        }
     }
 
     /// Collects the neighbours of one robot where some came or left.
     fn merge(&mut self, robot: usize, positions_m: &[Vector<D>], rule: &Rule<'_, D>) {
+        let counts = |other: u16| (other, rule.roster.counts(robot, usize::from(other)));
         self.fresh.clear();
-        let mut near = self.around.of(robot).iter().copied().peekable();
+        self.crowd.around(robot, positions_m, &mut self.near);
+        let mut near = self.near.iter().copied().peekable();
         for place in self.range(robot) {
-            let (other, bond, terms) = self.rows.line(place);
+            let (other, bond, deal) = self.rows.line(place);
             while let Some(new) = near.next_if(|near| *near < other) {
-                self.fresh.push(new, Bond::new(&rule.moment), Terms::default());
+                self.fresh.push(counts(new), Bond::new(&rule.moment), Deal::default());
             }
             if near.next_if_eq(&other).is_none() {
                 let before = find(&self.unseen_before, robot, other);
                 let last_m = self.before_m[usize::from(other)];
                 let mut unseen = before.unwrap_or_else(|| Unseen::new(&rule.moment, last_m));
                 unseen.reckon(&rule.moment, &rule.horizon, &positions_m[robot]);
-                if !rule.keeps((other, &bond, &terms), &unseen, &positions_m[robot]) {
+                if !rule.keeps((other, &bond, &deal), &unseen, &positions_m[robot]) {
                     continue;
                 }
                 self.unseen.push(Ghost { robot: small(robot), other, unseen });
             }
-            self.fresh.push(other, bond, terms);
+            self.fresh.push(counts(other), bond, deal);
         }
         for new in near {
-            self.fresh.push(new, Bond::new(&rule.moment), Terms::default());
+            self.fresh.push(counts(new), Bond::new(&rule.moment), Deal::default());
         }
     }
 
@@ -139,7 +184,7 @@ impl<const D: usize> Lists<D> {
 
     /// Gives each robot room for at least as many neighbours as `needed`, and for some more.
     fn make_room(&mut self, rule: &Rule<'_, D>, needed: impl Fn(&Self, usize) -> usize) {
-        let (mut rows, mut starts) = (Rows::default(), vec![0]);
+        let (mut rows, mut starts) = (Rows::new(), vec![0]);
         for robot in 0..self.counts.len() {
             let start = rows.others.len();
             let room = needed(self, robot).max(usize::from(self.counts[robot])) + SPARE;
@@ -153,7 +198,15 @@ impl<const D: usize> Lists<D> {
     /// The neighbours of one robot.
     #[inline]
     pub(crate) fn of(&self, robot: usize) -> Others<'_, D> {
-        Others { numbers: &self.rows.others[self.range(robot)], unseen: self.unseen_by(robot) }
+        let range = self.range(robot);
+        let (numbers, counts) = (&self.rows.others[range.clone()], &self.rows.counts[range.clone()]);
+        Others { numbers, counts, offsets_m: &self.rows.offsets_m[range], unseen: self.unseen_by(robot) }
+    }
+
+    /// The squared distance to whoever is nearest to a robot, m².
+    #[inline]
+    pub(crate) fn nearest_m2(&self, robot: usize) -> f64 {
+        self.nearest_m2[robot]
     }
 
     /// Where the neighbours of one robot are.
@@ -176,13 +229,13 @@ impl<const D: usize> Lists<D> {
     }
 
     /// Takes out what robots hold, for whoever changes it and gives it back.
-    pub(crate) fn take(&mut self) -> (Vec<Bond>, Vec<Terms>) {
-        (core::mem::take(&mut self.rows.bonds), core::mem::take(&mut self.rows.terms))
+    pub(crate) fn take(&mut self) -> (Vec<Bond>, Vec<Deal>) {
+        (core::mem::take(&mut self.rows.bonds), core::mem::take(&mut self.rows.deals))
     }
 
     /// Takes it back.
-    pub(crate) fn give(&mut self, bonds: Vec<Bond>, terms: Vec<Terms>) {
-        (self.rows.bonds, self.rows.terms) = (bonds, terms);
+    pub(crate) fn give(&mut self, bonds: Vec<Bond>, deals: Vec<Deal>) {
+        (self.rows.bonds, self.rows.deals) = (bonds, deals);
     }
 
     /// Everybody says to each neighbour what is so. Robots come in order, and so do their neighbours: the next place of a
@@ -210,34 +263,52 @@ impl<const D: usize> Lists<D> {
     }
 }
 
-impl Rows {
+impl<const D: usize> Rows<D> {
+    fn new() -> Self {
+        Self {
+            others: Vec::new(),
+            counts: Vec::new(),
+            offsets_m: Vec::new(),
+            bonds: Vec::new(),
+            deals: Vec::new(),
+        }
+    }
+
     fn clear(&mut self) {
         self.others.clear();
+        self.counts.clear();
+        self.offsets_m.clear();
         self.bonds.clear();
-        self.terms.clear();
+        self.deals.clear();
     }
 
-    fn push(&mut self, other: u16, bond: Bond, terms: Terms) {
+    fn push(&mut self, (other, counts): (u16, bool), bond: Bond, deal: Deal) {
         self.others.push(other);
+        self.counts.push(counts);
+        self.offsets_m.push([0.0; D]);
         self.bonds.push(bond);
-        self.terms.push(terms);
+        self.deals.push(deal);
     }
 
-    fn line(&self, place: usize) -> (u16, Bond, Terms) {
-        (self.others[place], self.bonds[place], self.terms[place])
+    fn line(&self, place: usize) -> (u16, Bond, Deal) {
+        (self.others[place], self.bonds[place], self.deals[place])
     }
 
     fn resize(&mut self, lines: usize, moment: &Moment) {
         self.others.resize(lines, 0);
+        self.counts.resize(lines, false);
+        self.offsets_m.resize(lines, [0.0; D]);
         self.bonds.resize(lines, Bond::new(moment));
-        self.terms.resize(lines, Terms::default());
+        self.deals.resize(lines, Deal::default());
     }
 
     fn copy(&mut self, start: usize, from: &Self, range: Range<usize>) {
         let to = start..start + range.len();
         self.others[to.clone()].copy_from_slice(&from.others[range.clone()]);
+        self.counts[to.clone()].copy_from_slice(&from.counts[range.clone()]);
+        self.offsets_m[to.clone()].copy_from_slice(&from.offsets_m[range.clone()]);
         self.bonds[to.clone()].copy_from_slice(&from.bonds[range.clone()]);
-        self.terms[to].copy_from_slice(&from.terms[range]);
+        self.deals[to].copy_from_slice(&from.deals[range]);
     }
 
     fn put(&mut self, start: usize, from: &Self) {
@@ -249,6 +320,9 @@ impl<'a, const D: usize> Others<'a, D> {
     /// Where a neighbour was sensed last, if it is not sensed.
     #[inline]
     pub(crate) fn unseen(&self, other: u16) -> Option<&'a Unseen<D>> {
+        if self.unseen.is_empty() {
+            return None;
+        }
         self.unseen.iter().find(|ghost| ghost.other == other).map(|ghost| &ghost.unseen)
     }
 
@@ -274,16 +348,11 @@ impl<'a, const D: usize> Others<'a, D> {
 
 impl<const D: usize> Rule<'_, D> {
     /// True if a neighbour of a robot at `own_m` (m) that it does not sense keeps its place. What it told does not matter here.
-    fn keeps(
-        &self,
-        (other, bond, terms): (u16, &Bond, &Terms),
-        unseen: &Unseen<D>,
-        own_m: &Vector<D>,
-    ) -> bool {
+    fn keeps(&self, (other, bond, deal): (u16, &Bond, &Deal), unseen: &Unseen<D>, own_m: &Vector<D>) -> bool {
         let silent = Voice { price_m: 0.0, wish_m_s: [0.0; D] };
         let member = self.roster.member(usize::from(other));
         let mut slot = Slot::default();
-        bond.fill(&mut slot, terms, &self.moment, member, [0.0; D], &silent);
+        bond.fill(&mut slot, deal, &self.moment, member, [0.0; D], &silent);
         unseen.fill(&mut slot, own_m);
         self.controller.keeps_unseen(&slot)
     }

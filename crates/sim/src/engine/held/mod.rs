@@ -18,7 +18,7 @@ use crate::attack::liars::Liars;
 use crate::engine::bench::Decided;
 use crate::engine::consensus::Consensus;
 use crate::engine::held::lists::{Lists, Rule};
-use crate::engine::held::piece::Desk;
+use crate::engine::held::piece::{Agreed, Desk};
 use crate::engine::roster::Roster;
 use crate::engine::workers::{Piece, Workers, share};
 use crate::frame::Frame;
@@ -37,7 +37,7 @@ pub struct Held<const D: usize> {
     /// What each of those who compute the team needs.
     desks: Vec<Desk<D>>,
     decided: Vec<Decided<D>>,
-    prices_m: Vec<f64>,
+    agreed: Vec<Agreed>,
     /// Memory for whose turn it is at each robot.
     places: Vec<u32>,
     tick: u32,
@@ -93,7 +93,7 @@ impl<const D: usize> Held<D> {
             malicious: (0..count).filter(|robot| lies[*robot]).map(small).collect(),
             desks: Vec::new(),
             decided: vec![Decided::NOTHING; count],
-            prices_m: vec![0.0; count],
+            agreed: vec![Agreed::default(); count],
             places: Vec::new(),
             tick: 0,
             period_nanos,
@@ -104,7 +104,7 @@ impl<const D: usize> Held<D> {
     pub fn step(&mut self, frame: &mut Frame<D>, liars: &mut Liars, workers: &dyn Workers) {
         self.look(frame);
         liars.begin_tick(self.tick);
-        self.agree(frame, workers);
+        self.agree(workers);
         self.tell(frame, liars);
         self.hold_round(frame, liars);
         self.team.lists.exchange(&mut self.places);
@@ -130,36 +130,35 @@ impl<const D: usize> Held<D> {
     }
 
     /// Every robot decides whom it lists.
-    fn agree(&mut self, frame: &mut Frame<D>, workers: &dyn Workers) {
-        let Self { params, map, team, desks, prices_m, .. } = self;
-        let each = share(prices_m.len(), workers);
-        desks.resize_with(prices_m.len().div_ceil(each), || Desk::new(params, prices_m.len(), map));
-        let (mut bonds, mut terms) = team.lists.take();
-        let mut rest = (&mut bonds[..], &mut terms[..]);
+    fn agree(&mut self, workers: &dyn Workers) {
+        let Self { params, map, team, desks, agreed, .. } = self;
+        let (count, each) = (agreed.len(), share(agreed.len(), workers));
+        desks.resize_with(count.div_ceil(each), || Desk::new(params, count, map));
+        let (mut bonds, mut deals) = team.lists.take();
+        let mut rest = (&mut bonds[..], &mut deals[..]);
         let mut pieces: Vec<Piece<'_>> = Vec::new();
-        let (now, positions_m) = (&*team, &frame.positions_m[..]);
-        let work = prices_m.chunks_mut(each).zip(frame.levels.chunks_mut(each)).zip(&mut *desks);
-        for (piece, ((prices_m, levels), desk)) in work.enumerate() {
+        let now = &*team;
+        for (piece, (agreed, desk)) in agreed.chunks_mut(each).zip(&mut *desks).enumerate() {
             let first = piece * each;
-            let (begin, end) = (now.lists.room(first).start, now.lists.room(first + prices_m.len() - 1).end);
+            let (begin, end) = (now.lists.room(first).start, now.lists.room(first + agreed.len() - 1).end);
             let bonds = rest.0.split_off_mut(..end - begin).unwrap_or_default();
-            let terms = rest.1.split_off_mut(..end - begin).unwrap_or_default();
-            pieces.push(Box::new(move || {
-                now.agree_from(first, (prices_m, levels), (bonds, terms), desk, positions_m);
-            }));
+            let deals = rest.1.split_off_mut(..end - begin).unwrap_or_default();
+            pieces.push(Box::new(move || now.agree_from(first, agreed, (bonds, deals), desk)));
         }
         workers.run(pieces);
-        team.lists.give(bonds, terms);
+        team.lists.give(bonds, deals);
         for (robot, voice) in team.voices.iter_mut().enumerate() {
-            *voice = Voice { price_m: prices_m[robot], wish_m_s: team.wishes_m_s[robot] };
+            *voice = Voice { price_m: agreed[robot].price_m, wish_m_s: team.wishes_m_s[robot] };
         }
     }
 
     /// Levels, as they are and as they are told.
     fn tell(&mut self, frame: &mut Frame<D>, liars: &mut Liars) {
-        for (index, level) in frame.levels.iter().enumerate() {
-            frame.h[index] = degree_barrier(*level, self.team.roster.need(index));
-            frame.told[index] = liars.level(index, *level);
+        for (index, agreed) in self.agreed.iter().enumerate() {
+            let level = f64::from(agreed.counted);
+            frame.levels[index] = level;
+            frame.h[index] = degree_barrier(level, self.team.roster.need(index));
+            frame.told[index] = liars.level(index, level);
         }
     }
 
@@ -177,12 +176,12 @@ impl<const D: usize> Held<D> {
 
     /// Every robot finds its velocity.
     fn decide(&mut self, frame: &mut Frame<D>, workers: &dyn Workers) {
-        let Self { team, desks, decided, .. } = self;
+        let Self { team, desks, agreed, decided, .. } = self;
         let each = share(decided.len(), workers);
-        let (team, frame) = (&*team, &*frame);
+        let (team, agreed, frame) = (&*team, &agreed[..], &*frame);
         let pieces = decided.chunks_mut(each).zip(desks).enumerate();
         let pieces = pieces.map(|(piece, (decided, desk))| -> Piece<'_> {
-            Box::new(move || team.decide_from(piece * each, decided, desk, frame))
+            Box::new(move || team.decide_from(piece * each, decided, agreed, desk, frame))
         });
         workers.run(pieces.collect());
     }

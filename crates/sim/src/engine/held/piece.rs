@@ -1,11 +1,10 @@
 //! A piece of the team: what its robots decide on, first whom they list, then where they go.
 
-use closeranks_core::controller::links::bond::{Bond, Terms};
+use closeranks_core::controller::links::bond::{Bond, Deal};
+use closeranks_core::controller::links::line::Line;
 use closeranks_core::controller::links::rows::Beside;
 use closeranks_core::controller::{Control, Decision, Motion, Standing};
-use closeranks_core::num::{Vector, subtract};
 use closeranks_core::obstacle::Obstacle;
-use closeranks_core::robot::neighbor::Slot;
 use closeranks_core::robot::scratch::Scratch;
 use closeranks_core::settings::params::Params;
 
@@ -13,88 +12,70 @@ use crate::engine::bench::Decided;
 use crate::engine::held::Robots;
 use crate::engine::memory::Memory;
 use crate::frame::Frame;
+use crate::geometry::near::small;
 
 /// What whoever computes a piece of the team needs.
 #[derive(Clone, Debug)]
 pub(super) struct Desk<const D: usize> {
     memory: Memory<D>,
-    slots: Vec<Slot<D>>,
-    /// Which line of the robot each slot is.
-    lines: Vec<usize>,
     values: Vec<f64>,
+}
+
+/// What a robot has agreed on.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Agreed {
+    /// What a promise of it costs, m.
+    pub(super) price_m: f64,
+    /// How many it counts on.
+    pub(super) counted: u16,
 }
 
 impl<const D: usize> Desk<D> {
     /// For a team of so many robots among obstacles.
     pub(super) fn new(params: &Params<D>, robots: usize, map: &[Obstacle<D>]) -> Self {
         let memory = Memory::new(params, robots).among(map);
-        Self { memory, slots: Vec::new(), lines: Vec::new(), values: Vec::new() }
-    }
-
-    /// The slot for the next line.
-    fn slot(&mut self) -> &mut Slot<D> {
-        if self.slots.len() == self.lines.len() {
-            self.slots.push(Slot::default());
-        }
-        &mut self.slots[self.lines.len()]
+        Self { memory, values: Vec::new() }
     }
 }
 
-/// What one robot holds of its neighbours, line by line.
-type Held<'a> = (&'a mut [Bond], &'a mut [Terms]);
+/// What robots hold of their neighbours, line by line.
+type Held<'a> = (&'a mut [Bond], &'a mut [Deal]);
 
 impl<const D: usize> Robots<D> {
-    /// The robots from `first` on, whose room begins with that of `held`, decide whom they list; gives prices and levels.
-    pub(super) fn agree_from(
-        &self,
+    /// The robots from `first` on, whose room begins with that of `held`, decide whom they list.
+    pub(super) fn agree_from<'a>(
+        &'a self,
         first: usize,
-        (prices_m, levels): (&mut [f64], &mut [f64]),
-        (bonds, terms): Held<'_>,
+        agreed: &mut [Agreed],
+        (mut bonds, mut deals): Held<'a>,
         desk: &mut Desk<D>,
-        positions_m: &[Vector<D>],
     ) {
-        let begin = self.lists.room(first).start;
-        for (robot, (price_m, level)) in (first..).zip(prices_m.iter_mut().zip(levels)) {
-            let range = self.lists.range(robot);
-            let range = range.start - begin..range.end - begin;
-            let (bonds, terms) = (&mut bonds[range.clone()], &mut terms[range]);
-            *price_m = self.agree(robot, (&mut *bonds, terms), desk, positions_m);
-            let counted = bonds.iter().filter(|bond| bond.is_counted(&self.moment));
-            *level = counted.fold(0.0, |level, _| level + 1.0);
+        let mut lines = Vec::new();
+        for (robot, agreed) in (first..).zip(agreed) {
+            let room = self.lists.room(robot).len();
+            let held = (bonds.split_off_mut(..room), deals.split_off_mut(..room));
+            let (Some(bonds), Some(deals)) = held else { return };
+            lines.clear();
+            self.gather(robot, (bonds, deals), &mut lines);
+            desk.values.resize(lines.len(), 0.0);
+            let (own, wish_m_s) = (self.roster.member(robot), &self.wishes_m_s[robot]);
+            let (lines, values) = (&mut lines[..], &mut desk.values[..]);
+            agreed.price_m = self.controller.agree_at_once(own, &self.moment, wish_m_s, lines, values);
+            agreed.counted = small(lines.iter().filter(|line| line.will_be_counted(&self.moment)).count());
         }
     }
 
-    fn agree(
-        &self,
-        robot: usize,
-        (bonds, terms): Held<'_>,
-        desk: &mut Desk<D>,
-        positions_m: &[Vector<D>],
-    ) -> f64 {
-        let (own_m, others) = (&positions_m[robot], self.lists.of(robot));
-        desk.lines.clear();
-        for (line, other) in others.numbers.iter().enumerate() {
-            let index = usize::from(*other);
-            if !self.roster.counts(robot, index) {
-                continue;
+    /// Collects the neighbours that count for a robot.
+    fn gather<'a>(&'a self, robot: usize, (bonds, deals): Held<'a>, lines: &mut Vec<Line<'a, D>>) {
+        let others = self.lists.of(robot);
+        let held = bonds.iter_mut().zip(deals).zip(others.counts);
+        for ((other, offset_m), (held, counts)) in others.numbers.iter().zip(others.offsets_m).zip(held) {
+            if *counts {
+                let (member, voice) =
+                    (self.roster.member(usize::from(*other)), &self.voices[usize::from(*other)]);
+                lines.push(Line::new(member, offset_m, held, voice, others.unseen(*other), &self.moment));
             }
-            let (member, offset_m) = (self.roster.member(index), subtract(own_m, &positions_m[index]));
-            let slot = desk.slot();
-            bonds[line].fill(slot, &terms[line], &self.moment, member, offset_m, &self.voices[index]);
-            if let Some(unseen) = others.unseen(*other) {
-                unseen.fill(slot, own_m);
-            }
-            desk.lines.push(line);
         }
-        let Desk { slots, lines, values, .. } = desk;
-        let slots = &mut slots[..lines.len()];
-        values.resize(lines.len(), 0.0);
-        let (own, wish_m_s) = (self.roster.member(robot), &self.wishes_m_s[robot]);
-        let price_m = self.controller.agree_at_once(own, &self.moment, wish_m_s, slots, values);
-        for (slot, line) in slots.iter().zip(lines) {
-            bonds[*line].keep(&mut terms[*line], &self.moment, slot);
-        }
-        price_m
     }
 
     /// The robots from `first` on find their velocities.
@@ -102,30 +83,43 @@ impl<const D: usize> Robots<D> {
         &self,
         first: usize,
         decided: &mut [Decided<D>],
+        agreed: &[Agreed],
         desk: &mut Desk<D>,
         frame: &Frame<D>,
     ) {
         let scratch = &mut desk.memory.lend();
         for (robot, decided) in (first..).zip(decided) {
-            let decision = self.decide(robot, frame, scratch);
+            let counted = usize::from(agreed[robot].counted);
+            let decision = self.decide(robot, counted, frame, scratch);
             *decided = self.judged(robot, &decision, frame);
         }
     }
 
-    fn decide(&self, robot: usize, frame: &Frame<D>, scratch: &mut Scratch<'_, D>) -> Decision<D> {
+    fn decide(
+        &self,
+        robot: usize,
+        counted: usize,
+        frame: &Frame<D>,
+        scratch: &mut Scratch<'_, D>,
+    ) -> Decision<D> {
         let (own_m, others) = (&frame.positions_m[robot], self.lists.of(robot));
-        let bonds = self.lists.bonds(robot);
-        let offset_m = |other: usize| subtract(own_m, &frame.positions_m[other]);
-        let beside = others.numbers.iter().zip(bonds).map(|(other, bond)| {
+        let offsets = others.numbers.iter().zip(others.offsets_m);
+        let beside = offsets.clone().zip(self.lists.bonds(robot)).map(|((other, offset_m), bond)| {
             let active = bond.is_active(&self.moment);
             match others.unseen(*other) {
                 Some(unseen) => unseen.beside(own_m, active),
-                None => Beside { offset_m: offset_m(usize::from(*other)), gone_m: 0.0, sensed: true, active },
+                None => Beside { offset_m: *offset_m, gone_m: 0.0, sensed: true, active },
             }
         });
-        let counted = bonds.iter().filter(|bond| bond.is_counted(&self.moment)).count();
-        let heard = others.sensed().map(|other| (offset_m(other), self.voices[other].wish_m_s));
-        let desired_m_s = self.controller.links.turned(&frame.asked_m_s[robot], heard);
+        let links = &self.controller.links;
+        let desired_m_s = if links.may_meet(self.lists.nearest_m2(robot)) {
+            let heard = offsets.filter(|(other, _)| others.unseen(**other).is_none());
+            let wish_m_s = |other: u16| &self.voices[usize::from(other)].wish_m_s;
+            links
+                .turned(&frame.asked_m_s[robot], heard.map(|(other, offset_m)| (*offset_m, wish_m_s(*other))))
+        } else {
+            frame.asked_m_s[robot]
+        };
         let motion = Motion { position_m: *own_m, desired_m_s, before_m_s: frame.velocities_m_s[robot] };
         self.controller.decide(self.roster.member(robot), counted, beside, &motion, scratch)
     }

@@ -1,0 +1,173 @@
+//! The rule who releases whom for whoever computes a large team at once: a neighbour is a [`Bond`] with a [`Deal`] and what it says to all, in a
+//! sixth of the memory of a slot.
+
+use core::time::Duration;
+
+use crate::controller::links::bond::{Bond, Deal, Moment, NEVER, Unseen, Voice};
+use crate::controller::links::control::LinksController;
+use crate::controller::links::partner::{Offer, Partner};
+use crate::controller::links::peer::Ledger;
+use crate::controller::links::protocol::Number;
+use crate::id::Member;
+use crate::num::Vector;
+use crate::time::Instant;
+
+/// A neighbour before the messages of a tick.
+#[derive(Debug)]
+#[expect(clippy::struct_excessive_bools, reason = "what a hold says, asked for once")]
+pub struct Line<'a, const D: usize> {
+    member: Member,
+    offset_m: &'a Vector<D>,
+    voice: &'a Voice<D>,
+    bond: &'a mut Bond,
+    deal: &'a mut Deal,
+    tick: u32,
+    /// True if what it says was told in the tick before, and that is no longer ago than counts.
+    told: bool,
+    acknowledges: bool,
+    released: bool,
+    lists: bool,
+    /// If it is not sensed.
+    unseen: Option<&'a Unseen<D>>,
+}
+
+impl<'a, const D: usize> Line<'a, D> {
+    /// Of the neighbour `member` at `offset_m` (m), as sensed last, of which a robot holds `bond` and `deal`; `voice` is what it said to all in the
+    /// tick before, and `unseen` says more if it is not sensed now.
+    #[inline]
+    #[must_use]
+    pub fn new(
+        member: Member,
+        offset_m: &'a Vector<D>,
+        (bond, deal): (&'a mut Bond, &'a mut Deal),
+        voice: &'a Voice<D>,
+        unseen: Option<&'a Unseen<D>>,
+        moment: &Moment,
+    ) -> Self {
+        let (hold, tick) = (bond.hold(moment.tick), moment.tick);
+        let told = moment.told && bond.born < tick;
+        let (acknowledges, released, lists) = (hold.counts(), hold.is_released(), hold.lists());
+        Self { member, offset_m, voice, bond, deal, tick, told, acknowledges, released, lists, unseen }
+    }
+
+    /// True if it is counted on, once the messages of this tick are there.
+    #[inline]
+    #[must_use]
+    pub fn will_be_counted(&self, moment: &Moment) -> bool {
+        self.bond.is_counted(moment)
+    }
+}
+
+impl<const D: usize> Partner<D> for Line<'_, D> {
+    #[inline]
+    fn member(&self) -> Member {
+        self.member
+    }
+
+    #[inline]
+    fn offset_m(&self) -> &Vector<D> {
+        self.offset_m
+    }
+
+    #[inline]
+    fn is_sensed(&self) -> bool {
+        self.unseen.is_none()
+    }
+
+    #[inline]
+    fn unseen_ticks(&self) -> u32 {
+        self.unseen.map_or(0, |unseen| unseen.ticks)
+    }
+
+    #[inline]
+    fn gone_m(&self) -> f64 {
+        self.unseen.map_or(0.0, |unseen| unseen.gone_m)
+    }
+
+    #[inline]
+    fn was_sensed_within(&self, most: Duration, now: Instant) -> bool {
+        self.unseen.is_none_or(|unseen| now.is_within(most, unseen.sensed_at))
+    }
+
+    #[inline]
+    fn told(&self, _now: Instant) -> Option<Offer<'_, D>> {
+        let Voice { price_m, wish_m_s } = self.voice;
+        self.told.then_some(Offer { price_m: *price_m, wish_m_s, promised: self.bond.their.promised })
+    }
+
+    #[inline]
+    fn acknowledges(&self) -> bool {
+        self.acknowledges
+    }
+
+    #[inline]
+    fn is_listed(&self) -> bool {
+        self.bond.listed != NEVER
+    }
+
+    #[inline]
+    fn is_released(&self) -> bool {
+        self.released
+    }
+
+    #[inline]
+    fn lists(&self) -> bool {
+        self.lists
+    }
+
+    #[inline]
+    fn list(&mut self, _last: Number) {
+        if self.bond.listed == NEVER {
+            self.bond.listed = self.tick;
+            self.acknowledges = false;
+        }
+    }
+
+    #[inline]
+    fn release(&mut self) {
+        self.bond.listed = NEVER;
+        self.acknowledges = false;
+    }
+
+    #[inline]
+    fn is_held(&self) -> bool {
+        self.bond.held
+    }
+
+    #[inline]
+    fn hold(&mut self, held: bool) {
+        self.bond.held = held;
+    }
+
+    #[inline]
+    fn deal(&self) -> &Deal {
+        self.deal
+    }
+
+    #[inline]
+    fn deal_mut(&mut self) -> &mut Deal {
+        self.deal
+    }
+}
+
+impl<const D: usize> LinksController<D> {
+    /// Decides whom robot `own` lists and promises something, who wants to go with `wish_m_s`, as a robot on its own does before it tells. Gives
+    /// the price of a promise, m. `values` has a number a line. Neighbours that do not count for `own` may be left out: nothing becomes of them.
+    pub fn agree_at_once(
+        &self,
+        own: Member,
+        moment: &Moment,
+        wish_m_s: &Vector<D>,
+        lines: &mut [Line<'_, D>],
+        values: &mut [f64],
+    ) -> f64 {
+        let looked_at = moment.before().map(|before| before.now());
+        let mut ledger =
+            Ledger { wish_m_s: *wish_m_s, looked_at, ..Ledger::begin(Moment::last(moment.tick)) };
+        self.links.agree(own, &mut ledger, lines, moment.now(), values);
+        for line in lines {
+            line.bond.promised = line.deal.promised;
+        }
+        ledger.price_m
+    }
+}
