@@ -190,14 +190,22 @@ fn add_ranked_row(
     levels: &mut [f64],
     [degrees, counted]: [&mut [u16]; 2],
 ) {
-    for (ends, weight) in row.iter().zip(weights) {
-        let [first, second] = ends.map(usize::from);
-        for (end, other) in [(first, second), (second, first)] {
-            degrees[end] += 1;
-            if roster.counts(end, other) {
-                levels[end] += weight;
-                counted[end] += 1;
-            }
+    let Some([_, second]) = row.first().map(|ends| ends.map(usize::from)) else { return };
+    let own = roster.member(second);
+    let (mut level, mut counting) = (levels[second], counted[second]);
+    degrees[second] += small(row.len());
+    for ([first, _], weight) in row.iter().zip(weights) {
+        let first = usize::from(*first);
+        let other = roster.member(first);
+        degrees[first] += 1;
+        if roster.counts_for(own, other) {
+            level += weight;
+            counting += 1;
+        }
+        if roster.counts_for(other, own) {
+            levels[first] += weight;
+            counted[first] += 1;
         }
     }
+    (levels[second], counted[second]) = (level, counting);
 }

@@ -4,7 +4,7 @@ use closeranks_core::controller::Glimpse;
 use closeranks_core::robot::neighbor::Member;
 
 use crate::engine::roster::Roster;
-use crate::engine::sees::Around;
+use crate::engine::sees::{Around, Half};
 use crate::frame::Frame;
 
 /// For each robot those around it that count for it, in order, with the weights of their links.
@@ -40,7 +40,8 @@ impl Counting {
         self.thirds.clear();
         for robot in 0..roster.members().len() {
             self.starts.push(u32::try_from(self.thirds.len()).unwrap_or(u32::MAX));
-            let counts = around.of(robot).iter().filter(|half| roster.counts(robot, usize::from(half.other)));
+            let (own, member) = (roster.member(robot), |half: &&Half| roster.member(usize::from(half.other)));
+            let counts = around.of(robot).iter().filter(|half| roster.counts_for(own, member(half)));
             self.thirds.extend(counts.map(|half| (half.other, weights[half.pair as usize])));
         }
         self.starts.push(u32::try_from(self.thirds.len()).unwrap_or(u32::MAX));

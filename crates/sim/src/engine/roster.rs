@@ -44,7 +44,13 @@ impl Roster {
     /// True if `other` counts for `robot`.
     #[inline]
     pub(crate) fn counts(&self, robot: usize, other: usize) -> bool {
-        self.need.counts(self.members[robot], self.members[other])
+        self.counts_for(self.members[robot], self.members[other])
+    }
+
+    /// The same of robots that are at hand.
+    #[inline]
+    pub(crate) fn counts_for(&self, robot: Member, other: Member) -> bool {
+        self.need.counts(robot, other)
     }
 
     /// How many robots of these ranks count for `robot`, which is one of them.

@@ -185,7 +185,11 @@ pub(crate) const MUTANTS: [Mutant; 42] = [
     Mutant {
         name: "begins anew without saying so",
         law: "decay",
-        lines: &[("core/src/robot/assurance.rs", "self.anew = true;", "self.anew = false;")],
+        lines: &[(
+            "core/src/robot/assurance.rs",
+            "(self.anew, self.in_time) = (true, false);",
+            "(self.anew, self.in_time) = (false, false);",
+        )],
     },
     Mutant {
         name: "tolerances that grow with R",

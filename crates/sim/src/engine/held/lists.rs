@@ -203,6 +203,17 @@ impl<const D: usize> Lists<D> {
         Others { numbers, counts, offsets_m: &self.rows.offsets_m[range], unseen: self.unseen_by(robot) }
     }
 
+    /// How many neighbours each robot senses, and whether it does not sense one that must still be there.
+    pub(crate) fn count(&self, degrees: &mut [u16], missing: &mut [bool]) {
+        degrees.copy_from_slice(&self.counts);
+        missing.fill(false);
+        for ghost in &self.unseen {
+            let robot = usize::from(ghost.robot);
+            degrees[robot] -= 1;
+            missing[robot] |= ghost.unseen.is_missing();
+        }
+    }
+
     /// The squared distance to whoever is nearest to a robot, m².
     #[inline]
     pub(crate) fn nearest_m2(&self, robot: usize) -> f64 {
@@ -333,16 +344,6 @@ impl<'a, const D: usize> Others<'a, D> {
             .iter()
             .filter(move |other| self.unseen(**other).is_none())
             .map(|other| usize::from(*other))
-    }
-
-    /// How many are sensed.
-    pub(crate) fn degree(&self) -> usize {
-        self.numbers.len() - self.unseen.len()
-    }
-
-    /// True if one that is not sensed must still be there.
-    pub(crate) fn misses_somebody(&self) -> bool {
-        self.unseen.iter().any(|ghost| ghost.unseen.is_missing())
     }
 }
 

@@ -119,13 +119,8 @@ impl<const D: usize> Held<D> {
         *moment = Moment::new(self.tick, self.period_nanos);
         let rule = Rule { controller, horizon: self.horizon, roster, moment: *moment };
         lists.look(&frame.positions_m, self.params.link().radius_m, &rule);
-        let mut ends = 0;
-        for robot in 0..frame.positions_m.len() {
-            let others = lists.of(robot);
-            frame.degrees[robot] = small(others.degree());
-            frame.missing[robot] = others.misses_somebody();
-            ends += u32::from(frame.degrees[robot]);
-        }
+        lists.count(&mut frame.degrees, &mut frame.missing);
+        let ends: u32 = frame.degrees.iter().map(|degree| u32::from(*degree)).sum();
         frame.links = ends / 2;
     }
 
