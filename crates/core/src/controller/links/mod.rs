@@ -25,7 +25,7 @@
 //! | the rows of a tick, and where none are needed | [`rows`], `slack` |
 //! | who releases whom: no guarantee rests on it | `policy`, `deal`; what it asks of a neighbour: `partner` |
 //! | the seam | [`control`] |
-//! | the same in few bytes, for large teams in which nothing goes wrong | [`bond`], [`line`] |
+//! | the same in few bytes, for large teams in which nothing goes wrong | [`bond`], [`mod@line`] |
 
 pub mod bond;
 pub mod control;
