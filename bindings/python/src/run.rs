@@ -96,6 +96,14 @@ impl Run {
         view(column, usize::from(record.robots), slf.clone().into_any())
     }
 
+    /// The second number of y_i and those after it, as held or as `told`: (T, n) each.
+    fn more_values<'py>(slf: &Bound<'py, Self>, told: bool) -> PyResult<Vec<Bound<'py, PyArray2<f64>>>> {
+        let record = slf.get().record()?;
+        let columns = if told { &record.more_values_told } else { &record.more_values };
+        let one = |column: &Vec<f64>| view(column, usize::from(record.robots), slf.clone().into_any());
+        columns.iter().map(one).collect()
+    }
+
     /// delta_i, (T, n).
     fn degree<'py>(slf: &Bound<'py, Self>) -> PyResult<Bound<'py, PyArray2<u16>>> {
         let record = slf.get().record()?;

@@ -36,7 +36,7 @@ def test_the_mixed_run_has_the_digest_of_the_command_line(program: Path, tmp_pat
     assert mixed().run(progress=False).digest == digest[1]
 
 
-@pytest.mark.parametrize("file", ["inside-overstating.toml", "patrol.toml", "space.toml", "lossy.toml", "teams.toml"])
+@pytest.mark.parametrize("file", ["inside-overstating.toml", "patrol.toml", "space.toml", "lossy.toml", "teams.toml", "points.toml"])
 def test_the_file_of_every_tick_is_that_of_the_command_line(file: str, program: Path, tmp_path: Path) -> None:
     scenario = ROOT / "scenarios" / file
     out = tmp_path / "out"
@@ -52,6 +52,8 @@ def test_the_file_of_every_tick_is_that_of_the_command_line(file: str, program: 
     if commits[0] == commits[1]:
         assert written == expected
     pandas = pytest.importorskip("pandas")
+    polars = pytest.importorskip("polars")
+    assert run.to_polars().equals(polars.read_parquet(tmp_path / "ours.parquet"))
     pandas.testing.assert_frame_equal(
         pandas.read_parquet(tmp_path / "ours.parquet"), pandas.read_parquet(out / "run.parquet"), check_exact=True
     )

@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 
 import closeranks as cr
+from conftest import ROOT
 
 
 def test_arrays_have_their_shapes_and_agree(nominal: cr.Run) -> None:
@@ -106,3 +107,16 @@ def test_three_dimensions() -> None:
     run = cr.Scenario(dimension=3, duration_s=0.2).run(progress=False)
     assert run.positions.shape == (41, 11, 3)
     assert "z_m" in run.to_pandas() and len(run.links(0).nodes[1]["position"]) == 3
+
+
+def test_values_of_two_numbers_are_points() -> None:
+    run = cr.Scenario.from_file(ROOT / "scenarios" / "points.toml").replace(duration_s=0.5).run(progress=False)
+    ticks, robots = run.values.shape
+    assert run.points.shape == run.points_told.shape == (ticks, robots, 2)
+    assert np.array_equal(run.points[:, :, 0], run.values) and not np.array_equal(run.points[:, :, 1], run.values)
+    normal = ~run.scenario.is_malicious
+    assert np.array_equal(run.points_told[:, normal], run.points[:, normal])
+    spread = np.ptp(run.points[:, normal], axis=1)
+    assert (spread[-1] < spread[0]).all()
+    plain = cr.Scenario(duration_s=0.1).run(progress=False)
+    assert np.array_equal(plain.points[:, :, 0], plain.values) and plain.points.shape[2] == 1

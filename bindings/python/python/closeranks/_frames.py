@@ -33,6 +33,9 @@ def columns(run: Run) -> dict[str, Any]:
     table["degree"] = run.degree.reshape(-1)
     numbers = {"level": run.levels, "told": run.told, "h": run.h, "phi_i": run.phi, "value": run.values}
     numbers |= {"value_told": run.values_told, "degree_sensed": run.degree_sensed, "level_sensed": run.levels_sensed}
+    held, told = run.points, run.points_told
+    for place in range(1, held.shape[2]):
+        numbers |= {f"value_{place + 1}": held[:, :, place], f"value_told_{place + 1}": told[:, :, place]}
     return table | {name: column.reshape(-1) for name, column in numbers.items()}
 
 
@@ -46,7 +49,7 @@ def polars_frame(run: Run) -> pl.DataFrame:
     names = pl.Series("outcome", list(run.outcome_names), dtype=pl.String)
     outcome = names.gather(pl.Series(run.outcome.reshape(-1).astype(np.uint32)))
     frame = frame.with_columns(pl.when(last).then(None).otherwise(pl.col(inputs)).name.keep())
-    frame = frame.with_columns(pl.col("told", "value_told", "degree_sensed", "level_sensed").fill_nan(None))
+    frame = frame.with_columns(pl.col("^(told|value_told.*|degree_sensed|level_sensed)$").fill_nan(None))
     return frame.with_columns(outcome.alias("outcome"))
 
 

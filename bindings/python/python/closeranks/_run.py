@@ -137,13 +137,23 @@ class Run:
 
     @property
     def values(self) -> Floats:
-        """y_i as robots hold it, (T, n), malicious or not."""
+        """y_i as robots hold it, (T, n), malicious or not; the first number of it where it has several, see `points`."""
         return self._native.numbers("value")
 
     @property
     def values_told(self) -> Floats:
         """y_i as told, (T, n); NaN of a robot that is down, and of one that does not tell all the same."""
         return self._native.numbers("value_told")
+
+    @property
+    def points(self) -> Floats:
+        """y_i with all its numbers, (T, n, d), where d is `consensus.dimension` of the scenario; a copy."""
+        return np.stack([self.values, *self._native.more_values(False)], axis=2)
+
+    @property
+    def points_told(self) -> Floats:
+        """The same as told; NaN as in `values_told`."""
+        return np.stack([self.values_told, *self._native.more_values(True)], axis=2)
 
     @property
     def outcome(self) -> npt.NDArray[np.uint8]:
@@ -209,8 +219,8 @@ class Run:
 
     def to_polars(self) -> pl.DataFrame:
         """One row a tick and robot, with the columns of `run.parquet`: `tick, time_s, robot, malicious, x_m, y_m, (z_m,) ux_m_s,
-        uy_m_s, (uz_m_s,) degree, level, told, h, phi_i, value, value_told, degree_sensed,
-        level_sensed, outcome`; inputs are null at the last tick, and what was not told or sensed is."""
+        uy_m_s, (uz_m_s,) degree, level, told, h, phi_i, value, value_told, degree_sensed, level_sensed,
+        (value_2, value_told_2, value_3, value_told_3,) outcome`; inputs are null at the last tick, and what was not told or sensed is."""
         return polars_frame(self)
 
     def to_pandas(self) -> pd.DataFrame:
