@@ -15,6 +15,16 @@ pub fn graph(bytes: &[u8]) {
     choice(&text);
 }
 
+/// Any text is a graph in the format that is found, or an error with its line. It is read once and not written, where [`graph`] reads it some
+/// hundred times.
+pub fn graph_text(bytes: &[u8]) {
+    let text = String::from_utf8_lossy(bytes);
+    match read(&text, &Options::default()) {
+        Ok(reading) => assert_eq!(reading.named.names.len(), reading.named.graph.node_count()),
+        Err(error) => is_placed(&error, &text),
+    }
+}
+
 /// Checks one format only, given by its name, so that a fuzzer can dig deeper there.
 pub fn graph_as(name: &str, bytes: &[u8]) {
     let format = Format::from_name(name).expect("a format");

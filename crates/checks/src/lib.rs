@@ -5,6 +5,7 @@
 
 #![allow(clippy::missing_panics_doc, reason = "to panic is how a check says no")]
 
+mod certificate;
 mod graph;
 mod message;
 #[cfg(feature = "recording")]
@@ -13,9 +14,10 @@ mod robot;
 mod scenario;
 mod source;
 
-pub use graph::{graph, graph_as};
+pub use certificate::certificate;
+pub use graph::{graph, graph_as, graph_text};
 pub use message::{link_message, message};
 #[cfg(feature = "recording")]
 pub use recording::recording;
 pub use robot::robot;
-pub use scenario::scenario;
+pub use scenario::{scenario, scenario_text};

@@ -52,6 +52,17 @@ fn any_text_is_a_graph_that_can_be_rewritten_or_an_error() {
     replay("graph", closeranks_checks::graph, 2_000);
 }
 
+#[test]
+fn any_text_is_a_certificate_or_an_error() {
+    replay("certificate", closeranks_checks::certificate, 20_000);
+}
+
+#[test]
+fn any_text_is_read_once_too() {
+    replay("scenario", closeranks_checks::scenario_text, 2_000);
+    replay("graph", closeranks_checks::graph_text, 2_000);
+}
+
 /// Three files of the corpus tell of what 8 million mutations found. `discarded-and-silent-since`: a neighbour whose value had been
 /// discarded and did not count any more was still marked as discarded. The other two found this check too strict: a round counts neighbours
 /// that are forgotten later in the same tick, and h of those that are sensed may be negative while others are missing.

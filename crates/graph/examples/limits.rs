@@ -1,6 +1,6 @@
-//! Where exact answers end: `cargo run --release -p closeranks-graph --example limits -- [NODES] [FAMILY ...]`.
+//! Where exact answers end: `cargo run --release -p closeranks-graph --example limits -- [NODES] [FAMILY or QUESTION ...]`.
 //!
-//! For each family and size it prints r_max, F_max and the largest F around each node, and how many nodes of the search tree each took. NODES is
+//! For each family and size it prints `r_max`, `F_max` and the largest F around each node, `F_local`, or those of them that are named, and how many nodes of the search tree each took. NODES is
 //! where a question is given up (20 million if left out); the count is the same on every machine and for every number of threads, the
 //! seconds are not.
 #![allow(clippy::print_stdout, clippy::unwrap_used, reason = "an example")]
@@ -22,14 +22,22 @@ fn main() {
     let arguments: Vec<String> = env::args().skip(1).collect();
     let nodes = arguments.first().map_or(20_000_000, |nodes| nodes.parse().unwrap());
     println!("family,n,question,answer,nodes,seconds");
-    for (family, graphs) in families() {
-        if arguments.len() > 1 && !arguments[1..].iter().any(|name| name == family) {
+    let named = arguments.get(1..).unwrap_or_default();
+    let is_asked = |name: &str, all: &[&str]| {
+        named.iter().any(|asked| asked == name) || !named.iter().any(|asked| all.contains(&asked.as_str()))
+    };
+    let questions = [("r_max", r_max as Ask), ("F_max", f_max), ("F_local", f_local)];
+    let names = questions.map(|(question, _)| question);
+    let asked = || questions.into_iter().filter(|(question, _)| is_asked(question, &names));
+    let families = families();
+    let names: Vec<&str> = families.iter().map(|(family, _)| *family).collect();
+    for (family, graphs) in &families {
+        if !is_asked(family, &names) {
             continue;
         }
         for graph in graphs {
-            let questions = [("r_max", r_max as Ask), ("F_max", f_max), ("F_local", f_local)];
-            let open = questions.map(|(question, ask)| {
-                let (answer, spent, seconds) = ask_within(&graph, nodes, ask);
+            let open = asked().map(|(question, ask)| {
+                let (answer, spent, seconds) = ask_within(graph, nodes, ask);
                 let answer = match answer.exactly() {
                     Some(number) => number.to_string(),
                     None => format!("{} to {}", answer.least, answer.most),
@@ -37,7 +45,7 @@ fn main() {
                 println!("{family},{},{question},{answer},{spent},{seconds:.2}", graph.node_count());
                 spent >= nodes
             });
-            if open == [true; 3] {
+            if open.filter(|open| !open).count() == 0 {
                 break;
             }
         }

@@ -37,7 +37,8 @@ impl<'g, W: Word> Board<'g, W> {
     pub(super) fn informed(graph: &'g Graph, r: usize, spectrum: Option<Spectrum>, patience: u64) -> Self {
         let sizes = spectrum.map(|spectrum| Sizes::new(graph, spectrum, r));
         let twins = symmetry::twins(graph).into_iter().map(|set| W::from_bits(set.bits())).collect();
-        Self { sizes, symmetry: Some(Symmetry { twins, patience }), ..Self::plain(graph, r) }
+        let needs = Needs::thorough(graph, r);
+        Self { graph, needs, sizes, symmetry: Some(Symmetry { twins, patience }) }
     }
 
     /// The node and all found to which automorphisms take it that keep everything that is known: `side` and `field`.

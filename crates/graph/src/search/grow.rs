@@ -198,8 +198,8 @@ impl<W: Word> Board<'_, W> {
             second = self.needs.peel(rest, rest, W::NONE, most);
         }
         let field = room.field.count();
-        let other_size = self.needs.least_need(second).max(0) + 1;
-        let rest = (field - other_size).min(self.size_by_eigenvalues(side, room));
+        let other_size = self.needs.least_size(second, most.max(0));
+        let rest = field.saturating_sub(other_size).min(self.size_by_eigenvalues(side, room));
         if room.effort == 0 { rest.min(field / 2).min(second.count()) } else { rest }
     }
 

@@ -19,6 +19,8 @@
 //! * **Eigenvalues**: in long searches of undirected graphs both sets have as many members as their exempt ones ask for (`spectrum`).
 //! * **Pieces**: what is long is cut into pieces, which threads that a caller lends may take at once (`pieces.rs`). The answer is that of
 //!   the first piece that has one.
+//! * **Sums**: in long searches what all content members lack together must be had from the nodes that are still taken (`sums.rs`), and a set
+//!   of m members has enough nodes that can be content among m (`peel.rs`).
 //! * **Late exemption**: a member is branched on as content or exempt only when nothing else is open.
 
 mod board;
@@ -27,6 +29,7 @@ pub(crate) mod ledger;
 pub(crate) mod peel;
 mod pieces;
 mod side;
+mod sums;
 pub mod symmetry;
 
 use crate::definition::Witness;

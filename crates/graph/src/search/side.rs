@@ -43,6 +43,7 @@ impl<W: Word> Side<W> {
                 self.content = self.members & self.able;
             }
             self.bound_by_content(needs, size)?;
+            self.bound_by_sum(needs, size)?;
             self.bound_by_size(needs, size);
             if !self.content.is_within(self.able) {
                 return None;
