@@ -76,6 +76,8 @@ impl<W: Word> Side<W> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::graph::Graph;
+    use crate::makers::random;
 
     #[test]
     fn the_best_are_counted() {
@@ -85,5 +87,46 @@ mod tests {
         };
         assert_eq!([1, 2, 3].map(best), [[5, 5, 3], [8, 3, 3], [11, 3, 1]]);
         assert_eq!([5, 6, 0, -1].map(best), [[12, 0, 0], [12, 0, 0], [0, 0, 5], [0, 0, 5]]);
+    }
+
+    const NODES: usize = 8;
+
+    /// The members of a set that are content.
+    fn content(needs: &Needs<u64>, set: u64) -> u64 {
+        let is_content = |node: &usize| needs.heard_in(*node, set) >= needs.need[*node];
+        set.nodes().filter(is_content).map(u64::one).fold(0, |all, one| all | one)
+    }
+
+    /// What is known of `set` where `seen` are the nodes of which it is known whether they are members; and how much more is concluded.
+    fn keeps(needs: &Needs<u64>, set: u64, seen: u64) -> usize {
+        let allowed = ((1 << NODES) - 1) & (set | !seen);
+        let members = set & seen;
+        let before = Side { members, content: content(needs, set) & members, allowed, able: allowed };
+        let mut side = before;
+        assert!(side.bound_by_sum(needs, set.count()).is_some(), "{set:b} {seen:b}");
+        assert!(side.members.is_within(set) && set.is_within(side.allowed), "{set:b} {seen:b}");
+        usize::from(side != before)
+    }
+
+    fn concluded(graph: &Graph, r: usize) -> usize {
+        let needs = Needs::<u64>::thorough(graph, r);
+        let mut count = 0;
+        for set in 1..1_u64 << NODES {
+            let content = content(&needs, set);
+            let exempt = set.without(content).count();
+            if content != 0 {
+                assert!(needs.least_size(content, exempt) <= set.count(), "{set:b}");
+                count += (0..1_u64 << NODES).step_by(7).map(|seen| keeps(&needs, set, seen)).sum::<usize>();
+            }
+        }
+        count
+    }
+
+    //= theory sec:search type=test
+    #[test]
+    fn no_set_is_lost() {
+        let graphs = (0..6).map(|seed| random::erdos_renyi(NODES, 0.7, seed % 2 == 0, seed).unwrap());
+        let count: usize = graphs.flat_map(|graph| (1..4).map(move |r| concluded(&graph, r))).sum();
+        assert!(count > 1000, "{count} conclusions are too few to say anything");
     }
 }
