@@ -4,7 +4,7 @@
    pair takes on its way from offset r to r + w. Then a(r + w) >= a(r) + grad a . w - kappa/2 |w|^2: what (far') assumes in
    budget.v. The way may lead out of range.
 
-   Not here: that K has a single peak, so that K at the closest point to it is the largest. *)
+   That K has a single peak, so that K at the closest point to it is the largest, is in bend_peak.v. *)
 
 From Coq Require Import Reals Lra Psatz.
 From Coquelicot Require Import Coquelicot.
