@@ -100,6 +100,32 @@ fn speeds_and_ticks_are_where_the_checks_end() {
     }
 }
 
+/// A limit in any direction is scaled with the box, and counts: of a disc in a square the longest move is its radius.
+#[test]
+fn limits_in_any_direction_are_a_part_of_the_answer() {
+    let mut asked = question(2, "obedient", &[("controller.speed_max_m_s", 1.2)]);
+    let hold_s = asked.scenario.clock.hold_max().as_secs_f64();
+    let close = |x: f64, y: f64| (x - y).abs() < 1e-12;
+    assert_eq!(asked.axis_speed_m_s(), 1.2);
+    assert!(close(asked.speed_m_s(), 1.2) && close(asked.move_max_m(), 1.2 * hold_s));
+    let limits = advise(&asked).unwrap().limits;
+    let speed_m_s = limits.speed_m_s.unwrap();
+    let square = advise(&question(2, "obedient", &[])).unwrap().limits.speed_m_s.unwrap();
+    assert!((speed_m_s / square - core::f64::consts::SQRT_2).abs() < 1e-9, "{speed_m_s} {square}");
+    let with = |disc_m_s: f64| {
+        let mut asked = asked.clone();
+        asked.scenario.limits.input_min_m_s.fill(-1.25 * disc_m_s);
+        asked.scenario.limits.input_max_m_s.fill(1.25 * disc_m_s);
+        asked.set("controller.speed_max_m_s", disc_m_s);
+        asked.settled().params::<2>().is_ok()
+    };
+    assert!(with(speed_m_s) && !with(speed_m_s * (1.0 + 1e-9)));
+    asked.set_dimension(3);
+    assert!(asked.axis_speed_m_s() == 1.2 && close(asked.speed_m_s(), 1.2));
+    asked.set("speed", 2.0);
+    assert_eq!(asked.axis_speed_m_s(), 2.0, "a speed along each axis takes the place of the disc");
+}
+
 /// F and n at the limits have a start, and one more or less has none.
 #[test]
 fn teams_are_the_largest_and_the_smallest() {

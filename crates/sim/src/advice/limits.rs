@@ -10,7 +10,7 @@ use super::question::Question;
 /// How fast robots may go, and for how long. `None` if nothing is slow or short enough.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Limits {
-    /// The fastest speed along an axis for this tick, m/s, with a box of inputs of the same shape.
+    /// The fastest speed along an axis for this tick, m/s, with a box of inputs of the same shape, and a disc.
     pub speed_m_s: Option<f64>,
     /// The longest tick for this speed, s, with the same time between it and `hold_max_s`.
     pub tick_s: Option<f64>,

@@ -44,8 +44,8 @@ impl Question {
         Self { scenario, lag_s: None }
     }
 
-    /// Sets a number by its name in files, `speed` (per axis, m/s) or `lag` (s). Other names change nothing. With another n, F is
-    /// what it was or as many as n allows.
+    /// Sets a number by its name in files, `speed` (per axis, m/s, in place of a limit in any direction) or `lag` (s). Other names change
+    /// nothing. With another n, F is what it was or as many as n allows.
     pub fn set(&mut self, name: &str, value: f64) {
         match name {
             "speed" => self.set_speed(value),
@@ -74,13 +74,16 @@ impl Question {
         let speed_m_s = self.axis_speed_m_s();
         if self.scenario.dimension != dimension {
             self.scenario.dimension = dimension;
+            let disc_m_s = self.scenario.limits.speed_max_m_s;
             self.set_speed(speed_m_s);
+            self.scenario.limits.speed_max_m_s = disc_m_s;
         }
     }
 
-    /// The same speed along every axis, both ways.
+    /// The same speed along every axis, both ways, and no other limit.
     fn set_speed(&mut self, speed_m_s: f64) {
         let dimension = self.scenario.dimension;
+        self.scenario.limits.speed_max_m_s = f64::INFINITY;
         self.scenario.limits.input_min_m_s = vec![-speed_m_s; dimension];
         self.scenario.limits.input_max_m_s = vec![speed_m_s; dimension];
     }
@@ -90,10 +93,10 @@ impl Question {
     pub fn axis_speed_m_s(&self) -> f64 {
         let limits = &self.scenario.limits;
         let all = limits.input_min_m_s.iter().chain(&limits.input_max_m_s);
-        all.fold(0.0, |most, speed| most.max(speed.abs()))
+        all.fold(0.0, |most: f64, speed| most.max(speed.abs())).min(limits.speed_max_m_s)
     }
 
-    /// The same question for a box of inputs of the same shape, with this greatest speed along an axis, m/s.
+    /// The same question for inputs of the same shape, box and disc, with this greatest speed along an axis, m/s.
     pub(super) fn at_speed(&self, speed_m_s: f64) -> Self {
         let (mut asked, now_m_s) = (self.clone(), self.axis_speed_m_s());
         if now_m_s > 0.0 {
@@ -104,6 +107,11 @@ impl Question {
             };
             scaled(&mut asked.scenario.limits.input_min_m_s);
             scaled(&mut asked.scenario.limits.input_max_m_s);
+            let disc_m_s = asked.scenario.limits.speed_max_m_s / now_m_s * speed_m_s;
+            // A box without any speed needs no disc, which must have some.
+            if disc_m_s.is_finite() && disc_m_s > 0.0 {
+                asked.scenario.limits.speed_max_m_s = disc_m_s.min(MAGNITUDE_MAX);
+            }
         } else {
             asked.set_speed(speed_m_s);
         }
@@ -141,7 +149,8 @@ impl Question {
         let limits = &self.scenario.limits;
         let corner = |numbers: &[f64]| core::array::from_fn(|d| numbers.get(d).copied().unwrap_or(0.0));
         let (min_m_s, max_m_s) = (corner(&limits.input_min_m_s), corner(&limits.input_max_m_s));
-        Reach::<D>::new(&InputBox::of(min_m_s, max_m_s), time_s).longest_m()
+        let input = InputBox::of(min_m_s, max_m_s).within(limits.speed_max_m_s);
+        Reach::<D>::new(&input, time_s).longest_m()
     }
 
     /// The tracking error that is enough for the bodies of the scenario, m, if they lag and start from rest.
