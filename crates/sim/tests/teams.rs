@@ -196,3 +196,40 @@ fn what_cannot_be_is_refused_by_the_name_of_its_team() {
     let several = scenario(&good).unwrap();
     assert_eq!(World::<2>::new(&several, Options::default()).err(), Some(RunError::Teams));
 }
+
+/// What is printed of the one mistake in a text, and the line at which it points.
+#[track_caller]
+fn mistake(text: &str) -> (String, usize) {
+    let problems = scenario(text).unwrap_err();
+    assert_eq!(problems.len(), 1, "{problems:?}");
+    (problems[0].to_string(), problems[0].line(text))
+}
+
+#[test]
+fn a_misspelt_field_of_a_team_is_refused_with_all_that_a_team_may_have() {
+    let good = text("budget", "");
+    let all = "allowed is `name`, `start`, `values`, `motion`, `attack`, `robots`, `faults`, `malicious`, `ranks`, `absent`";
+    for (from, to, field) in [
+        ("robots = 6", "robotz = 6", "robotz"),
+        ("start = { kind = \"hexagon\", at", "starts = { kind = \"hexagon\", at", "starts"),
+        ("robots = 6", "robots = 6\nlink = { radius_m = 2.0 }", "link"),
+    ] {
+        let (told, line) = mistake(&good.replacen(from, to, 1));
+        assert_eq!(told, format!("`teams[1].{field}` is not a field here, {all}"));
+        assert!(line >= 11, "{line}");
+    }
+    let (told, _) = mistake("[team]\nname = \"one\"\n");
+    assert!(told.ends_with("allowed is `robots`, `faults`, `malicious`, `ranks`, `absent`"), "{told}");
+}
+
+#[test]
+fn controllers_without_rows_for_other_teams_are_refused_at_the_teams() {
+    for of in ["composed", "lambda2"] {
+        let told = mistake(&text(of, ""));
+        let expected = format!(
+            "`teams` is under controller \"{of}\", which has no row for robots of other teams, \
+             allowed is several teams only under budget, links, none"
+        );
+        assert_eq!(told, (expected, 6));
+    }
+}

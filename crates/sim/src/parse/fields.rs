@@ -96,6 +96,7 @@ fn head(reader: &mut Reader, root: &mut Section<'_>, scenario: &mut Scenario) ->
 }
 
 fn team(reader: &mut Reader, section: &mut Section<'_>, scenario: &mut Scenario) {
+    reader.beside.iter().for_each(|key| section.know(key));
     set(&mut scenario.team.robots, reader.whole(section, "robots", 2..u64::from(ROBOTS_MAX) + 1).map(small));
     let faults = reader.whole(section, "faults", 0..u64::from(ROBOTS_MAX)).map(small);
     scenario.team.faults = faults.unwrap_or(((scenario.team.robots - 1) / 2).min(2));

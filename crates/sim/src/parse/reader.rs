@@ -24,6 +24,8 @@ pub(crate) struct Reader {
     /// Which of several teams is read, from 0, and how many robots the others have.
     pub(super) team: u64,
     pub(super) strangers: u16,
+    /// What the table of one of several teams may have beside what `[team]` has.
+    pub(super) beside: &'static [&'static str],
 }
 
 impl Reader {
@@ -35,6 +37,11 @@ impl Reader {
     /// Reads one of several teams; the others have so many robots.
     pub(super) fn of_team(files: &Files, team: u64, strangers: u16) -> Self {
         Self { team, strangers, ..Self::new(files) }
+    }
+
+    /// Notes where a field stands that was read elsewhere.
+    pub(super) fn place(&mut self, field: &str, place: Range<usize>) {
+        self.places.insert(field.to_owned(), place);
     }
 
     /// The files beside the text.

@@ -32,7 +32,8 @@ impl<'text> Section<'text> {
         if self.path.is_empty() { key.to_owned() } else { format!("{}.{key}", self.path) }
     }
 
-    fn know(&mut self, key: &'static str) {
+    /// Counts `key` among the fields that there are.
+    pub(super) fn know(&mut self, key: &'static str) {
         if !self.known.contains(&key) {
             self.known.push(key);
         }

@@ -21,8 +21,8 @@ use crate::scenario::start::Start;
 
 /// How many teams a text has at most.
 const TEAMS_MAX: usize = 32;
-/// Tables that a team may have for itself; all else that stands in its table is what `[team]` has.
-const OWN: [&str; 4] = ["start", "values", "motion", "attack"];
+/// What a team may have for itself in place of what stands outside; all else in its table is what `[team]` has.
+const OWN: [&str; 5] = ["name", "start", "values", "motion", "attack"];
 
 /// True if the text names several teams.
 pub(super) fn are_in(table: &DeTable<'_>) -> bool {
@@ -66,9 +66,10 @@ pub(super) fn misread(table: &DeTable<'_>, files: &Files) -> Vec<Problem> {
 
 /// One of several teams.
 struct Team<'text> {
-    /// Which one, from 0, and where its table stands.
+    /// Which one, from 0, where its table stands, and where all of them do.
     index: usize,
     place: Range<usize>,
+    all: Range<usize>,
     /// How many robots the others have.
     strangers: u16,
     /// The fields of the whole text in whose place it has its own.
@@ -79,7 +80,10 @@ struct Team<'text> {
 
 impl Team<'_> {
     fn reader(&self, files: &Files) -> Reader {
-        Reader::of_team(files, self.index as u64, self.strangers)
+        let mut reader = Reader::of_team(files, self.index as u64, self.strangers);
+        reader.beside = &OWN;
+        reader.place("teams", self.all.clone());
+        reader
     }
 
     /// A problem by the name that its field has in the whole text.
@@ -138,7 +142,7 @@ fn listed<'text>(table: &DeTable<'text>) -> Result<Vec<Team<'text>>, Vec<Problem
     let team = |(index, item): (usize, &Spanned<DeValue<'text>>)| {
         let (table, own) = alone(table, item);
         let strangers = u16::try_from(robots - sizes[index]).unwrap_or(u16::MAX);
-        Team { index, place: item.span(), strangers, own, table }
+        Team { index, place: item.span(), all: value.span(), strangers, own, table }
     };
     Ok(items.iter().enumerate().map(team).collect())
 }
@@ -150,7 +154,7 @@ fn alone<'text>(table: &DeTable<'text>, item: &Spanned<DeValue<'text>>) -> (DeTa
     let mut team = DeTable::new();
     for (key, value) in item.get_ref().as_table().into_iter().flatten() {
         let name = key.get_ref().as_ref();
-        if name == "name" || OWN.contains(&name) {
+        if OWN.contains(&name) {
             alone.remove(name);
             alone.insert(key.clone(), value.clone());
             own.push(name.to_owned());
