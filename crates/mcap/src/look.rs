@@ -1,5 +1,6 @@
 //! What a recording knows of a scenario, and how a file of ours is known again.
 
+use closeranks_core::obstacle::Obstacle;
 use closeranks_sim::scenario::Scenario;
 
 use crate::bytes::{MAGIC, code};
@@ -20,6 +21,8 @@ pub(crate) struct Look {
     pub(crate) radius_m: f64,
     /// How wide robots are drawn, m: half of how near they may come.
     pub(crate) body_m: f64,
+    /// What stands in the way.
+    pub(crate) map: Vec<Obstacle<3>>,
 }
 
 impl Look {
@@ -28,6 +31,7 @@ impl Look {
             malicious: scenario.malicious_mask(),
             radius_m: scenario.link.radius_m,
             body_m: 0.5 * scenario.limits.distance_min_m,
+            map: scenario.obstacles.list.clone(),
         }
     }
 }

@@ -40,7 +40,7 @@ struct Marker<'a> {
 pub(crate) fn markers(now: &Snapshot<'_>, time_ns: u64, look: &Look) -> Vec<u8> {
     let positions_m: Vec<[f64; 3]> =
         (0..now.robots()).map(|index| now.vector(now.positions_m, index)).collect();
-    let links = links_between(&positions_m, &look.malicious, look.radius_m);
+    let links = links_between(&positions_m, &look.malicious, look.radius_m, &look.map);
     let mut all: Vec<Marker<'_>> = Vec::new();
     for (index, position_m) in positions_m.iter().enumerate() {
         let color = color(look, now, index);

@@ -1,6 +1,9 @@
 //! One tick of all robots, as it is watched and recorded.
 
+use std::sync::Arc;
+
 use closeranks_core::num::Vector;
+use closeranks_core::obstacle::Obstacle;
 use closeranks_core::program::Outcome;
 use closeranks_core::robot::report::{Mode, Reason};
 
@@ -68,6 +71,8 @@ pub struct Frame<const D: usize> {
     pub presence: Presence,
     /// Robots of other teams. The world fills it before the robots tick.
     pub strangers: Strangers<D>,
+    /// The obstacles that cut links. The world fills it before the first tick.
+    pub cutting: Arc<[Obstacle<D>]>,
     /// What the theorem is about, m: where velocities have taken each robot if a tracking error is stated, else its position.
     pub references_m: Vec<Vector<D>>,
     /// What the theorem rests on, and whether it holds.
@@ -213,6 +218,7 @@ impl<const D: usize> Frame<D> {
             listened: vec![[0; 2]; robots],
             down: vec![false; robots],
             presence: Presence::full(robots),
+            cutting: Arc::new([]),
             strangers: Strangers::default(),
             assumptions: Assumptions::all_hold(robots),
             links: 0,

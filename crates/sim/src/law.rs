@@ -172,7 +172,7 @@ impl Law {
             Self::Decay => "h and distances lose no more than their share in a tick",
             Self::Mode => "guaranteed is said where it is true, and only there",
             Self::Untowed => "a robot moves no more than it wishes and its own needs demand",
-            Self::Held => "a link that is counted on has rows and is no longer than radius_m",
+            Self::Held => "a link that is counted on has rows, is no longer than radius_m and not cut",
             Self::Clear => "distance of a normal robot to an obstacle >= clearance_m",
             Self::Composition => "global phi >= 0",
             Self::Shares => "phi_i >= 0",

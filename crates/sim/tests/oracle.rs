@@ -19,6 +19,7 @@ use std::path::{Path, PathBuf};
 use std::process::Command;
 use std::thread;
 
+use mutants::cuts::CUTS as WHERE_LINKS_ARE_CUT;
 use mutants::obstacles::OBSTACLES as AMONG_OBSTACLES;
 use mutants::presence::PRESENCE as COMING_AND_GOING;
 use mutants::teams::TEAMS as BESIDE_OTHERS;
@@ -32,11 +33,12 @@ const SEED: &str = "7";
 /// So many programs are built at a time, as most of a build of one changed line waits for one thread. At least two: the
 /// controller as it is has a campaign in each.
 const LANES: usize = 2;
-/// Where mutants are hunted; those of ranks in teams that have ranks, those of obstacles among obstacles, and
-/// those of robots that come and go where they do, and those of several teams where there are several.
+/// Where mutants are hunted; those of ranks in teams that have ranks, those of obstacles among obstacles, those of cuts where obstacles cut
+/// links, those of robots that come and go where they do, and those of several teams where there are several.
 const CAMPAIGN: &str = "campaign.toml";
 const RANKED: &str = "campaign-ranks.toml";
 const OBSTACLES: &str = "campaign-obstacles.toml";
+const CUTS: &str = "campaign-cuts.toml";
 const PRESENCE: &str = "campaign-presence.toml";
 const TEAMS: &str = "campaign-teams.toml";
 
@@ -141,6 +143,7 @@ fn caught(workspace: &Path, mutant: &Mutant) -> bool {
     let campaign = match name.split_once(": ") {
         Some(("ranks", _)) => RANKED,
         Some(("obstacles", _)) => OBSTACLES,
+        Some(("cuts", _)) => CUTS,
         Some(("presence", _)) => PRESENCE,
         Some(("teams", _)) => TEAMS,
         _ => CAMPAIGN,
@@ -169,7 +172,12 @@ fn lane(lane: usize, mutants: &[&Mutant]) -> Vec<String> {
 #[test]
 fn every_broken_controller_is_caught_by_its_law() {
     let only = std::env::var("MUTANT").unwrap_or_default();
-    let all = MUTANTS.iter().chain(&AMONG_OBSTACLES).chain(&COMING_AND_GOING).chain(&BESIDE_OTHERS);
+    let all = MUTANTS
+        .iter()
+        .chain(&AMONG_OBSTACLES)
+        .chain(&COMING_AND_GOING)
+        .chain(&BESIDE_OTHERS)
+        .chain(&WHERE_LINKS_ARE_CUT);
     let chosen: Vec<&Mutant> = all.filter(|mutant| mutant.name.contains(&only)).collect();
     assert!(!chosen.is_empty(), "no mutant's name contains MUTANT={only}");
     let missed: Vec<String> = thread::scope(|scope| {

@@ -58,6 +58,11 @@ impl Setting {
         let scenario = parse::scenario(text)
             .map_err(|problems| anyhow!(problems.first().map_or(String::new(), ToString::to_string)))
             .with_context(|| format!("the scenario in the metadata of `{name}` is wrong"))?;
+        if scenario.obstacles.cut_links() {
+            bail!(
+                "in `{name}` obstacles cut links, which positions alone do not show: allowed is the `--robustness` of the run itself"
+            );
+        }
         Ok(Self {
             radius_m: arguments.radius.unwrap_or(scenario.link.radius_m),
             faults: Some(scenario.team.faults),

@@ -1,5 +1,6 @@
 //! What a robot holds about one neighbour, in memory that its owner lends.
 
+use crate::controller::links::cut::Room;
 use crate::controller::links::peer::Peer;
 use crate::controller::links::protocol::Number;
 use crate::equations::link::Link;
@@ -48,6 +49,8 @@ pub struct Slot<const D: usize> {
     pub(crate) discarded: bool,
     /// What `links` holds of it.
     pub(crate) peer: Peer<D>,
+    /// How much room the link to it has beside what would cut it, under `links`.
+    pub(crate) room: Room,
 }
 
 impl<const D: usize> Default for Slot<D> {
@@ -67,6 +70,7 @@ impl<const D: usize> Default for Slot<D> {
             told: None,
             discarded: false,
             peer: Peer::new(Number::NONE),
+            room: Room::OPEN,
         }
     }
 }

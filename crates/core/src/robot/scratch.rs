@@ -40,6 +40,14 @@ impl Needs {
         let rows = self.rows.saturating_add(more);
         Self { rows, ..self }
     }
+
+    /// Adds rows for the links to so many `neighbors`, each of which up to `obstacles` could cut in one move. In a tick in which more of
+    /// them could, and there is no room left, the robot stands still.
+    #[must_use]
+    pub fn among_cuts<const D: usize>(self, neighbors: usize, obstacles: usize) -> Self {
+        let more = neighbors.saturating_mul(obstacles).saturating_mul(1 << D.min(8));
+        Self { rows: self.rows.saturating_add(more), ..self }
+    }
 }
 
 impl<'memory, const D: usize> Scratch<'memory, D> {

@@ -68,6 +68,11 @@ impl<const D: usize, const N: usize, const K: usize> SizedRobot<D, N, K> {
         self.robot.share(&mut self.memory.scratch())
     }
 
+    /// Shares as [`share`](Self::share) does, among the obstacles of `map`: whoever knows of some that cut links must say so here too.
+    pub fn share_among(&mut self, map: &[Obstacle<D>]) -> Option<Message> {
+        self.robot.share(&mut self.memory.scratch().among(map))
+    }
+
     /// See [`Robot::receive`].
     pub fn receive(&mut self, sender: RobotId, message: &Message) -> Result<(), ReceiveError> {
         self.robot.receive(sender, message)

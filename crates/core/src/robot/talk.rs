@@ -4,8 +4,9 @@ use crate::controller::links::protocol::{Entry, Word};
 use crate::controller::links::wire::{self, Head, Item, LinkMessage, Notice};
 use crate::message::{Message, MessageError, VERSION};
 use crate::num::Vector;
+use crate::obstacle::{Obstacle, is_cut};
 use crate::robot::error::ReceiveError;
-use crate::robot::neighbor::{Member, RobotId, Slot, Told};
+use crate::robot::neighbor::{Member, NO_LINK, RobotId, Slot, Told};
 use crate::robot::scratch::Scratch;
 use crate::robot::{Robot, Slots};
 use crate::time::Instant;
@@ -23,6 +24,7 @@ impl<const D: usize, S: Slots<D>> Robot<D, S> {
         self.position.filter(|_| scratch.is_for(self.slots.as_ref().len()))?;
         self.reckon();
         self.settle();
+        self.part(scratch.map);
         let level_due = self.level_timer.fires(self.now);
         let value_due = self.value_timer.fires_in_turn(self.now, self.params.settings().clock.hold_max());
         if level_due {
@@ -54,6 +56,19 @@ impl<const D: usize, S: Slots<D>> Robot<D, S> {
         self.sequence = self.sequence.saturating_add(1);
         let level = (levels || lists).then_some(self.told_level);
         Message::new(self.sequence, self.level_at, level, value).ok()
+    }
+
+    /// Takes the links away that something of `map` cuts, as sensed.
+    //= theory sec:cut
+    fn part(&mut self, map: &[Obstacle<D>]) {
+        let Some(own) = self.position.filter(|_| map.iter().any(|obstacle| obstacle.cuts_links)) else {
+            return;
+        };
+        for slot in &mut self.slots.as_mut()[..self.count] {
+            if slot.linked && is_cut(map, &own, &slot.position_m) {
+                (slot.linked, slot.link) = (false, NO_LINK);
+            }
+        }
     }
 
     /// Takes a message that arrived from `sender`. Under `links` messages are of another kind ([`receive_bytes`](Self::receive_bytes)).

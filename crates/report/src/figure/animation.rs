@@ -292,7 +292,7 @@ fn pairs(case: Case<'_>, places: &[usize]) -> (Vec<Link>, Vec<Vec<bool>>) {
 
 /// The links at one place of the record.
 fn links_of(case: Case<'_>, place: usize) -> Vec<Link> {
-    let mut links = links(case.record, case.scenario.link.radius_m, place);
+    let mut links = links(case.record, case.scenario, place);
     links.retain(|link| is_of_one_team(case, link));
     links
 }

@@ -152,7 +152,7 @@ fn draw_links(svg: &mut Svg, axes: &Axes, moment: &Moment<'_>, view: View) {
     if record.robots > LINKED_MAX {
         return;
     }
-    let links = links(record, moment.case.scenario.link.radius_m, moment.place);
+    let links = links(record, moment.case.scenario, moment.place);
     if links.len() > LINKS_MAX {
         return;
     }

@@ -94,7 +94,7 @@ pub enum Counted {
     All,
 }
 
-/// What a controller does among obstacles, or among robots of other teams.
+/// What a controller does among obstacles, those that cut links among them, or among robots of other teams.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Amid {
     /// It keeps clear of them.
@@ -149,6 +149,8 @@ pub struct Row {
     pub amid: Amid,
     /// What it does among robots of other teams.
     pub strangers: Amid,
+    /// What it does among obstacles that cut links.
+    pub cuts: Amid,
     /// The laws that sweeps hold it to.
     pub promises: &'static [Law],
     /// Which violations of them count.
@@ -172,6 +174,12 @@ impl Row {
     #[must_use]
     pub fn runs_among_obstacles(&self) -> bool {
         self.amid != Amid::Refuses
+    }
+
+    /// True if it can be run where obstacles cut links.
+    #[must_use]
+    pub fn runs_among_cuts(&self) -> bool {
+        self.cuts != Amid::Refuses
     }
 
     /// True if it can be run where there are robots of other teams.
@@ -201,6 +209,7 @@ pub(crate) const fn of_others(
         uses_phi: false,
         amid: Amid::Refuses,
         strangers: Amid::Refuses,
+        cuts: Amid::Refuses,
         promises: &[Law::Interval, Law::Input],
         counted: Counted::Covered,
         expects: &[Law::Interval, Law::Input],

@@ -6,6 +6,9 @@ use closeranks_core::program::balls::row::Row;
 use closeranks_core::robot::scratch::{Needs, Scratch};
 use closeranks_core::settings::params::Params;
 
+/// So many obstacles at most can be about to cut each link in one tick before a robot stands still.
+const CUTTING_MAX: usize = 8;
+
 /// Scratch for robots that may all be neighbours of each other.
 #[derive(Clone, Debug)]
 pub struct Memory<const D: usize> {
@@ -47,7 +50,9 @@ impl<const D: usize> Memory<D> {
     pub fn among(mut self, map: &[Obstacle<D>]) -> Self {
         if !map.is_empty() {
             let needs = Needs { values: 0, sightings: 0, rows: self.rows.len() };
-            self.rows.resize(needs.among::<D>(map.len()).rows, Row::default());
+            let cutting = map.iter().filter(|obstacle| obstacle.cuts_links).count().min(CUTTING_MAX);
+            let needs = needs.among::<D>(map.len()).among_cuts::<D>(self.robots, cutting);
+            self.rows.resize(needs.rows, Row::default());
             self.map = map.to_vec();
         }
         self

@@ -57,7 +57,7 @@ pub(crate) fn robots<const D: usize>(
     let controller = *params.controller();
     let steady = !controller.promises() || is_near(scenario, &params, frame);
     let heard_alike = scenario.faults.is_none() && scenario.attack.is_alike_for_all(controller.tells_lists());
-    if engine == Engine::Robots || !heard_alike {
+    if engine == Engine::Robots || !heard_alike || scenario.obstacles.cut_links() {
         return Ok(Box::new(Fleet::new(scenario, params, values)?));
     }
     if scenario.is_plain() && steady {

@@ -9,6 +9,7 @@ use closeranks_graph::makers::random::geometric;
 use closeranks_graph::verdict::Interval;
 
 use closeranks_core::num::Vector;
+use closeranks_core::obstacle::is_cut;
 
 use crate::frame::Frame;
 
@@ -45,7 +46,14 @@ impl Watcher {
     //= paper def:robustness
     pub fn watch<const D: usize>(&mut self, tick: u32, frame: &Frame<D>, radius_m: f64, malicious: &[bool]) {
         let there: Vec<Vector<D>> = frame.positions_m.iter().filter(|x| !x[0].is_nan()).copied().collect();
-        let Ok(graph) = geometric(&there, radius_m) else { return };
+        let Ok(mut graph) = geometric(&there, radius_m) else { return };
+        for (second, y) in there.iter().enumerate().filter(|_| !frame.cutting.is_empty()) {
+            for (first, x) in there[..second].iter().enumerate() {
+                if is_cut(&frame.cutting, x, y) {
+                    graph.remove_edge(first, second);
+                }
+            }
+        }
         let (r_max, f_max) = match self.last.take() {
             Some((last, r_max, f_max)) if last == graph => (r_max, f_max),
             _ => largest(&graph),

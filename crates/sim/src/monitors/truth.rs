@@ -2,7 +2,8 @@
 
 use closeranks_core::controller::budget::knowledge::Sighting;
 use closeranks_core::equations::link::{Link, LinkShape};
-use closeranks_core::num::{sqrt, subtract};
+use closeranks_core::num::{Vector, length, sqrt, subtract};
+use closeranks_core::obstacle::Obstacle;
 use closeranks_core::settings::params::Params;
 
 use crate::frame::Frame;
@@ -16,6 +17,11 @@ use crate::monitors::rule::Rule;
 pub(crate) const ROUNDING: f64 = 1e-11;
 /// Coordinates are rounded by far less than this fraction of themselves in a tick.
 const PLACE_ROUNDING: f64 = 1e-14;
+
+/// A link that has no more room than this beside an obstacle, m, is cut.
+const CUT_M: f64 = 1e-9;
+/// Robots that sense exactly count on links that have so much room, m, and keep it.
+pub(crate) const GRAZE_M: f64 = 8e-5;
 
 /// A robot of another team near one of this.
 #[derive(Clone, Copy, Debug)]
@@ -47,6 +53,10 @@ pub(crate) struct Truth {
     pub(crate) pairs: Pairs,
     /// The least of those of references, m²; of a sparse team that has none near it is infinite.
     pub(crate) least_m2: f64,
+    /// True if some link has so little room beside what would cut it that a robot need not count on it.
+    pub(crate) grazes: bool,
+    /// For each pair whether something cuts the link between their positions; empty where nothing cuts links.
+    cut: Vec<bool>,
     /// Robots of other teams within reach of a robot, by references.
     pub(crate) strangers: Vec<Stranger>,
     /// False if, under ranks, more than F of those that count for some normal robot and are in range are malicious.
@@ -126,6 +136,27 @@ impl Truth {
         let coordinates = frame.positions_m.iter().chain(&frame.references_m).flatten();
         self.span_m = coordinates.fold(0.0, |most: f64, x| most.max(x.abs()));
         self.meet(wide_m(params), frame);
+        self.part(frame);
+    }
+
+    /// Finds the links that obstacles cut.
+    //= theory sec:cut
+    fn part<const D: usize>(&mut self, frame: &Frame<D>) {
+        let Self { cut, grazes, pairs, radius_m2, .. } = self;
+        cut.clear();
+        *grazes = false;
+        if frame.cutting.is_empty() {
+            return;
+        }
+        pairs.each(|place, [first, second]| {
+            let room_m = if pairs.positions_m2()[place] <= *radius_m2 {
+                room_m(&frame.cutting, &frame.positions_m[first], &frame.positions_m[second])
+            } else {
+                f64::INFINITY
+            };
+            cut.push(room_m <= CUT_M);
+            *grazes |= room_m > CUT_M && room_m < GRAZE_M;
+        });
     }
 
     /// Finds robots of other teams that are no farther away than `wide_m`.
@@ -153,6 +184,7 @@ impl Truth {
         let (pairs, scratch) = (&self.pairs, &mut self.scratch);
         let positions_m2 = pairs.positions_m2();
         weigh(params.link(), positions_m2, scratch);
+        part(&self.cut, &mut scratch[0]);
         add_up(pairs, &scratch[0], all, &mut self.levels, &mut self.degrees);
         self.h.clone_from(&self.levels);
         self.neighbors.clone_from(&self.degrees);
@@ -161,6 +193,7 @@ impl Truth {
         }
         if frame.wants_phi && params.weighs_its_own_way() {
             weigh(&params.paper_link(), positions_m2, scratch);
+            part(&self.cut, &mut scratch[0]);
             let degrees = &mut vec![0; self.degrees.len()];
             add_up(pairs, &scratch[0], all, &mut self.paper_levels, degrees);
         } else {
@@ -169,6 +202,7 @@ impl Truth {
         if free || margin {
             let degrees = &mut vec![0; self.degrees.len()];
             weigh(&params.kept().link, pairs.references_m2(), scratch);
+            part(&self.cut, &mut scratch[0]);
             add_up(pairs, &scratch[0], counts, &mut self.h, degrees);
         }
         self.is_local = !ranked || self.at_most_around(rule, malicious);
@@ -192,7 +226,8 @@ impl Truth {
         let radius_m2 = self.radius_m2;
         self.pairs.each(|place, [first, second]| {
             for (end, other) in [(first, second), (second, first)] {
-                let near = malicious[other] && self.pairs.positions_m2()[place] <= radius_m2;
+                let linked = self.cut.get(place) != Some(&true);
+                let near = malicious[other] && self.pairs.positions_m2()[place] <= radius_m2 && linked;
                 liars[end] += u16::from(near && rule.counts(end, other));
             }
         });
@@ -215,6 +250,19 @@ impl Truth {
 fn wide_m<const D: usize>(params: &Params<D>) -> f64 {
     let meets_m = params.settings().limits.distance_min_m + 2.0 * params.reach().longest_m();
     params.link().radius_m.max(meets_m * (1.0 + 1e-6))
+}
+
+/// How much room the straight way between two robots has beside what cuts links, m.
+pub(crate) fn room_m<const D: usize>(cutting: &[Obstacle<D>], x: &Vector<D>, y: &Vector<D>) -> f64 {
+    let room_m = |one: &Obstacle<D>| length(&one.offset_between_m(x, y)) - one.radius_m;
+    cutting.iter().map(room_m).fold(f64::INFINITY, f64::min)
+}
+
+/// What is cut is no link.
+fn part(cut: &[bool], weights: &mut [f64]) {
+    for (weight, _) in weights.iter_mut().zip(cut).filter(|(_, cut)| **cut) {
+        *weight = Link::NONE.weight;
+    }
 }
 
 /// Fills `weights` with those of pairs with these squared distances, m².

@@ -133,6 +133,11 @@ fn obstacles<const D: usize>(reader: &mut Reader, scenario: &Scenario) {
         let names: Vec<_> = with.iter().map(|of| of.name()).collect();
         return reader.refuse("obstacles", error, format!("only under {}", names.join(", ")));
     }
+    if let Some(error) = scenario.refuses_cuts() {
+        let with: Vec<_> = Controller::ALL.iter().filter(|of| of.row().runs_among_cuts()).collect();
+        let names: Vec<_> = with.iter().map(|of| of.name()).collect();
+        return reader.refuse("obstacles.cuts_links", error, format!("only under {}", names.join(", ")));
+    }
     let Ok(positions) = scenario.positions::<D>() else { return };
     // Who guarantees anything recovers from a start that is too near.
     let recovers = scenario.controller.row().guarantees;

@@ -233,8 +233,8 @@ fn draw_obstacles(reader: &Reader, drawn: &Drawn, scenario: &mut Scenario) {
             .positions::<2>()
             .map(|x| drawn.draw(&x, scenario.start_clearance_m::<2>(), scenario.seed)),
     };
-    let turn = scenario.obstacles.turn;
-    set(&mut scenario.obstacles, found.ok().map(|found| Obstacles { turn, ..found }));
+    let Obstacles { turn, which_cut, .. } = scenario.obstacles;
+    set(&mut scenario.obstacles, found.ok().map(|found| Obstacles { turn, ..found }.that_cut(which_cut)));
 }
 
 /// How values are updated.

@@ -205,7 +205,7 @@ impl Scenario {
     pub fn is_plain(&self) -> bool {
         let followed = self.plant.follows() || !self.controller.row().guarantees;
         let alone = self.absences.is_empty() && self.strangers == 0;
-        self.faults.is_none() && alone && self.attack.is_plain() && followed
+        self.faults.is_none() && alone && self.attack.is_plain() && followed && !self.obstacles.cut_links()
     }
 
     /// This scenario under another controller. If it expects what is usual for its own controller, it then expects what is
@@ -234,11 +234,26 @@ impl Scenario {
             .then(|| format!("under controller \"{}\", which does not know of any", self.controller.name()))
     }
 
+    /// Why the controller is not run where obstacles cut links, if it is not.
+    #[must_use]
+    pub fn refuses_cuts(&self) -> Option<String> {
+        let refuses = !self.controller.row().runs_among_cuts() && self.obstacles.cut_links();
+        let name = self.controller.name();
+        refuses.then(|| {
+            format!("under controller \"{name}\", which has no row that keeps a link from being cut")
+        })
+    }
+
     /// Why the controller is not run among robots of other teams, if it is not.
     #[must_use]
     pub fn refuses_strangers(&self) -> Option<String> {
         let refuses = !self.controller.row().runs_among_strangers() && self.strangers > 0;
-        refuses.then(|| format!("under controller \"{}\", which has no row for them", self.controller.name()))
+        refuses.then(|| {
+            format!(
+                "under controller \"{}\", which has no row for robots of other teams",
+                self.controller.name()
+            )
+        })
     }
 
     /// τ₁ in seconds.

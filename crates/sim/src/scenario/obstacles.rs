@@ -26,6 +26,22 @@ pub struct Obstacles {
     pub discs: usize,
     /// True if wishes are turned along obstacles, to the side on which the middle of those in sight lies.
     pub turn: bool,
+    /// Which of them cut links.
+    pub which_cut: Cutting,
+}
+
+/// Which obstacles cut links.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Cutting {
+    /// None: messages go through them.
+    #[default]
+    None,
+    /// Discs alone.
+    Discs,
+    /// Walls alone.
+    Walls,
+    /// Discs and walls.
+    All,
 }
 
 impl Obstacles {
@@ -37,8 +53,36 @@ impl Obstacles {
             from_m: point(&one.from_m),
             to_m: point(&one.to_m),
             radius_m: one.radius_m,
+            cuts_links: one.cuts_links,
         };
         self.list.iter().map(of).collect()
+    }
+
+    /// True if something of the map cuts links.
+    #[must_use]
+    pub fn cut_links(&self) -> bool {
+        self.list.iter().any(|obstacle| obstacle.cuts_links)
+    }
+
+    /// Those that cut links, in the dimension of the scenario.
+    #[must_use]
+    pub fn cutting<const D: usize>(&self) -> Vec<Obstacle<D>> {
+        self.in_dimension().into_iter().filter(|obstacle| obstacle.cuts_links).collect()
+    }
+
+    /// The same obstacles, of which those of `cutting` cut links.
+    #[must_use]
+    pub(crate) fn that_cut(mut self, cutting: Cutting) -> Self {
+        let [discs, walls] = match cutting {
+            Cutting::None => [false; 2],
+            Cutting::Discs => [true, false],
+            Cutting::Walls => [false, true],
+            Cutting::All => [true; 2],
+        };
+        for (index, obstacle) in self.list.iter_mut().enumerate() {
+            obstacle.cuts_links = if index < self.discs { discs } else { walls };
+        }
+        Self { which_cut: cutting, ..self }
     }
 
     /// The field of a file in which the obstacle `index` stands.
@@ -96,7 +140,14 @@ impl Obstacles {
         read.discs = read.list.len();
         let wall = |row: &Vec<f64>| Obstacle::wall(point(&row[..dimension]), point(&row[dimension..]));
         read.list.extend(walls.iter().map(wall));
-        read
+        let which = [
+            ("none", Cutting::None),
+            ("discs", Cutting::Discs),
+            ("walls", Cutting::Walls),
+            ("all", Cutting::All),
+        ];
+        let cutting = reader.word(section, "cuts_links", &which).unwrap_or_default();
+        read.that_cut(cutting)
     }
 }
 
@@ -157,7 +208,7 @@ impl Drawn {
             let free = |one: &Obstacle<D>| positions_m.iter().all(|x| gap_m(one, x) >= keep_m);
             let Some(found) = tried.into_iter().find(free) else { continue };
             let (from_m, to_m) = (point(&found.from_m), point(&found.to_m));
-            drawn.list.push(Obstacle { from_m, to_m, radius_m: found.radius_m });
+            drawn.list.push(Obstacle { radius_m: found.radius_m, ..Obstacle::wall(from_m, to_m) });
             drawn.discs += usize::from(index < self.discs);
         }
         drawn

@@ -40,7 +40,7 @@ use crate::world::any::AnyWorld;
 use crate::world::door::Door;
 use crate::world::given::{Given, GivenError};
 pub use crate::world::outcome::{Options, Run, RunError, TeamRun};
-use crate::world::script::rest;
+use crate::world::script::{first_frame, rest};
 pub use crate::world::script::{initial_numbers, initial_values, want};
 
 /// Runs `scenario` from the first tick to the last. `progress` is called before each tick with its number.
@@ -104,7 +104,7 @@ impl<const D: usize> World<D> {
         if !scenario.teams.is_empty() {
             return Err(RunError::Teams);
         }
-        if let Some(why) = scenario.refuses_obstacles() {
+        if let Some(why) = scenario.refuses_obstacles().or_else(|| scenario.refuses_cuts()) {
             return Err(RunError::Obstacles(why));
         }
         if let Some(why) = scenario.refuses_strangers() {
@@ -114,7 +114,7 @@ impl<const D: usize> World<D> {
         scenario.ranks::<D>()?;
         let values = initial_values(scenario)?;
         let wants_phi = scenario.controller.row().uses_phi || !options.without_phi;
-        let mut frame = Frame { wants_phi, ..Frame::new(scenario.positions()?, values.clone()) };
+        let mut frame = Frame { wants_phi, ..first_frame(scenario, &values)? };
         let door = Door::new(scenario, &params, &frame.positions_m);
         let bodies = Bodies::new(scenario.plant, scenario.tick_s(), &frame.positions_m);
         door.open(&mut frame);

@@ -40,6 +40,12 @@ pub fn initial_numbers(scenario: &Scenario) -> Result<Vec<Vec<f64>>, RunError> {
     }
 }
 
+/// The frame before the first tick of robots with these initial values.
+pub(super) fn first_frame<const D: usize>(scenario: &Scenario, values: &[f64]) -> Result<Frame<D>, RunError> {
+    let frame = Frame::new(scenario.positions()?, values.to_vec());
+    Ok(Frame { cutting: scenario.obstacles.cutting().into(), ..frame })
+}
+
 /// Fills the desired velocities of `tick`.
 pub fn want<const D: usize>(scenario: &Scenario, tick: u32, frame: &mut Frame<D>) {
     let time_s = f64::from(tick) * scenario.tick_s();

@@ -1,5 +1,6 @@
 //! Broken programs that the campaign must catch, each by the law that is there for it.
 
+pub(crate) mod cuts;
 pub(crate) mod obstacles;
 pub(crate) mod presence;
 pub(crate) mod teams;

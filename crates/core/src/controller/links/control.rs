@@ -3,6 +3,7 @@
 use crate::controller::assume::Assume;
 use crate::controller::clearance::Clearance;
 use crate::controller::links::Links;
+use crate::controller::links::cut::{Among, Cuts};
 use crate::controller::links::peer::{Ledger, Peer};
 use crate::controller::links::rows::Beside;
 use crate::controller::links::slack::Slack;
@@ -10,7 +11,8 @@ use crate::controller::{Control, Decision, Kept, Motion, Standing, View};
 use crate::equations::link::LinkShape;
 use crate::id::Member;
 use crate::need::{Keep, Need};
-use crate::num::Vector;
+use crate::num::{Vector, add_scaled};
+use crate::obstacle::Obstacle;
 use crate::program::InputBox;
 use crate::program::balls::reach::Reach;
 use crate::robot::neighbor::Slot;
@@ -28,6 +30,7 @@ pub struct LinksController<const D: usize> {
     slack: Slack,
     input: InputBox<D>,
     clearance: Clearance,
+    cuts: Cuts,
     hold_s: f64,
     /// A neighbour that is not sensed for more ticks than this is given up.
     unseen_max: u32,
@@ -61,11 +64,11 @@ impl<const D: usize> LinksController<D> {
             pass_right: parameters.pass_right,
             told_max: settings.clock.told_max,
         };
-        let (input, clearance) = (settings.limits.input, Clearance::new(settings));
+        let (input, clearance, cuts) = (settings.limits.input, Clearance::new(settings), Cuts::new(settings));
         let ticks = settings.clock.told_max.as_nanos() / period.as_nanos().max(1);
         let unseen_max = u32::try_from(ticks).unwrap_or(u32::MAX);
         let slack = Slack::new(&links, &reach);
-        Self { links, reach, slack, input, clearance, hold_s, unseen_max, shape }
+        Self { links, reach, slack, input, clearance, cuts, hold_s, unseen_max, shape }
     }
 
     /// The desired velocity as the robot tells and follows it.
@@ -86,6 +89,19 @@ impl<const D: usize> LinksController<D> {
         self.decide(view.member(), counted, others, &motion, scratch)
     }
 
+    /// Notes how much room each link has. A neighbour to which it is certainly cut is held as one that has just come into range: nothing
+    /// of what was agreed with it is left.
+    //= theory sec:cut-admitted
+    fn look_past(&self, map: &[Obstacle<D>], ledger: &Ledger<D>, slots: &mut [Slot<D>]) {
+        for slot in slots {
+            let own_m = add_scaled(&slot.position_m, 1.0, &slot.offset_m);
+            slot.room = Among::new(self.cuts, own_m, map).room(&slot.offset_m, slot.gone_m);
+            if slot.sensed && slot.room.is_lost() {
+                slot.peer = Peer::new(ledger.numbers.last());
+            }
+        }
+    }
+
     /// The decision of robot `own`, which counts on so many neighbours and has these `others`. Its desired velocity is
     /// [`turned`](Links::turned) already.
     pub fn decide(
@@ -97,7 +113,8 @@ impl<const D: usize> LinksController<D> {
         scratch: &mut Scratch<'_, D>,
     ) -> Decision<D> {
         let desired_m = motion.desired_m_s.map(|component| component * self.hold_s);
-        let mut rows = self.links.rows(others, &desired_m, (self.reach, &self.slack), scratch.rows);
+        let among = Among::new(self.cuts, motion.position_m, scratch.map);
+        let mut rows = self.links.rows(others, &among, &desired_m, (self.reach, &self.slack), scratch.rows);
         self.clearance.push(&motion.position_m, scratch.map, &mut rows.program);
         self.clearance.recover(&motion.position_m, scratch.map, &mut rows);
         let moved = rows.decide(&motion.before_m_s.map(|component| component * self.hold_s));
@@ -167,6 +184,9 @@ impl<const D: usize> Control<D> for LinksController<D> {
         now: Instant,
         scratch: &mut Scratch<'_, D>,
     ) {
+        if scratch.map.iter().any(|obstacle| obstacle.cuts_links) {
+            self.look_past(scratch.map, ledger, slots);
+        }
         self.links.agree(own, ledger, slots, now, scratch.values);
     }
 

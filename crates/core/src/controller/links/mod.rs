@@ -23,12 +23,14 @@
 //! | what is told, as bytes | [`wire`] |
 //! | what a robot holds of a neighbour | [`peer`] |
 //! | the rows of a tick, and where none are needed | [`rows`], `slack` |
+//! | links that obstacles would cut | [`cut`] |
 //! | who releases whom: no guarantee rests on it | `policy`, `deal`; what it asks of a neighbour: `partner` |
 //! | the seam | [`control`] |
 //! | the same in few bytes, for large teams in which nothing goes wrong | [`bond`], [`mod@line`] |
 
 pub mod bond;
 pub mod control;
+pub mod cut;
 mod deal;
 pub mod line;
 mod partner;
@@ -126,8 +128,9 @@ impl Links {
         let recent = partner.was_sensed_within(self.told_max, now);
         let error_m = self.error_m(partner.gone_m());
         let distance_m = length(partner.offset_m());
-        let certainly_within = distance_m + error_m <= self.begun_m();
-        let certainly_beyond = distance_m - error_m > self.radius_m * (1.0 + HAIR);
+        let certainly_within = distance_m + error_m <= self.begun_m() && partner.room().suffices();
+        let certainly_beyond =
+            distance_m - error_m > self.radius_m * (1.0 + HAIR) || partner.room().is_lost();
         let carried = partner.is_held() && partner.unseen_ticks() == 0 && !certainly_beyond;
         partner.hold(partner.acknowledges() && recent && (carried || certainly_within));
         distance_m

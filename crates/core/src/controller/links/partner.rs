@@ -3,6 +3,7 @@
 
 use core::time::Duration;
 
+use crate::controller::links::cut::Room;
 use crate::controller::links::deal::Deal;
 use crate::controller::links::protocol::Number;
 use crate::id::Member;
@@ -36,6 +37,10 @@ pub(crate) trait Partner<const D: usize> {
     fn unseen_ticks(&self) -> u32;
     /// How far it can have gone since it was sensed last, m.
     fn gone_m(&self) -> f64;
+    /// How much room the link to it has beside what would cut it.
+    fn room(&self) -> Room {
+        Room::OPEN
+    }
     /// True if it was sensed no longer than `most` before `now`.
     fn was_sensed_within(&self, most: Duration, now: Instant) -> bool;
     /// What it told, if it is [`HEARD`] of at `now`.
@@ -70,6 +75,10 @@ pub(crate) trait Partner<const D: usize> {
 }
 
 impl<const D: usize> Partner<D> for Slot<D> {
+    fn room(&self) -> Room {
+        self.room
+    }
+
     fn member(&self) -> Member {
         self.member()
     }

@@ -29,6 +29,9 @@ use crate::time::Instant;
 /// A pair is released beyond this fraction of the held radius, and listed again below the other.
 const STRETCHED: f64 = 0.95;
 const NEAR: f64 = 0.85;
+/// So is a pair whose link has less room than this fraction of the held radius beside what would cut it, and listed above the other.
+const TIGHT: f64 = 0.05;
+const WIDE: f64 = 0.15;
 /// So many ticks a neighbour has time to follow a release.
 const PATIENCE_TICKS: u32 = 10;
 /// No more time than this passes between two looks, s.
@@ -96,10 +99,11 @@ impl Links {
             Some(told) if mutual => (told.price_m, told.promised),
             Some(_) => (0.0, true),
         };
+        let is_tight = partner.room().least_m < TIGHT * self.radius_m;
         let deal = partner.deal_mut();
         deal.gain_m = length(&ends_m);
         deal.engaged = deal.promised && promised;
-        deal.stretched = distance_m > STRETCHED * self.radius_m;
+        deal.stretched = distance_m > STRETCHED * self.radius_m || is_tight;
         let usable = deal.barred_s <= 0.0 && (deal.stretched || deal.lapsed_s <= 0.0);
         deal.eligible = sensed && counts && usable && deal.key_m() >= price_m;
         may_be_counted
@@ -114,6 +118,10 @@ impl Links {
     fn list<const D: usize, P: Partner<D>>(&self, own: Member, partners: &mut [P], last: Number, all: bool) {
         let counts = |partner: &&mut P| partner.is_sensed() && self.need.counts(own, partner.member());
         let reach_m = if all { self.begun_m() + self.errors.offset_m } else { NEAR * self.radius_m };
+        let clear = |partner: &P| {
+            let room = partner.room();
+            if all { !room.is_lost() } else { room.least_m >= WIDE * self.radius_m }
+        };
         for partner in partners.iter_mut().filter(counts) {
             let waits = !partner.is_listed() && partner.lists();
             let deal = partner.deal_mut();
@@ -122,7 +130,7 @@ impl Links {
             if impatient && deal.released {
                 deal.bar();
             }
-            let near = dot(partner.offset_m(), partner.offset_m()) <= reach_m * reach_m;
+            let near = dot(partner.offset_m(), partner.offset_m()) <= reach_m * reach_m && clear(partner);
             if !partner.is_listed() && (impatient || near) {
                 partner.deal_mut().released = false;
                 partner.list(last);

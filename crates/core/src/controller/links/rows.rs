@@ -1,6 +1,7 @@
 //! The rows of a tick: (held) for neighbours that keep each other, (near) for all.
 
 use crate::controller::links::Links;
+use crate::controller::links::cut::Among;
 use crate::controller::links::slack::Slack;
 use crate::controller::rows::{Rows, give_m2, may_bind};
 use crate::num::{Vector, dot, length};
@@ -36,22 +37,29 @@ impl<const D: usize> Beside<D> {
 }
 
 impl Links {
-    /// All rows of a robot that has these `others`, wants to move by `desired_m` (m) and can move within `reach`, to which `slack`
-    /// belongs.
+    /// All rows of a robot that has these `others`, is `among` obstacles, wants to move by `desired_m` (m) and can move within `reach`, to
+    /// which `slack` belongs. A link that is certainly cut has none: nobody counts on it.
     //= theory thm:held
+    //= theory sec:cut-admitted
     #[inline]
     pub(super) fn rows<'memory, const D: usize>(
         &self,
         others: impl Iterator<Item = Beside<D>>,
+        among: &Among<'_, D>,
         desired_m: &Vector<D>,
         (reach, slack): (Reach<D>, &Slack),
         memory: &'memory mut [Row<D>],
     ) -> Rows<'memory, D> {
         let mut rows = Rows::new(desired_m, reach, memory);
         for other in others {
-            let (square_m2, exact) = (dot(&other.offset_m, &other.offset_m), other.gone_m == 0.0);
-            if !(exact && slack.is_held_slack(square_m2)) && other.active {
+            let (offset_m, gone_m) = (&other.offset_m, other.gone_m);
+            let (square_m2, exact) = (dot(offset_m, offset_m), gone_m == 0.0);
+            let is_whole = other.active && !among.room(offset_m, gone_m).is_lost();
+            if is_whole && !(exact && slack.is_held_slack(square_m2)) {
                 self.push_held(&other, &mut rows);
+            }
+            if is_whole {
+                among.push(offset_m, gone_m, &mut rows);
             }
             if !(exact && slack.is_near_slack(square_m2)) {
                 self.push_near(&other, &mut rows);
@@ -107,6 +115,7 @@ mod tests {
     use super::*;
     use crate::controller::assume::Assume;
     use crate::controller::errors::ErrorBounds;
+    use crate::controller::links::cut::Cuts;
     use crate::need::{Keep, Need};
     use crate::num::{add_scaled, subtract};
     use crate::program::InputBox;
@@ -138,7 +147,8 @@ mod tests {
     fn row_of(links: &Links, offset_m: [f64; 2], memory: &mut [Row<2>]) -> [f64; 2] {
         let slot = Slot { sensed: true, offset_m, ..Slot::default() };
         let (beside, slack) = ([Beside::of(&slot, false)], Slack::new(links, &reach()));
-        links.rows(beside.into_iter(), &offset_m, (reach(), &slack), memory).closest().displacement_m
+        let among = Among::new(Cuts { keep_m: 0.0, error_m: 0.0 }, [0.0; 2], &[]);
+        links.rows(beside.into_iter(), &among, &offset_m, (reach(), &slack), memory).closest().displacement_m
     }
 
     //= theory eq:held type=test

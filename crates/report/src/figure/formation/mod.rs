@@ -7,14 +7,14 @@ pub(crate) mod view;
 
 use closeranks_sim::output::record::Record;
 
-use self::links::{Link, links};
+use self::links::{Link, cut_links, links, pairs_within};
 use self::marker::{Kind, Marker, ring, robots_group};
 use self::view::{View, views};
 use crate::figure::Case;
 use crate::figure::panel::axes::Axes;
 use crate::figure::panel::ticks::{Range, plain};
 use crate::figure::panel::title::Title;
-use crate::svg::palette::{LINK, MALICIOUS};
+use crate::svg::palette::{LINK, MALICIOUS, OBSTACLE};
 use crate::svg::path::PathData;
 use crate::svg::{Element, Svg};
 
@@ -25,7 +25,9 @@ const DOTTED: usize = 1_500;
 
 /// Length of a dot and of the space after it.
 const DOTS: &str = "1.2 1.9";
-/// Their sum.
+/// Dots of a link that something cuts are farther apart.
+const CUT_DOTS: &str = "1.2 4";
+/// Length of a dot and of the space after it, of links.
 const PERIOD: f64 = 3.1;
 
 /// One tick of a case.
@@ -158,8 +160,9 @@ impl<'a> Moment<'a> {
     pub(crate) fn draw(&self, svg: &mut Svg, axes: &Axes, marker: Marker) {
         self.draw_obstacles(svg, axes);
         let points: Vec<[f64; 2]> = self.points().into_iter().map(|point| axes.at(point)).collect();
-        let mut links = links(self.record(), self.case.scenario.link.radius_m, self.tick);
+        let mut links = links(self.record(), self.case.scenario, self.tick);
         links.retain(|link| is_of_one_team(self.case, link));
+        draw_cut(svg, &points, &cut_links(self.record(), self.case.scenario, self.tick));
         let (red, grey): (Vec<Link>, Vec<Link>) = links.iter().partition(|link| link.malicious);
         for (some, colour) in [(grey, LINK), (red, MALICIOUS)] {
             draw_links(svg, &points, &some, colour, links.len() <= DOTTED);
@@ -174,7 +177,7 @@ impl<'a> Moment<'a> {
     /// Robots that are closer to another one than the scenario demands, by index.
     #[must_use]
     pub(crate) fn too_close(&self) -> Vec<usize> {
-        let close = links(self.record(), self.case.scenario.limits.distance_min_m, self.tick);
+        let close = pairs_within(self.record(), self.case.scenario.limits.distance_min_m, self.tick);
         let mut robots: Vec<usize> = close.iter().flat_map(|pair| [pair.first, pair.second]).collect();
         robots.sort_unstable();
         robots.dedup();
@@ -215,8 +218,24 @@ pub(crate) fn is_of_one_team(case: Case<'_>, link: &Link) -> bool {
     case.scenario.team_of(link.first) == case.scenario.team_of(link.second)
 }
 
+/// Pairs within R whose link something cuts: a thin line in the colour of what cuts them.
+fn draw_cut(svg: &mut Svg, points: &[[f64; 2]], pairs: &[Link]) {
+    let path = lines(points, pairs);
+    if !path.is_empty() {
+        let element = path.element().text("fill", "none").text("stroke", OBSTACLE);
+        svg.add(element.number("stroke-width", 0.9).text("stroke-dasharray", CUT_DOTS));
+    }
+}
+
 /// All links of one colour in one path.
 fn draw_links(svg: &mut Svg, points: &[[f64; 2]], links: &[Link], colour: &str, dotted: bool) {
+    let path = lines(points, links);
+    if !path.is_empty() {
+        svg.add(link_style(path.element(), colour, dotted));
+    }
+}
+
+fn lines(points: &[[f64; 2]], links: &[Link]) -> PathData {
     let mut path = PathData::default();
     for link in links {
         let ends = [points[link.first], points[link.second]];
@@ -226,9 +245,7 @@ fn draw_links(svg: &mut Svg, points: &[[f64; 2]], links: &[Link], colour: &str, 
             path.continue_to(end);
         }
     }
-    if !path.is_empty() {
-        svg.add(link_style(path.element(), colour, dotted));
-    }
+    path
 }
 
 /// Shortens a link by less than a period, under the marker at its end, so that links along one line have their dots in the

@@ -24,7 +24,7 @@ pub(crate) fn draw(
     let within = format!("within-{:.0}-{:.0}", place.left, place.top);
     svg.add(Element::new("clipPath").text("id", &within).child(place.element()));
     svg.begin(&Element::group().text("clip-path", &format!("url(#{within})")));
-    for Obstacle { from_m, to_m, radius_m } in obstacles {
+    for Obstacle { from_m, to_m, radius_m, .. } in obstacles {
         let ends = [from_m, to_m].map(&at);
         if ends.iter().flatten().all(|end| end.is_finite()) {
             svg.add(shape(ends, radius_m * scale));

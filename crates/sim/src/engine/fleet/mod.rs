@@ -11,6 +11,7 @@ use closeranks_core::controller::links::wire::{Notice, bytes_max};
 use closeranks_core::equations::composition::Composed;
 use closeranks_core::message::{MESSAGE_BYTES, Message};
 use closeranks_core::num::Vector;
+use closeranks_core::obstacle::{Obstacle, is_cut};
 use closeranks_core::robot::Robot;
 use closeranks_core::robot::error::RobotError;
 use closeranks_core::robot::neighbor::{Member, RobotId, Slot};
@@ -53,6 +54,8 @@ pub struct Fleet<const D: usize, T = FaultyNetwork<InMemory>> {
     /// Room for the longest message.
     buffer: Vec<u8>,
     transport: T,
+    /// What no message goes through.
+    cutting: Vec<Obstacle<D>>,
     edges: Edges<D>,
     /// Who can meet whom in this tick.
     reach: Reach,
@@ -115,6 +118,7 @@ impl<const D: usize, T: Transport> Fleet<D, T> {
             plane_m: Vec::new(),
             buffer: vec![0; MESSAGE_BYTES.max(bytes_max(scenario.team.robots, D))],
             transport,
+            cutting: scenario.obstacles.cutting(),
             edges,
             reach,
             slots,
@@ -152,6 +156,11 @@ impl<const D: usize, T: Transport> Fleet<D, T> {
     #[must_use]
     pub fn running(&self, index: usize) -> Option<&Robot<D, Vec<Slot<D>>>> {
         self.robots.get(index).filter(|_| !self.edges.downtime.down(index))
+    }
+
+    /// True if no message gets from one robot to another where they are in this tick.
+    fn is_cut(&self, one: usize, other: usize) -> bool {
+        is_cut(&self.cutting, &self.plane_m[one], &self.plane_m[other])
     }
 
     fn time_s(&self) -> f64 {

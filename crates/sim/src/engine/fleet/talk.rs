@@ -2,6 +2,7 @@
 
 use closeranks_core::controller::links::wire::LinkMessage;
 use closeranks_core::message::Message;
+use closeranks_core::obstacle::is_cut;
 use closeranks_core::robot::Robot;
 use closeranks_core::robot::neighbor::Slot;
 
@@ -81,6 +82,7 @@ impl<const D: usize, T: Transport> Fleet<D, T> {
             let own = &self.robots[sender];
             let all = encode(own, message, &mut self.buffer);
             self.reach.receivers(sender, self.robots.len(), &mut receivers);
+            receivers.retain(|receiver| !self.is_cut(sender, *receiver));
             for &receiver in &receivers {
                 let robot = &self.robots[receiver];
                 let bytes = match liars.face(sender, message, robot.value()) {
@@ -102,12 +104,16 @@ impl<const D: usize, T: Transport> Fleet<D, T> {
         self.others = receivers;
     }
 
-    /// Robots refuse what is no message, and what comes from out of range.
+    /// Robots refuse what is no message, and what comes from out of range. What has been on its way for long must not meet an obstacle
+    /// at the end either.
     pub(super) fn deliver(&mut self) {
         let parcels: Vec<Parcel> = core::iter::from_fn(|| self.transport.poll()).collect();
         // Lists that went to many robots are parsed once, as long as nothing else comes between.
         let mut read: Option<(&Bytes, Option<LinkMessage<'_, D>>)> = None;
         for Parcel { sender, receiver, bytes } in &parcels {
+            if self.is_cut(*sender, *receiver) {
+                continue;
+            }
             let robot = &mut self.robots[*receiver];
             if self.edges.downtime.down(*receiver) || !robot.knows(id(*sender)) {
                 continue;
@@ -138,6 +144,9 @@ impl<const D: usize, T: Transport> Fleet<D, T> {
             self.others.clear();
             self.others.extend(robot.strangers().iter().map(|slot| usize::from(slot.id().0) - 1));
             for sender in &self.others {
+                if is_cut(&self.cutting, &self.plane_m[receiver], &self.plane_m[*sender]) {
+                    continue;
+                }
                 if let Some(Some(bytes)) = told.get(sender - team) {
                     let _ = robot.receive_bytes(id(*sender), bytes);
                 }

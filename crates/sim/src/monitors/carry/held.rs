@@ -1,5 +1,5 @@
 //! The theorem of `links` from tick to tick: who is counted on keeps its row (lem:counted), a link that is counted on stays a link
-//! (thm:held), and who counts on enough keeps enough.
+//! (thm:held, thm:cut), and who counts on enough keeps enough.
 
 use std::sync::Arc;
 
@@ -10,6 +10,7 @@ use crate::frame::Frame;
 use crate::geometry::squared_distance;
 use crate::law::{Law, Verdicts, Violation};
 use crate::monitors::rule::Rule;
+use crate::monitors::truth::room_m;
 use crate::scenario::Scenario;
 
 /// Links that were counted on when they were no longer than R, and must have been so ever since.
@@ -47,7 +48,7 @@ impl<const D: usize> Held<D> {
         verdicts: &mut Verdicts,
     ) {
         let radius_m = self.params.kept().link.radius_m;
-        let radius_m2 = radius_m * radius_m;
+        let (radius_m2, away_m) = (radius_m * radius_m, self.params.kept().errors.away_m);
         for (index, counted) in frame.counted.iter().enumerate() {
             if self.malicious[index] {
                 continue;
@@ -62,13 +63,16 @@ impl<const D: usize> Held<D> {
                 let violation =
                     Violation { tick, robots: [own, number], seen: sqrt(pair_m2), demanded: radius_m };
                 // Who was pulled beyond R while an assumption was broken may not even be sensed.
-                let runs = !self.malicious[other] && !frame.down[other] && pair_m2 <= radius_m2;
+                let room_m = room_m(&frame.cutting, &frame.references_m[index], &frame.references_m[other]);
+                let is_cut = room_m <= away_m;
+                let runs = !self.malicious[other] && !frame.down[other] && pair_m2 <= radius_m2 && !is_cut;
                 if runs && frame.rows[other].binary_search(&own).is_err() {
                     verdicts.broke(Law::Held, violation, moved && moves);
                 }
-                if pair_m2 > radius_m2 {
+                if pair_m2 > radius_m2 || is_cut {
                     let carried = moved && before.binary_search(&number).is_ok();
-                    verdicts.broke(Law::Held, violation, carried);
+                    let lacks = Violation { seen: room_m, demanded: away_m, ..violation };
+                    verdicts.broke(Law::Held, if is_cut { lacks } else { violation }, carried);
                 } else if moves {
                     sound.push(number);
                 }

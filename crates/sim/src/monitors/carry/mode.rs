@@ -15,7 +15,7 @@ use crate::law::{Law, Verdicts, Violation};
 use crate::monitors::carry::report::{Reports, Untrue};
 use crate::monitors::carry::time::{fraction, longer_ago, since};
 use crate::monitors::rule::Rule;
-use crate::monitors::truth::{ROUNDING, Stranger, Truth};
+use crate::monitors::truth::{GRAZE_M, ROUNDING, Stranger, Truth, room_m};
 use crate::scenario::Scenario;
 
 /// Ticks in which all must have noticed that everything holds again.
@@ -106,7 +106,7 @@ impl<const D: usize> ModeWatch<D> {
         // Lists must be exchanged with whoever came, and in place of whoever left the team or went out of range.
         let changed =
             self.params.controller().tells_lists() && (frame.presence.changed | self.deserted(frame));
-        let well = safe && !stopped && !frame.assumptions.broken && !reckons && !changed;
+        let well = safe && !stopped && !frame.assumptions.broken && !reckons && !changed && !truth.grazes;
         if !well {
             self.unwell = Some(tick);
         }
@@ -147,14 +147,16 @@ impl<const D: usize> ModeWatch<D> {
         }
     }
 
-    /// True if a malicious robot that moves as it likes has gone beyond R of a normal one that counted on it in the tick before.
+    /// True if a malicious robot that moves as it likes has gone beyond R of a normal one that counted on it in the tick before, or to where
+    /// something cuts the link.
     fn deserted(&mut self, frame: &Frame<D>) -> bool {
         if !self.free {
             return false;
         }
         let radius_m = self.params.kept().link.radius_m;
         let gone = |&[robot, liar]: &[usize; 2]| {
-            squared_distance(&frame.references_m[robot], &frame.references_m[liar]) > radius_m * radius_m
+            let [own, other] = [&frame.references_m[robot], &frame.references_m[liar]];
+            squared_distance(own, other) > radius_m * radius_m || room_m(&frame.cutting, own, other) < GRAZE_M
         };
         let deserted = self.trusted.iter().any(gone);
         self.trusted.clear();
