@@ -144,11 +144,18 @@ mod tests {
         Reach::new(&InputBox::of([-2.0; 2], [2.0; 2]), 0.1)
     }
 
+    /// Nothing is there that could cut links.
+    fn nothing() -> Among<'static, 2> {
+        Among::new(Cuts { keep_m: 0.0, error_m: 0.0 }, [0.0; 2], &[])
+    }
+
     fn row_of(links: &Links, offset_m: [f64; 2], memory: &mut [Row<2>]) -> [f64; 2] {
         let slot = Slot { sensed: true, offset_m, ..Slot::default() };
         let (beside, slack) = ([Beside::of(&slot, false)], Slack::new(links, &reach()));
-        let among = Among::new(Cuts { keep_m: 0.0, error_m: 0.0 }, [0.0; 2], &[]);
-        links.rows(beside.into_iter(), &among, &offset_m, (reach(), &slack), memory).closest().displacement_m
+        links
+            .rows(beside.into_iter(), &nothing(), &offset_m, (reach(), &slack), memory)
+            .closest()
+            .displacement_m
     }
 
     //= theory eq:held type=test
@@ -196,7 +203,7 @@ mod tests {
                 let offset_m = [far_m * libm::cos(angle), far_m * libm::sin(angle)];
                 let other = Beside { offset_m, gone_m: 0.0, sensed: true, active: true };
                 let memory = &mut [Row::default(); 12];
-                let all = links.rows([other].into_iter(), &[0.0; 2], (reach, &none), memory);
+                let all = links.rows([other].into_iter(), &nothing(), &[0.0; 2], (reach, &none), memory);
                 let rows = all.program.rows().len() - reach.rows();
                 let square_m2 = dot(&offset_m, &offset_m);
                 let spare =
