@@ -3,12 +3,12 @@
 
 use core::time::Duration;
 
-use crate::controller::links::bond::{Bond, Deal, Moment, NEVER, Unseen, Voice};
+use crate::controller::links::bond::{Bond, Deal, Moment, NEVER, Said, Unseen, Voice};
 use crate::controller::links::control::LinksController;
 use crate::controller::links::partner::{Offer, Partner};
 use crate::controller::links::peer::Ledger;
 use crate::controller::links::protocol::Number;
-use crate::id::Member;
+use crate::id::{Member, RobotId};
 use crate::num::Vector;
 use crate::time::Instant;
 
@@ -27,6 +27,8 @@ pub struct Line<'a, const D: usize> {
     acknowledges: bool,
     released: bool,
     lists: bool,
+    /// What was said to it in the tick before.
+    said: Said,
     /// If it is not sensed.
     unseen: Option<&'a Unseen<D>>,
 }
@@ -47,7 +49,15 @@ impl<'a, const D: usize> Line<'a, D> {
         let (hold, tick) = (bond.hold(moment.tick), moment.tick);
         let told = moment.told && bond.born < tick;
         let (acknowledges, released, lists) = (hold.counts(), hold.is_released(), hold.lists());
-        Self { member, offset_m, voice, bond, deal, tick, told, acknowledges, released, lists, unseen }
+        let said = bond.said();
+        Self { member, offset_m, voice, bond, deal, tick, told, acknowledges, released, lists, said, unseen }
+    }
+
+    /// Which robot it is, if something else is to be said to it than in the tick before.
+    #[inline]
+    #[must_use]
+    pub fn news(&self) -> Option<RobotId> {
+        (self.bond.said() != self.said).then_some(self.member.id)
     }
 
     /// True if it is counted on, once the messages of this tick are there.

@@ -226,11 +226,14 @@ fn largest(keys: &mut [f64], but: usize) -> f64 {
 
 /// What a promise of the robot costs, m, whose slots are so many.
 fn price_m<const D: usize, P: Partner<D>>(partners: &[P], left: usize) -> f64 {
-    let engaged = || partners.iter().map(Partner::deal).filter(|deal| deal.engaged);
+    let (mut engaged, mut least_m) = (0, f64::INFINITY);
+    for deal in partners.iter().map(Partner::deal).filter(|deal| deal.engaged) {
+        (engaged, least_m) = (engaged + 1, least_m.min(deal.gain_m));
+    }
     match left {
         0 => f64::INFINITY,
-        _ if engaged().count() < left => 0.0,
-        _ => engaged().fold(f64::INFINITY, |least, deal| least.min(deal.gain_m)),
+        _ if engaged < left => 0.0,
+        _ => least_m,
     }
 }
 
@@ -239,12 +242,12 @@ fn price_m<const D: usize, P: Partner<D>>(partners: &[P], left: usize) -> f64 {
 fn release<const D: usize, P: Partner<D>>(partners: &mut [P], mut counted: usize, keep: usize) {
     loop {
         let loose = |partner: &P| {
-            let (is_counted, deal) = (partner.is_counted(), partner.deal());
-            let let_go = partner.is_released() && (deal.engaged || !is_counted);
-            partner.is_listed()
-                && deal.stretched
-                && (deal.engaged || let_go)
-                && counted >= keep + usize::from(is_counted)
+            if !partner.deal().stretched || !partner.is_listed() {
+                return false;
+            }
+            let (is_counted, engaged) = (partner.is_counted(), partner.deal().engaged);
+            let let_go = partner.is_released() && (engaged || !is_counted);
+            (engaged || let_go) && counted >= keep + usize::from(is_counted)
         };
         let mut farthest: Option<&mut P> = None;
         for partner in partners.iter_mut().filter(|partner| loose(partner)) {

@@ -133,10 +133,8 @@ impl<const D: usize> Lists<D> {
     /// Measures where neighbours were that are not sensed.
     fn measure_unseen(&mut self, positions_m: &[Vector<D>]) {
         for Ghost { robot, other, unseen } in &self.unseen {
-            let range = self.range(usize::from(*robot));
-            if let Ok(line) = self.rows.others[range.clone()].binary_search(other) {
-                let own_m = &positions_m[usize::from(*robot)];
-                self.rows.offsets_m[range.start + line] = unseen.offset_m(own_m);
+            if let Some(place) = self.place(*robot, *other) {
+                self.rows.offsets_m[place] = unseen.offset_m(&positions_m[usize::from(*robot)]);
             }
         }
     }
@@ -249,19 +247,22 @@ impl<const D: usize> Lists<D> {
         (self.rows.bonds, self.rows.deals) = (bonds, deals);
     }
 
-    /// Everybody says to each neighbour what is so. Robots come in order, and so do their neighbours: the next place of a
-    /// neighbour is always that of the robot that speaks.
-    pub(crate) fn exchange(&mut self, places: &mut Vec<u32>) {
-        places.clear();
-        places.extend_from_slice(&self.starts[..self.counts.len()]);
-        for robot in 0..self.counts.len() {
-            for place in self.range(robot) {
-                let said = self.rows.bonds[place].said();
-                let reader = &mut places[usize::from(self.rows.others[place])];
-                self.rows.bonds[*reader as usize].hear(said);
-                *reader += 1;
+    /// Speakers say to readers what is so now. All others say what they said before: two robots hold each other from the same
+    /// tick on, and nothing is said then.
+    pub(crate) fn exchange(&mut self, news: impl Iterator<Item = [u16; 2]>) {
+        for [speaker, reader] in news {
+            if let (Some(from), Some(to)) = (self.place(speaker, reader), self.place(reader, speaker)) {
+                let said = self.rows.bonds[from].said();
+                self.rows.bonds[to].hear(said);
             }
         }
+    }
+
+    /// Where a neighbour of a robot is.
+    fn place(&self, robot: u16, other: u16) -> Option<usize> {
+        let range = self.range(usize::from(robot));
+        let line = self.rows.others[range.clone()].binary_search(&other).ok()?;
+        Some(range.start + line)
     }
 
     fn unseen_by(&self, robot: usize) -> &[Ghost<D>] {

@@ -38,8 +38,6 @@ pub struct Held<const D: usize> {
     desks: Vec<Desk<D>>,
     decided: Vec<Decided<D>>,
     agreed: Vec<Agreed>,
-    /// Memory for whose turn it is at each robot.
-    places: Vec<u32>,
     tick: u32,
     period_nanos: u64,
 }
@@ -94,7 +92,6 @@ impl<const D: usize> Held<D> {
             desks: Vec::new(),
             decided: vec![Decided::NOTHING; count],
             agreed: vec![Agreed::default(); count],
-            places: Vec::new(),
             tick: 0,
             period_nanos,
         }
@@ -107,7 +104,7 @@ impl<const D: usize> Held<D> {
         self.agree(workers);
         self.tell(frame, liars);
         self.hold_round(frame, liars);
-        self.team.lists.exchange(&mut self.places);
+        self.team.lists.exchange(self.desks.iter_mut().flat_map(Desk::news));
         self.decide(frame, workers);
         self.note(frame);
         self.tick = self.tick.saturating_add(1);

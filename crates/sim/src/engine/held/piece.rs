@@ -19,6 +19,8 @@ use crate::geometry::near::small;
 pub(super) struct Desk<const D: usize> {
     memory: Memory<D>,
     values: Vec<f64>,
+    /// Who says something else than in the tick before, and to whom.
+    news: Vec<[u16; 2]>,
 }
 
 /// What a robot has agreed on.
@@ -34,7 +36,12 @@ impl<const D: usize> Desk<D> {
     /// For a team of so many robots among obstacles.
     pub(super) fn new(params: &Params<D>, robots: usize, map: &[Obstacle<D>]) -> Self {
         let memory = Memory::new(params, robots).among(map);
-        Self { memory, values: Vec::new() }
+        Self { memory, values: Vec::new(), news: Vec::new() }
+    }
+
+    /// Gives away who says something else than in the tick before, and to whom.
+    pub(super) fn news(&mut self) -> impl Iterator<Item = [u16; 2]> {
+        self.news.drain(..)
     }
 }
 
@@ -61,6 +68,8 @@ impl<const D: usize> Robots<D> {
             let (own, wish_m_s) = (self.roster.member(robot), &self.wishes_m_s[robot]);
             let (lines, values) = (&mut lines[..], &mut desk.values[..]);
             agreed.price_m = self.controller.agree_at_once(own, &self.moment, wish_m_s, lines, values);
+            let readers = lines.iter().filter_map(Line::news).map(|reader| [small(robot), reader.0 - 1]);
+            desk.news.extend(readers);
             agreed.counted = small(lines.iter().filter(|line| line.will_be_counted(&self.moment)).count());
         }
     }
