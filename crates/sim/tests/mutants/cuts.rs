@@ -38,9 +38,9 @@ pub(crate) const CUTS: [Mutant; 6] = [
         )],
     },
     Mutant {
-        name: "cuts: a margin without how far robots are from their references",
+        name: "cuts: a margin without errors",
         law: "held",
-        lines: &[(CUT, "keep_m: bounds.away_m + error_m + HAIR_M", "keep_m: error_m + HAIR_M")],
+        lines: &[(CUT, "keep_m: bounds.away_m + error_m + HAIR_M", "keep_m: HAIR_M")],
     },
     Mutant {
         name: "cuts: errors of both ends forgotten",
