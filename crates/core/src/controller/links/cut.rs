@@ -93,11 +93,18 @@ impl<'map, const D: usize> Among<'map, D> {
         Self { cuts, position_m, map: if any { map } else { &[] } }
     }
 
+    /// True if nothing could cut a link.
+    #[inline]
+    pub(crate) fn is_open(&self) -> bool {
+        self.map.is_empty()
+    }
+
     /// How much room the link has to a robot at the offset r (m) that may have gone `gone_m` since it was sensed.
     //= theory sec:cut-admitted
+    #[cold]
     pub(crate) fn room(&self, offset_m: &Vector<D>, gone_m: f64) -> Room {
         let mut room = Room::OPEN;
-        for obstacle in self.cutting() {
+        for obstacle in self.map.iter().filter(|obstacle| obstacle.cuts_links) {
             let Gap { length_m, error_m, .. } = self.gap(obstacle, offset_m, gone_m);
             let seen_m = length_m - obstacle.radius_m - self.cuts.keep_m;
             room.least_m = room.least_m.min(seen_m - error_m);
@@ -109,8 +116,9 @@ impl<'map, const D: usize> Among<'map, D> {
     /// Adds the rows of the link to that robot: one for each obstacle that a move could reach, and with errors one for each corner of the
     /// cube in which w lies.
     //= theory thm:cut
+    #[cold]
     pub(crate) fn push(&self, offset_m: &Vector<D>, gone_m: f64, rows: &mut Rows<'_, D>) {
-        for obstacle in self.cutting() {
+        for obstacle in self.map.iter().filter(|obstacle| obstacle.cuts_links) {
             let gap = self.gap(obstacle, offset_m, gone_m);
             let toward_m = gap.offset_m.map(|component| -component);
             let (turned_m, kept_m) = (gap.turned_m(), obstacle.radius_m + self.cuts.keep_m);
@@ -119,10 +127,6 @@ impl<'map, const D: usize> Among<'map, D> {
                 rows.push(&toward_m, turned_m, |toward| Row::new(*toward, 0.0, bound_m2));
             }
         }
-    }
-
-    fn cutting(&self) -> impl Iterator<Item = &'map Obstacle<D>> + use<'map, D> {
-        self.map.iter().filter(|obstacle| obstacle.cuts_links)
     }
 
     fn gap(&self, obstacle: &Obstacle<D>, offset_m: &Vector<D>, gone_m: f64) -> Gap<D> {

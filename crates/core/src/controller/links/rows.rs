@@ -50,15 +50,15 @@ impl Links {
         (reach, slack): (Reach<D>, &Slack),
         memory: &'memory mut [Row<D>],
     ) -> Rows<'memory, D> {
-        let mut rows = Rows::new(desired_m, reach, memory);
+        let (mut rows, is_open) = (Rows::new(desired_m, reach, memory), among.is_open());
         for other in others {
             let (offset_m, gone_m) = (&other.offset_m, other.gone_m);
             let (square_m2, exact) = (dot(offset_m, offset_m), gone_m == 0.0);
-            let is_whole = other.active && !among.room(offset_m, gone_m).is_lost();
+            let is_whole = other.active && (is_open || !among.room(offset_m, gone_m).is_lost());
             if is_whole && !(exact && slack.is_held_slack(square_m2)) {
                 self.push_held(&other, &mut rows);
             }
-            if is_whole {
+            if is_whole && !is_open {
                 among.push(offset_m, gone_m, &mut rows);
             }
             if !(exact && slack.is_near_slack(square_m2)) {
