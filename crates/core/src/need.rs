@@ -118,7 +118,7 @@ impl Need {
         others.filter(|other| self.counts(robot, *other)).count()
     }
 
-    /// The same of robots with these `ranks`, of which `robot` itself is one.
+    /// Counts what [`counting_among`](Self::counting_among) does, for robots with these `ranks`, of which `robot` itself is one.
     #[inline]
     pub fn counting_among_ranks(&self, robot: impl Into<Member>, ranks: &[u16]) -> u16 {
         let rank = robot.into().rank;

@@ -35,7 +35,7 @@ impl<const D: usize> Obstacle<D> {
         Self { from_m, to_m, radius_m: 0.0, cuts_links: false }
     }
 
-    /// The same obstacle, which cuts links.
+    /// Makes it an obstacle that cuts links.
     #[must_use]
     pub fn cutting(self) -> Self {
         Self { cuts_links: true, ..self }

@@ -175,7 +175,7 @@ pub fn read_as(
 }
 
 impl NetworkReading {
-    /// The same as a graph for exact search; refused where the text has more nodes than it takes.
+    /// Makes it a graph for exact search, which is refused where the text has more nodes than that takes.
     pub fn small(self) -> Result<Reading, FormatError> {
         let Self { network, names, beyond, format, told_by, notes } = self;
         let many = |_| FormatError::new(beyond.unwrap_or(1), Problem::TooManyNodes);

@@ -21,7 +21,7 @@ const PLACE_ROUNDING: f64 = 1e-14;
 /// A link that has no more room than this beside an obstacle, m, is cut.
 const CUT_M: f64 = 1e-9;
 /// Robots that sense exactly count on links that have so much room, m, and keep it.
-pub(crate) const GRAZE_M: f64 = 8e-5;
+pub(crate) const WHOLE_M: f64 = 8e-5;
 
 /// A robot of another team near one of this.
 #[derive(Clone, Copy, Debug)]
@@ -155,7 +155,7 @@ impl Truth {
                 f64::INFINITY
             };
             cut.push(room_m <= CUT_M);
-            *grazes |= room_m > CUT_M && room_m < GRAZE_M;
+            *grazes |= room_m > CUT_M && room_m < WHOLE_M;
         });
     }
 

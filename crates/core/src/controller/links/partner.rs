@@ -65,7 +65,7 @@ pub(crate) trait Partner<const D: usize> {
     fn hold(&mut self, held: bool);
     /// What was agreed on with it.
     fn deal(&self) -> &Deal;
-    /// The same, to be changed.
+    /// Gives what was agreed on with it, to be changed.
     fn deal_mut(&mut self) -> &mut Deal;
 
     /// True if it is counted on and within the held radius.

@@ -15,7 +15,7 @@ use crate::law::{Law, Verdicts, Violation};
 use crate::monitors::carry::report::{Reports, Untrue};
 use crate::monitors::carry::time::{fraction, longer_ago, since};
 use crate::monitors::rule::Rule;
-use crate::monitors::truth::{GRAZE_M, ROUNDING, Stranger, Truth, room_m};
+use crate::monitors::truth::{ROUNDING, Stranger, Truth, WHOLE_M, room_m};
 use crate::scenario::Scenario;
 
 /// Ticks in which all must have noticed that everything holds again.
@@ -156,7 +156,7 @@ impl<const D: usize> ModeWatch<D> {
         let radius_m = self.params.kept().link.radius_m;
         let gone = |&[robot, liar]: &[usize; 2]| {
             let [own, other] = [&frame.references_m[robot], &frame.references_m[liar]];
-            squared_distance(own, other) > radius_m * radius_m || room_m(&frame.cutting, own, other) < GRAZE_M
+            squared_distance(own, other) > radius_m * radius_m || room_m(&frame.cutting, own, other) < WHOLE_M
         };
         let deserted = self.trusted.iter().any(gone);
         self.trusted.clear();
