@@ -19,6 +19,7 @@ pub mod figure;
 pub mod recording;
 pub mod sweep;
 
+mod decoding;
 mod page;
 mod svg;
 

@@ -11,6 +11,7 @@ use closeranks_sim::parse::has_teams;
 
 use super::elsewhere::{Cells, assemble};
 use super::positions::{ROWS_MAX, ReadError, Recording};
+use crate::decoding::decoded;
 use crate::recording::columns::AXES;
 use crate::recording::history::{COLUMNS, History, stride};
 
@@ -18,7 +19,7 @@ use crate::recording::history::{COLUMNS, History, stride};
 ///
 /// The library that decodes Parquet panics on some broken files; such a panic is an error here.
 pub fn read(file: Vec<u8>) -> Result<Recording, ReadError> {
-    std::panic::catch_unwind(|| decode(file)).unwrap_or(Err(ReadError::Broken))
+    decoded(|| decode(file)).unwrap_or(Err(ReadError::Broken))
 }
 
 fn decode(file: Vec<u8>) -> Result<Recording, ReadError> {
@@ -40,7 +41,7 @@ fn decode(file: Vec<u8>) -> Result<Recording, ReadError> {
 
 /// What a recording of ours looked like, moment by moment; of a long one not every tick.
 pub fn history(file: Vec<u8>) -> Result<History, ReadError> {
-    std::panic::catch_unwind(|| moments(file)).unwrap_or(Err(ReadError::Broken))
+    decoded(|| moments(file)).unwrap_or(Err(ReadError::Broken))
 }
 
 fn moments(file: Vec<u8>) -> Result<History, ReadError> {

@@ -1,6 +1,5 @@
 //! Rows as a Parquet file, written and read back in groups of bounded size.
 
-use core::panic::AssertUnwindSafe;
 use std::io::Write;
 use std::sync::Arc;
 
@@ -16,6 +15,7 @@ use ::parquet::file::writer::{SerializedColumnWriter, SerializedFileWriter};
 use ::parquet::schema::types::{ColumnDescriptor, Type, TypePtr};
 
 use super::rows::{Head, Kind, Rows, Values};
+use crate::decoding::decoded;
 use crate::recording::write::WriteError;
 
 /// A group is written as soon as so many rows wait, so it may have a block of rows more. Writers and readers hold one group.
@@ -114,7 +114,7 @@ pub fn metadata<R: ChunkReader + 'static>(source: R) -> Result<Vec<(String, Stri
         let pairs = reader.metadata().file_metadata().key_value_metadata().into_iter().flatten();
         Ok(pairs.map(|pair| (pair.key.clone(), pair.value.clone().unwrap_or_default())).collect())
     };
-    std::panic::catch_unwind(AssertUnwindSafe(pairs)).unwrap_or_else(broken)
+    decoded(pairs).unwrap_or_else(broken)
 }
 
 /// Reads the columns `names`, or all if there are none of these, group by group.
@@ -125,37 +125,35 @@ pub fn read<R: ChunkReader + 'static>(
     names: &[&str],
     each: &mut dyn FnMut(Rows),
 ) -> Result<(), ParquetError> {
-    std::panic::catch_unwind(AssertUnwindSafe(|| decode(source, names, each))).unwrap_or_else(broken)
+    Groups::of(source)?.wanting(names).try_for_each(|rows| {
+        each(rows?);
+        Ok(())
+    })
 }
 
 /// Instead of a panic.
-fn broken<T>(_: Box<dyn core::any::Any + Send>) -> Result<T, ParquetError> {
+fn broken<T>() -> Result<T, ParquetError> {
     Err(ParquetError::General("it contradicts itself".to_owned()))
-}
-
-fn decode<R: ChunkReader + 'static>(
-    source: R,
-    names: &[&str],
-    each: &mut dyn FnMut(Rows),
-) -> Result<(), ParquetError> {
-    let reader = SerializedFileReader::new(source)?;
-    (0..reader.num_row_groups()).try_for_each(|group| {
-        each(rows_of(&reader, group, names)?);
-        Ok(())
-    })
 }
 
 /// The rows of a file, a group at a time: what [`read`] gives to its function, to be asked for. Panics of the library are errors, too.
 pub struct Groups<R: ChunkReader + 'static> {
     reader: SerializedFileReader<R>,
+    /// The columns that are read, or none of them for all.
+    names: Vec<String>,
     next: usize,
 }
 
 impl<R: ChunkReader + 'static> Groups<R> {
     /// Those of a file.
     pub fn of(source: R) -> Result<Self, ParquetError> {
-        let reader = std::panic::catch_unwind(AssertUnwindSafe(|| SerializedFileReader::new(source)));
-        Ok(Self { reader: reader.unwrap_or_else(broken)?, next: 0 })
+        let reader = decoded(|| SerializedFileReader::new(source)).unwrap_or_else(broken)?;
+        Ok(Self { reader, names: Vec::new(), next: 0 })
+    }
+
+    /// With the columns `names` only, or with all if there are none of these.
+    fn wanting(self, names: &[&str]) -> Self {
+        Self { names: names.iter().map(|name| (*name).to_owned()).collect(), ..self }
     }
 }
 
@@ -165,9 +163,8 @@ impl<R: ChunkReader + 'static> Iterator for Groups<R> {
     fn next(&mut self) -> Option<Self::Item> {
         let group = self.next;
         self.next += 1;
-        let decode = || rows_of(&self.reader, group, &[]);
-        (group < self.reader.num_row_groups())
-            .then(|| std::panic::catch_unwind(AssertUnwindSafe(decode)).unwrap_or_else(broken))
+        let decode = || rows_of(&self.reader, group, &self.names);
+        (group < self.reader.num_row_groups()).then(|| decoded(decode).unwrap_or_else(broken))
     }
 }
 
@@ -175,10 +172,11 @@ impl<R: ChunkReader + 'static> Iterator for Groups<R> {
 fn rows_of<R: ChunkReader + 'static>(
     reader: &SerializedFileReader<R>,
     group: usize,
-    names: &[&str],
+    names: &[String],
 ) -> Result<Rows, ParquetError> {
     let schema = reader.metadata().file_metadata().schema_descr_ptr();
-    let wanted = |column: &ColumnDescriptor| names.is_empty() || names.contains(&column.name());
+    let wanted =
+        |column: &ColumnDescriptor| names.is_empty() || names.iter().any(|name| name == column.name());
     let places = schema.columns().iter().enumerate().filter(|(_, column)| wanted(column));
     let places: Vec<(usize, Head)> =
         places.map(|(place, column)| (place, Head::new(column.name(), kind(column)))).collect();
