@@ -7,7 +7,7 @@
    `row_error`: so is n.v + c |v|^2 in up to three dimensions, by at most 7 u times its size, the sum of the absolute values of its terms.
    `holds_means`: if `Row::holds` says yes, n.v + c |v|^2 <= (1 + u) bound + 40 u size + 1e-300 in exact arithmetic.
    `sum_error`, `level_error`: a sum of up to 200 weights of at most 1.5, each wrong by at most 1e-14, is wrong by less than 1e-11.
-   `distance_error`: a squared distance in up to three dimensions is wrong by at most 1e-15 of itself and 1e-300. *)
+   `distance_error`: a squared distance in up to three dimensions is wrong by at most 8e-16 of itself and 1e-300. *)
 
 From Coq Require Import ZArith Reals Lra Psatz Lia.
 From Flocq.Core Require Import Core.
@@ -260,7 +260,7 @@ Qed.
 Theorem distance_error x y k : (k <= 3)%nat ->
   (forall d, generic_format radix2 (FLT_exp (-1074) 53) (x d) /\ generic_format radix2 (FLT_exp (-1074) 53) (y d)) ->
   let r d := x d - y d in let r_fl d := fl (x d - y d) in
-  Rabs (dot_fl r_fl r_fl k - dot r r k) <= 1e-15 * dot r r k + least.
+  Rabs (dot_fl r_fl r_fl k - dot r r k) <= 8e-16 * dot r r k + least.
 Proof.
 intros k3 doubles r r_fl; assert (U := u_pos); assert (E := eta_pos); assert (small := eta_small).
 assert (each : forall d, Rabs (r_fl d * r_fl d - r d * r d) <= 3 * u * (r d * r d)).

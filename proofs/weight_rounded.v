@@ -1,8 +1,8 @@
 (* The error of one link weight (crates/core/src/equations/link.rs).
 
-   In words. For a slack s = R^2 - D as it is stored, 0 < q1 <= 3 and q2 s^2 <= 690, the weight (q1/2) (1 - e) (1/(1 + e)) as the code
-   computes it, with e from its own exponential and every operation rounded, is wrong by at most 2.5e-15 (`weight_error`). Beyond, where e is
-   below 1e-299, the weight is q1/2 to the last digit; that is not stated here, nor is the error that s has itself. *)
+   In words. For a slack s = R^2 - D as it is stored, 0 < q1 <= 4 and q2 s^2 <= 690, the weight (q1/2) (1 - e) (1/(1 + e)) as the code
+   computes it, with e from its own exponential and every operation rounded, is wrong by at most 3.2e-15 (`weight_error`). What lies beyond, and the
+   error that s has itself, are in link_rounded.v. *)
 
 From Coq Require Import ZArith Reals Lra Psatz Lia.
 From Flocq.Core Require Import Core.
@@ -13,7 +13,7 @@ Local Open Scope R_scope.
 
 Section Weight.
 Variables q1 q2 s : R.
-Hypothesis q1_range : 0 < q1 <= 3.
+Hypothesis q1_range : 0 < q1 <= 4.
 Hypothesis q2_pos : 0 < q2.
 Hypothesis s_nonneg : 0 <= s.
 Hypothesis in_range : q2 * (s * s) <= 690.
@@ -93,20 +93,20 @@ assert (size : exp (- z) * exp d <= 1.001).
 fold x; rewrite <- xd in *; apply near in E; apply near in move; rewrite U in *; apply Rabs_le; lra.
 Qed.
 
-Theorem weight_error : Rabs (weight_fl (exp_fl exponent_fl) - rise q1 q2 s) <= 2.5e-15.
+Theorem weight_error : Rabs (weight_fl (exp_fl exponent_fl) - rise q1 q2 s) <= 3.2e-15.
 Proof.
 assert (T := tail_of_weight); set (e := exp_fl exponent_fl) in *; assert (Z := z_nonneg).
 unfold rise; fold z; set (E := exp (- z)) in *.
 assert (E0 : 0 < E) by apply exp_pos.
 assert (E1 : E <= 1) by (unfold E; rewrite <- exp_0; destruct (Req_dec z 0) as [-> | ne]; [rewrite Ropp_0; lra | apply Rlt_le, exp_increasing; lra]).
 apply near in T; assert (U := u_value).
-assert (h0 : Rabs (q1 / 2) <= 1.5) by (apply Rabs_le; lra).
+assert (h0 : Rabs (q1 / 2) <= 2) by (apply Rabs_le; lra).
 assert (h1 := fl_abs _ _ h0).
 assert (m0 : Rabs (1 - e) <= 1.01) by (apply Rabs_le; lra).
 assert (m1 := fl_abs _ _ m0); assert (m2 : Rabs (fl (1 - e) - (1 - E)) <= 4.9e-16) by (rewrite U in m1; apply near in m1; apply Rabs_le; lra).
 assert (m3 : Rabs (fl (1 - e)) <= 1.01) by (apply near in m2; apply Rabs_le; lra).
 assert (p := times _ _ _ _ _ _ _ _ h0 m3 h1 m2); set (a := fl (fl (q1 / 2) * fl (1 - e))) in *.
-assert (a1 : Rabs (a - q1 / 2 * (1 - E)) <= 1.1e-15) by (apply Rle_trans with (1 := p); rewrite U; lra).
+assert (a1 : Rabs (a - q1 / 2 * (1 - E)) <= 1.45e-15) by (apply Rle_trans with (1 := p); rewrite U; lra).
 assert (s0 : Rabs (1 + e) <= 2.01) by (apply Rabs_le; lra).
 assert (s1 := fl_abs _ _ s0); set (b := fl (1 + e)) in *.
 assert (b1 : Rabs (b - (1 + E)) <= 6e-16) by (rewrite U in s1; apply near in s1; apply Rabs_le; lra).
@@ -122,7 +122,7 @@ assert (bj : Rabs (1 / b - / (1 + E)) <= 6e-16 * 1.001).
 assert (c1 : Rabs (c - / (1 + E)) <= 7.2e-16) by (rewrite U in f; apply near in f; apply near in bj; apply Rabs_le; lra).
 assert (goal : q1 / (1 + E) - q1 / 2 = q1 / 2 * (1 - E) * / (1 + E)) by (field; lra).
 rewrite goal; unfold weight_fl; fold a b c.
-assert (A : Rabs (q1 / 2 * (1 - E)) <= 1.5) by (apply Rle_trans with (1.5 * 1); [apply product; apply Rabs_le; lra | lra]).
+assert (A : Rabs (q1 / 2 * (1 - E)) <= 2) by (apply Rle_trans with (2 * 1); [apply product; apply Rabs_le; lra | lra]).
 assert (C : Rabs c <= 1.001) by (apply near in c1; apply Rabs_le; lra).
 assert (q := times _ _ _ _ _ _ _ _ A C a1 c1).
 apply Rle_trans with (1 := q); rewrite U; lra.
