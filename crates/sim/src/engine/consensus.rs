@@ -5,7 +5,6 @@ use closeranks_core::consensus::Rule;
 use closeranks_core::need::Listen;
 
 use crate::attack::liars::Liars;
-use crate::engine::roster::Roster;
 use crate::frame::Frame;
 use crate::geometry::near::small;
 use crate::scenario::Scenario;
@@ -67,20 +66,19 @@ impl Consensus {
             *own = self.rule.update(*own, &mut self.heard, self.faults).value;
         }
     }
-    /// The same in a team in which few are linked: each robot looks at those `around` it.
-    pub(crate) fn hold_around<const D: usize, Others: Iterator<Item = usize>>(
+    /// The same in a team in which few are linked: each robot looks at those `around` it, of whom it is told who counts for it.
+    pub(crate) fn hold_around<const D: usize, Others: Iterator<Item = (usize, bool)>>(
         &mut self,
         frame: &mut Frame<D>,
         liars: &mut Liars,
         around: impl Fn(usize) -> Others,
-        roster: &Roster,
     ) {
         self.tell(frame, liars);
         for (index, own) in self.next_values.iter_mut().enumerate() {
             self.heard.clear();
             let [mut counted, mut normal, mut lying] = [0; 3];
-            for speaker in around(index) {
-                let (counts, lies) = (roster.counts(index, speaker), self.malicious[speaker]);
+            for (speaker, counts) in around(index) {
+                let lies = self.malicious[speaker];
                 if counts || !self.listens_to_counted {
                     self.heard.push(frame.values[speaker]);
                     counted += u16::from(counts);

@@ -118,8 +118,12 @@ impl<const D: usize, C: AtOnce<D> + Copy> Team<D, C> {
             if let Some(sees) = &robots.sees {
                 self.consensus.hold(frame, liars, |robot, other| sees.linked(robot, other));
             } else {
-                let around = |robot| robots.around.of(robot).iter().map(|half| usize::from(half.other));
-                self.consensus.hold_around(frame, liars, around, &robots.roster);
+                let roster = &robots.roster;
+                let around = |robot| {
+                    let others = robots.around.of(robot).iter().map(|half| usize::from(half.other));
+                    others.map(move |other| (other, roster.counts(robot, other)))
+                };
+                self.consensus.hold_around(frame, liars, around);
             }
         }
         robots.add(frame);

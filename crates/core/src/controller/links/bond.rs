@@ -47,8 +47,9 @@ pub struct Said {
 pub struct Voice<const D: usize> {
     /// How far apart two robots must end for a promise, m.
     pub price_m: f64,
-    /// Where it wants to go, m/s.
+    /// Where it wants to go, m/s, and the same no faster than a robot can go.
     pub wish_m_s: Vector<D>,
+    pub(super) capped_m_s: Vector<D>,
 }
 
 /// What a robot holds of a neighbour from tick to tick: all that matters to others and to the rows.
@@ -76,6 +77,11 @@ pub struct Unseen<const D: usize> {
     inside: bool,
 }
 
+impl<const D: usize> Voice<D> {
+    /// That of a robot which has said nothing yet.
+    pub const SILENCE: Self = Self { price_m: f64::INFINITY, wish_m_s: [0.0; D], capped_m_s: [0.0; D] };
+}
+
 impl Moment {
     /// Tick number `tick` of a team that ticks every so many nanoseconds.
     #[must_use]
@@ -83,6 +89,12 @@ impl Moment {
         let moment = Self { tick, period_nanos, told: false };
         let told = moment.before().is_some_and(|before| moment.now().is_within(HEARD, before.now()));
         Self { told, ..moment }
+    }
+
+    /// The number of the tick.
+    #[must_use]
+    pub fn tick(&self) -> u32 {
+        self.tick
     }
 
     /// The time.

@@ -1,6 +1,6 @@
 //! What a robot and a neighbour have agreed on: promises, and how long they last.
 
-use crate::num::cut;
+use crate::num::{cut, larger};
 
 /// By how much an engaged pair is preferred, m.
 const GRACE_M: f64 = 0.1;
@@ -42,14 +42,19 @@ impl Deal {
         self.gain_m + if self.engaged { GRACE_M } else { 0.0 }
     }
 
-    /// Lets time pass.
-    pub(super) fn pass(&mut self, elapsed_s: f64) {
-        self.lapsed_s = (self.lapsed_s - elapsed_s).max(0.0);
-        self.barred_s = (self.barred_s - elapsed_s).max(0.0);
+    /// The share of what a promise was unused that is forgotten in this time.
+    pub(super) fn forgotten(elapsed_s: f64) -> f64 {
+        cut(FORGET_PER_S * elapsed_s, 0.0, 1.0)
+    }
+
+    /// Lets time pass, in which the share `forgotten` is [`forgotten`](Self::forgotten).
+    pub(super) fn pass(&mut self, elapsed_s: f64, forgotten: f64) {
+        self.lapsed_s = larger(self.lapsed_s - elapsed_s, 0.0);
+        self.barred_s = larger(self.barred_s - elapsed_s, 0.0);
         if self.engaged && !self.stretched {
             self.unused_s += elapsed_s;
         } else {
-            self.unused_s -= self.unused_s * cut(FORGET_PER_S * elapsed_s, 0.0, 1.0);
+            self.unused_s -= self.unused_s * forgotten;
         }
         if self.unused_s > LAPSE_S {
             (self.lapsed_s, self.unused_s) = (LAPSED_S, 0.0);

@@ -3,12 +3,14 @@
 
 use core::time::Duration;
 
-use crate::controller::links::bond::{Bond, Deal, Moment, NEVER, Said, Unseen, Voice};
+use crate::controller::links::Links;
+use crate::controller::links::bond::{Bond, Deal, Moment, NEVER, Unseen, Voice};
 use crate::controller::links::control::LinksController;
 use crate::controller::links::partner::{Offer, Partner};
 use crate::controller::links::peer::Ledger;
 use crate::controller::links::protocol::Number;
 use crate::id::{Member, RobotId};
+use crate::need::Need;
 use crate::num::Vector;
 use crate::time::Instant;
 
@@ -17,6 +19,8 @@ use crate::time::Instant;
 #[expect(clippy::struct_excessive_bools, reason = "what a hold says, asked for once")]
 pub struct Line<'a, const D: usize> {
     member: Member,
+    /// True if the robot counts for it too.
+    mutual: bool,
     offset_m: &'a Vector<D>,
     voice: &'a Voice<D>,
     bond: &'a mut Bond,
@@ -27,19 +31,19 @@ pub struct Line<'a, const D: usize> {
     acknowledges: bool,
     released: bool,
     lists: bool,
-    /// What was said to it in the tick before.
-    said: Said,
+    /// What was held of it in the tick before.
+    before: Bond,
     /// If it is not sensed.
     unseen: Option<&'a Unseen<D>>,
 }
 
 impl<'a, const D: usize> Line<'a, D> {
-    /// Of the neighbour `member` at `offset_m` (m), as sensed last, of which a robot holds `bond` and `deal`; `voice` is what it said to all in the
-    /// tick before, and `unseen` says more if it is not sensed now.
+    /// Of the neighbour `member` at `offset_m` (m), as sensed last, of which a robot holds `bond` and `deal`. The neighbour counts for the robot, and
+    /// the robot for it too if that is `mutual`. `voice` is what it said to all in the tick before, and `unseen` says more if it is not sensed now.
     #[inline]
     #[must_use]
     pub fn new(
-        member: Member,
+        (member, mutual): (Member, bool),
         offset_m: &'a Vector<D>,
         (bond, deal): (&'a mut Bond, &'a mut Deal),
         voice: &'a Voice<D>,
@@ -49,22 +53,28 @@ impl<'a, const D: usize> Line<'a, D> {
         let (hold, tick) = (bond.hold(moment.tick), moment.tick);
         let told = moment.told && bond.born < tick;
         let (acknowledges, released, lists) = (hold.counts(), hold.is_released(), hold.lists());
-        let said = bond.said();
-        Self { member, offset_m, voice, bond, deal, tick, told, acknowledges, released, lists, said, unseen }
+        let before = *bond;
+        Self {
+            member,
+            mutual,
+            offset_m,
+            voice,
+            bond,
+            deal,
+            tick,
+            told,
+            acknowledges,
+            released,
+            lists,
+            before,
+            unseen,
+        }
     }
 
-    /// Which robot it is, if something else is to be said to it than in the tick before.
+    /// True if it is listed or held, and was not in the tick before, or the other way round.
     #[inline]
-    #[must_use]
-    pub fn news(&self) -> Option<RobotId> {
-        (self.bond.said() != self.said).then_some(self.member.id)
-    }
-
-    /// True if it is counted on, once the messages of this tick are there.
-    #[inline]
-    #[must_use]
-    pub fn will_be_counted(&self, moment: &Moment) -> bool {
-        self.bond.is_counted(moment)
+    fn has_changed(&self) -> bool {
+        (self.bond.listed, self.bond.held) != (self.before.listed, self.before.held)
     }
 }
 
@@ -72,6 +82,11 @@ impl<const D: usize> Partner<D> for Line<'_, D> {
     #[inline]
     fn member(&self) -> Member {
         self.member
+    }
+
+    #[inline]
+    fn counts_with(&self, _own: Member, _need: &Need) -> [bool; 2] {
+        [true, self.mutual]
     }
 
     #[inline]
@@ -100,9 +115,9 @@ impl<const D: usize> Partner<D> for Line<'_, D> {
     }
 
     #[inline]
-    fn told(&self, _now: Instant) -> Option<Offer<'_, D>> {
-        let Voice { price_m, wish_m_s } = self.voice;
-        self.told.then_some(Offer { price_m: *price_m, wish_m_s, promised: self.bond.their.promised })
+    fn told(&self, _links: &Links, _now: Instant) -> Option<Offer<D>> {
+        let Voice { price_m, capped_m_s: wish_m_s, .. } = *self.voice;
+        self.told.then_some(Offer { price_m, wish_m_s, promised: self.bond.their.promised })
     }
 
     #[inline]
@@ -160,24 +175,45 @@ impl<const D: usize> Partner<D> for Line<'_, D> {
     }
 }
 
+/// What a robot has agreed on.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Agreement {
+    /// What a promise of it costs, m.
+    pub price_m: f64,
+    /// True if it lists or holds others than in the tick before.
+    pub changed: bool,
+}
+
 impl<const D: usize> LinksController<D> {
-    /// Decides whom robot `own` lists and promises something, who wants to go with `wish_m_s`, as a robot on its own does before it tells. Gives
-    /// the price of a promise, m. `values` has a number a line. Neighbours that do not count for `own` may be left out: nothing becomes of them.
+    /// What a robot says to all that asks `price_m` (m) for a promise and wants to go with `wish_m_s` (m/s).
+    #[must_use]
+    pub fn voice(&self, price_m: f64, wish_m_s: Vector<D>) -> Voice<D> {
+        Voice { price_m, wish_m_s, capped_m_s: self.links.capped(&wish_m_s) }
+    }
+
+    /// Decides whom robot `own` lists and promises something, who wants to go with `wish_m_s`, as a robot on its own does before it tells. `values`
+    /// has a number a line, and `tell` is called with every robot to which something else is to be said than in the tick before. Nothing becomes of
+    /// neighbours that do not count for `own`, so there are no lines of them.
     pub fn agree_at_once(
         &self,
         own: Member,
         moment: &Moment,
         wish_m_s: &Vector<D>,
-        lines: &mut [Line<'_, D>],
-        values: &mut [f64],
-    ) -> f64 {
+        (lines, values): (&mut [Line<'_, D>], &mut [f64]),
+        mut tell: impl FnMut(RobotId),
+    ) -> Agreement {
         let looked_at = moment.before().map(|before| before.now());
         let mut ledger =
             Ledger { wish_m_s: *wish_m_s, looked_at, ..Ledger::begin(Moment::last(moment.tick)) };
         self.links.agree(own, &mut ledger, lines, moment.now(), values);
+        let mut changed = false;
         for line in lines {
             line.bond.promised = line.deal.promised;
+            changed |= line.has_changed();
+            if line.bond.said() != line.before.said() {
+                tell(line.member.id);
+            }
         }
-        ledger.price_m
+        Agreement { price_m: ledger.price_m, changed }
     }
 }

@@ -3,10 +3,13 @@
 
 use core::time::Duration;
 
+use crate::controller::links::Links;
 use crate::controller::links::cut::Room;
 use crate::controller::links::deal::Deal;
+use crate::controller::links::peer::Told;
 use crate::controller::links::protocol::Number;
 use crate::id::Member;
+use crate::need::Need;
 use crate::num::Vector;
 use crate::robot::neighbor::Slot;
 use crate::time::Instant;
@@ -16,11 +19,11 @@ pub(super) const HEARD: Duration = Duration::from_secs(1);
 
 /// What a neighbour has to offer, as it told it last.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Offer<'a, const D: usize> {
+pub(crate) struct Offer<const D: usize> {
     /// How far apart two robots must end for a promise of it, m.
     pub(crate) price_m: f64,
-    /// Where it wants to go, m/s.
-    pub(crate) wish_m_s: &'a Vector<D>,
+    /// Where it wants to go, m/s, no faster than a robot can go.
+    pub(crate) wish_m_s: Vector<D>,
     /// True if it promises a release.
     pub(crate) promised: bool,
 }
@@ -29,6 +32,10 @@ pub(crate) struct Offer<'a, const D: usize> {
 pub(crate) trait Partner<const D: usize> {
     /// Which robot it is.
     fn member(&self) -> Member;
+    /// Whether it counts for the robot `own`, and whether `own` counts for it.
+    fn counts_with(&self, own: Member, need: &Need) -> [bool; 2] {
+        [need.counts(own, self.member()), need.counts(self.member(), own)]
+    }
     /// x_i − x_j, m, as sensed last.
     fn offset_m(&self) -> &Vector<D>;
     /// True if it is sensed in this tick.
@@ -44,7 +51,7 @@ pub(crate) trait Partner<const D: usize> {
     /// True if it was sensed no longer than `most` before `now`.
     fn was_sensed_within(&self, most: Duration, now: Instant) -> bool;
     /// What it told, if it is [`HEARD`] of at `now`.
-    fn told(&self, now: Instant) -> Option<Offer<'_, D>>;
+    fn told(&self, links: &Links, now: Instant) -> Option<Offer<D>>;
 
     /// True if it has acknowledged a message since it is listed.
     fn acknowledges(&self) -> bool;
@@ -103,9 +110,9 @@ impl<const D: usize> Partner<D> for Slot<D> {
         now.is_within(most, self.sensed_at)
     }
 
-    fn told(&self, now: Instant) -> Option<Offer<'_, D>> {
-        let told = self.peer.told_within(now, HEARD)?;
-        Some(Offer { price_m: told.head.price_m, wish_m_s: &told.head.wish_m_s, promised: told.promised })
+    fn told(&self, links: &Links, now: Instant) -> Option<Offer<D>> {
+        let Told { head, promised, .. } = *self.peer.told_within(now, HEARD)?;
+        Some(Offer { price_m: head.price_m, wish_m_s: links.capped(&head.wish_m_s), promised })
     }
 
     fn acknowledges(&self) -> bool {

@@ -19,6 +19,7 @@
 //! its row is active anyway, and is barred for a time that doubles.
 
 use crate::controller::links::Links;
+use crate::controller::links::deal::Deal;
 use crate::controller::links::partner::Partner;
 use crate::controller::links::peer::Ledger;
 use crate::controller::links::protocol::Number;
@@ -59,18 +60,17 @@ impl Links {
     ) {
         let elapsed_s = ledger.looked_at.map_or(0.0, |then| now.since(then).as_secs_f64().min(STEP_MAX_S));
         let (last, first) = (ledger.numbers.last(), ledger.looked_at.is_none());
-        let (mut counted, mut in_range) = (0, 0);
+        let (mut counted, mut in_range, forgotten) = (0, 0, Deal::forgotten(elapsed_s));
         for partner in &mut *partners {
             let distance_m = self.settle(partner, now);
             let may_be_counted = self.look(own, partner, distance_m, &ledger.wish_m_s, now);
-            partner.deal_mut().pass(elapsed_s);
+            partner.deal_mut().pass(elapsed_s, forgotten);
             counted += usize::from(partner.is_counted());
             in_range += usize::from(may_be_counted);
         }
         let keep = usize::from(self.keep(own));
         let slots_left = in_range.saturating_sub(keep);
-        promise(partners, slots_left, values);
-        ledger.price_m = price_m(partners, slots_left);
+        ledger.price_m = promise(partners, slots_left, values);
         release(partners, counted, keep);
         self.list(own, partners, last, first || counted < keep);
         ledger.looked_at = Some(now);
@@ -88,11 +88,11 @@ impl Links {
         wish_m_s: &Vector<D>,
         now: Instant,
     ) -> bool {
-        let (counts, mutual) = self.mutual(own, partner.member());
-        let told = partner.told(now);
+        let [counts, mutual] = partner.counts_with(own, &self.need);
+        let told = partner.told(self, now);
         let sensed = partner.is_sensed();
         let may_be_counted = counts && sensed && distance_m <= self.begun_m() && told.is_some();
-        let their_m_s = told.map_or([0.0; D], |told| self.capped(told.wish_m_s));
+        let their_m_s = told.map_or([0.0; D], |told| told.wish_m_s);
         let ends_m = add_scaled(partner.offset_m(), self.horizon_s, &subtract(wish_m_s, &their_m_s));
         let (price_m, promised) = match told {
             None => (f64::INFINITY, false),
@@ -109,21 +109,20 @@ impl Links {
         may_be_counted
     }
 
-    /// Whether `other` counts for `own`, and whether `own` counts for it too.
-    fn mutual(&self, own: Member, other: Member) -> (bool, bool) {
-        (self.need.counts(own, other), self.need.counts(other, own))
-    }
-
     /// Lists who is near, who does not let go, and with `all` who may be in range.
     fn list<const D: usize, P: Partner<D>>(&self, own: Member, partners: &mut [P], last: Number, all: bool) {
-        let counts = |partner: &&mut P| partner.is_sensed() && self.need.counts(own, partner.member());
+        let counts = |partner: &&mut P| partner.is_sensed() && partner.counts_with(own, &self.need)[0];
         let reach_m = if all { self.begun_m() + self.errors.offset_m } else { NEAR * self.radius_m };
         let clear = |partner: &P| {
             let room = partner.room();
             if all { !room.is_lost() } else { room.least_m >= WIDE * self.radius_m }
         };
         for partner in partners.iter_mut().filter(counts) {
-            let waits = !partner.is_listed() && partner.lists();
+            if partner.is_listed() {
+                partner.deal_mut().waiting_ticks = 0;
+                continue;
+            }
+            let waits = partner.lists();
             let deal = partner.deal_mut();
             deal.waiting_ticks = if waits { deal.waiting_ticks.saturating_add(1) } else { 0 };
             let impatient = deal.waiting_ticks > PATIENCE_TICKS;
@@ -131,7 +130,7 @@ impl Links {
                 deal.bar();
             }
             let near = dot(partner.offset_m(), partner.offset_m()) <= reach_m * reach_m && clear(partner);
-            if !partner.is_listed() && (impatient || near) {
+            if impatient || near {
                 partner.deal_mut().released = false;
                 partner.list(last);
             }
@@ -183,8 +182,8 @@ impl Links {
     }
 }
 
-/// Promises the `left` slots to the eligible with the largest V; of equals, to those of the lowest numbers.
-fn promise<const D: usize, P: Partner<D>>(partners: &mut [P], left: usize, values: &mut [f64]) {
+/// Promises the `left` slots to the eligible with the largest V; of equals, to those of the lowest numbers. Gives what a promise costs then, m.
+fn promise<const D: usize, P: Partner<D>>(partners: &mut [P], left: usize, values: &mut [f64]) -> f64 {
     let mut count = 0;
     for deal in partners.iter().map(Partner::deal).filter(|deal| deal.eligible) {
         if let Some(value) = values.get_mut(count) {
@@ -196,12 +195,21 @@ fn promise<const D: usize, P: Partner<D>>(partners: &mut [P], left: usize, value
     let least = if left == 0 { f64::INFINITY } else { largest(keys, left - 1) };
     let above = keys.iter().filter(|key| **key > least).count();
     let mut equal = left.saturating_sub(above);
+    let (mut engaged, mut least_m) = (0, f64::INFINITY);
     for deal in partners.iter_mut().map(Partner::deal_mut) {
         let key_m = deal.key_m();
         let last = deal.eligible && key_m == least && equal > 0;
         equal -= usize::from(last);
         deal.promised = deal.eligible && (key_m > least || last);
         deal.engaged &= deal.promised;
+        if deal.engaged {
+            (engaged, least_m) = (engaged + 1, least_m.min(deal.gain_m));
+        }
+    }
+    match left {
+        0 => f64::INFINITY,
+        _ if engaged < left => 0.0,
+        _ => least_m,
     }
 }
 
@@ -222,19 +230,6 @@ fn largest(keys: &mut [f64], but: usize) -> f64 {
         keys[place] = key;
     }
     keys[but]
-}
-
-/// What a promise of the robot costs, m, whose slots are so many.
-fn price_m<const D: usize, P: Partner<D>>(partners: &[P], left: usize) -> f64 {
-    let (mut engaged, mut least_m) = (0, f64::INFINITY);
-    for deal in partners.iter().map(Partner::deal).filter(|deal| deal.engaged) {
-        (engaged, least_m) = (engaged + 1, least_m.min(deal.gain_m));
-    }
-    match left {
-        0 => f64::INFINITY,
-        _ if engaged < left => 0.0,
-        _ => least_m,
-    }
 }
 
 /// Releases who is to be released and follows those who have let go, as long as enough are counted on.

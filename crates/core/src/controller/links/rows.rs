@@ -4,7 +4,7 @@ use crate::controller::links::Links;
 use crate::controller::links::cut::Among;
 use crate::controller::links::slack::Slack;
 use crate::controller::rows::{Rows, give_m2, may_bind};
-use crate::num::{Vector, dot, length};
+use crate::num::{Vector, dot, larger, length};
 use crate::program::balls::reach::Reach;
 use crate::program::balls::row::Row;
 use crate::robot::neighbor::Slot;
@@ -75,7 +75,7 @@ impl Links {
         let (offset_m, error_m) = (&other.offset_m, self.error_m(other.gone_m));
         let square_m2 = dot(offset_m, offset_m);
         let distance_m2 = if error_m == 0.0 { square_m2 } else { squared(length(offset_m) + error_m) };
-        let bound_m2 = 0.25 * self.gamma * (self.radius_m * self.radius_m - distance_m2).max(0.0);
+        let bound_m2 = 0.25 * self.gamma * larger(squared(self.radius_m) - distance_m2, 0.0);
         let in_sight = square_m2 <= squared(self.sight_m + error_m - self.errors.offset_m);
         if in_sight && may_bind(rows.program.reach.lhs_max(offset_m, error_m, 1.0), bound_m2) {
             rows.push(offset_m, error_m, |offset| Row::far(offset, bound_m2));

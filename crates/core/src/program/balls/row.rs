@@ -33,12 +33,12 @@ impl<const D: usize> Row<D> {
         if !(is_finite(&normal) && (0.0..f64::INFINITY).contains(&curvature)) {
             return Self { normal: [0.0; D], curvature: 1.0, bound: 0.0 };
         }
-        let largest = normal.iter().fold(curvature, |most, component| most.max(component.abs()));
+        let largest = normal.iter().fold(curvature, |most, component| larger(component.abs(), most));
         let scale = inverse_power(largest);
         Self {
             normal: normal.map(|component| scale * component),
             curvature: scale * curvature,
-            bound: (scale * bound).max(0.0),
+            bound: larger(scale * bound, 0.0),
         }
     }
 

@@ -30,6 +30,8 @@ pub(crate) struct Lists<const D: usize> {
     nearest_m2: Vec<f64>,
     /// Where robots were in the tick before, m.
     before_m: Vec<Vector<D>>,
+    /// Of each robot the tick in which it got or lost neighbours last, or it or a neighbour changed its list.
+    changed: Vec<u32>,
     crowd: Crowd,
     /// Memory for the neighbours of one robot, and for those that it senses.
     fresh: Rows<D>,
@@ -39,13 +41,22 @@ pub(crate) struct Lists<const D: usize> {
 /// One line a neighbour.
 #[derive(Clone, Debug)]
 struct Rows<const D: usize> {
-    others: Vec<u16>,
-    /// True of those that count for the robot.
-    counts: Vec<bool>,
+    mates: Vec<Mate>,
     /// x_i − x_j, m, as sensed last.
     offsets_m: Vec<Vector<D>>,
     bonds: Vec<Bond>,
     deals: Vec<Deal>,
+}
+
+/// Who a neighbour is.
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct Mate {
+    pub(crate) other: u16,
+    /// True if it counts for the robot, and if both count for each other.
+    pub(crate) counts: bool,
+    pub(crate) mutual: bool,
+    /// True if it has a row, as it was marked last.
+    pub(crate) active: bool,
 }
 
 /// A neighbour of a robot that the robot does not sense.
@@ -59,9 +70,7 @@ struct Ghost<const D: usize> {
 /// The neighbours of one robot.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Others<'a, const D: usize> {
-    pub(crate) numbers: &'a [u16],
-    /// True of those that count for the robot.
-    pub(crate) counts: &'a [bool],
+    pub(crate) mates: &'a [Mate],
     /// x_i − x_j, m, as sensed last.
     pub(crate) offsets_m: &'a [Vector<D>],
     unseen: &'a [Ghost<D>],
@@ -86,6 +95,7 @@ impl<const D: usize> Lists<D> {
             unseen_before: Vec::new(),
             nearest_m2: vec![f64::INFINITY; robots],
             before_m: vec![[0.0; D]; robots],
+            changed: vec![0; robots],
             crowd: Crowd::default(),
             fresh: Rows::new(),
             near: Vec::new(),
@@ -120,8 +130,8 @@ impl<const D: usize> Lists<D> {
         let mut same = range.len() == usize::from(self.crowd.counts()[robot]);
         let offsets_m = &mut self.rows.offsets_m[range.clone()];
         let mut nearest_m2 = f64::INFINITY;
-        for (offset_m, other) in offsets_m.iter_mut().zip(&self.rows.others[range]) {
-            *offset_m = subtract(own_m, &positions_m[usize::from(*other)]);
+        for (offset_m, mate) in offsets_m.iter_mut().zip(&self.rows.mates[range]) {
+            *offset_m = subtract(own_m, &positions_m[usize::from(mate.other)]);
             let square_m2 = dot(offset_m, offset_m);
             same &= radius_m2 - square_m2 >= 0.0;
             nearest_m2 = if square_m2 < nearest_m2 { square_m2 } else { nearest_m2 };
@@ -141,14 +151,15 @@ impl<const D: usize> Lists<D> {
 
     /// Collects the neighbours of one robot where some came or left.
     fn merge(&mut self, robot: usize, positions_m: &[Vector<D>], rule: &Rule<'_, D>) {
-        let counts = |other: u16| (other, rule.roster.counts(robot, usize::from(other)));
+        let newcomer = |other: u16| (rule.mate(robot, other), Bond::new(&rule.moment), Deal::default());
         self.fresh.clear();
         self.crowd.around(robot, positions_m, &mut self.near);
         let mut near = self.near.iter().copied().peekable();
         for place in self.range(robot) {
-            let (other, bond, deal) = self.rows.line(place);
+            let (mate, bond, deal) = self.rows.line(place);
+            let other = mate.other;
             while let Some(new) = near.next_if(|near| *near < other) {
-                self.fresh.push(counts(new), Bond::new(&rule.moment), Deal::default());
+                self.fresh.push(newcomer(new));
             }
             if near.next_if_eq(&other).is_none() {
                 let before = find(&self.unseen_before, robot, other);
@@ -160,16 +171,14 @@ impl<const D: usize> Lists<D> {
                 }
                 self.unseen.push(Ghost { robot: small(robot), other, unseen });
             }
-            self.fresh.push(counts(other), bond, deal);
+            self.fresh.push((mate, bond, deal));
         }
-        for new in near {
-            self.fresh.push(counts(new), Bond::new(&rule.moment), Deal::default());
-        }
+        near.for_each(|new| self.fresh.push(newcomer(new)));
     }
 
     /// Puts those that were collected where the neighbours of one robot are.
     fn put(&mut self, robot: usize, rule: &Rule<'_, D>) {
-        let count = self.fresh.others.len();
+        let count = self.fresh.mates.len();
         if count > self.room(robot).len() {
             self.make_room(
                 rule,
@@ -178,17 +187,18 @@ impl<const D: usize> Lists<D> {
         }
         self.rows.put(self.starts[robot] as usize, &self.fresh);
         self.counts[robot] = small(count);
+        self.changed[robot] = rule.moment.tick();
     }
 
     /// Gives each robot room for at least as many neighbours as `needed`, and for some more.
     fn make_room(&mut self, rule: &Rule<'_, D>, needed: impl Fn(&Self, usize) -> usize) {
         let (mut rows, mut starts) = (Rows::new(), vec![0]);
         for robot in 0..self.counts.len() {
-            let start = rows.others.len();
+            let start = rows.mates.len();
             let room = needed(self, robot).max(usize::from(self.counts[robot])) + SPARE;
             rows.resize(start + room, &rule.moment);
             rows.copy(start, &self.rows, self.range(robot));
-            starts.push(u32::try_from(rows.others.len()).unwrap_or(u32::MAX));
+            starts.push(u32::try_from(rows.mates.len()).unwrap_or(u32::MAX));
         }
         (self.rows, self.starts) = (rows, starts);
     }
@@ -197,8 +207,11 @@ impl<const D: usize> Lists<D> {
     #[inline]
     pub(crate) fn of(&self, robot: usize) -> Others<'_, D> {
         let range = self.range(robot);
-        let (numbers, counts) = (&self.rows.others[range.clone()], &self.rows.counts[range.clone()]);
-        Others { numbers, counts, offsets_m: &self.rows.offsets_m[range], unseen: self.unseen_by(robot) }
+        Others {
+            mates: &self.rows.mates[range.clone()],
+            offsets_m: &self.rows.offsets_m[range],
+            unseen: self.unseen_by(robot),
+        }
     }
 
     /// How many neighbours each robot senses, and whether it does not sense one that must still be there.
@@ -231,10 +244,26 @@ impl<const D: usize> Lists<D> {
         self.starts[robot] as usize..self.starts[robot + 1] as usize
     }
 
-    /// What a robot holds of each neighbour.
-    #[inline]
-    pub(crate) fn bonds(&self, robot: usize) -> &[Bond] {
-        &self.rows.bonds[self.range(robot)]
+    /// Notes that a robot lists or holds others since this tick.
+    pub(crate) fn has_changed(&mut self, robot: usize, moment: &Moment) {
+        self.changed[robot] = moment.tick();
+    }
+
+    /// Marks the neighbours of a robot that have a row in this tick, and gives the neighbours with whether each is counted on and has a row.
+    /// `None` if they are those of the tick before: what is held of a neighbour comes to the same from the second tick after a change on.
+    pub(crate) fn mark(
+        &mut self,
+        robot: usize,
+        moment: Moment,
+    ) -> Option<impl Iterator<Item = (u16, [bool; 2])>> {
+        let recent = self.changed[robot].saturating_add(1) >= moment.tick();
+        let range = if recent { self.range(robot) } else { 0..0 };
+        let lines = self.rows.mates[range.clone()].iter_mut().zip(&self.rows.bonds[range]);
+        let marks = lines.map(move |(mate, bond)| {
+            mate.active = bond.is_active(&moment);
+            (mate.other, [bond.is_counted(&moment), mate.active])
+        });
+        recent.then_some(marks)
     }
 
     /// Takes out what robots hold, for whoever changes it and gives it back.
@@ -249,11 +278,12 @@ impl<const D: usize> Lists<D> {
 
     /// Speakers say to readers what is so now. All others say what they said before: two robots hold each other from the same
     /// tick on, and nothing is said then.
-    pub(crate) fn exchange(&mut self, news: impl Iterator<Item = [u16; 2]>) {
+    pub(crate) fn exchange(&mut self, news: impl Iterator<Item = [u16; 2]>, moment: &Moment) {
         for [speaker, reader] in news {
             if let (Some(from), Some(to)) = (self.place(speaker, reader), self.place(reader, speaker)) {
                 let said = self.rows.bonds[from].said();
                 self.rows.bonds[to].hear(said);
+                self.changed[usize::from(reader)] = moment.tick();
             }
         }
     }
@@ -261,7 +291,7 @@ impl<const D: usize> Lists<D> {
     /// Where a neighbour of a robot is.
     fn place(&self, robot: u16, other: u16) -> Option<usize> {
         let range = self.range(usize::from(robot));
-        let line = self.rows.others[range.clone()].binary_search(&other).ok()?;
+        let line = self.rows.mates[range.clone()].binary_search_by_key(&other, |mate| mate.other).ok()?;
         Some(range.start + line)
     }
 
@@ -277,38 +307,29 @@ impl<const D: usize> Lists<D> {
 
 impl<const D: usize> Rows<D> {
     fn new() -> Self {
-        Self {
-            others: Vec::new(),
-            counts: Vec::new(),
-            offsets_m: Vec::new(),
-            bonds: Vec::new(),
-            deals: Vec::new(),
-        }
+        Self { mates: Vec::new(), offsets_m: Vec::new(), bonds: Vec::new(), deals: Vec::new() }
     }
 
     fn clear(&mut self) {
-        self.others.clear();
-        self.counts.clear();
+        self.mates.clear();
         self.offsets_m.clear();
         self.bonds.clear();
         self.deals.clear();
     }
 
-    fn push(&mut self, (other, counts): (u16, bool), bond: Bond, deal: Deal) {
-        self.others.push(other);
-        self.counts.push(counts);
+    fn push(&mut self, (mate, bond, deal): (Mate, Bond, Deal)) {
+        self.mates.push(mate);
         self.offsets_m.push([0.0; D]);
         self.bonds.push(bond);
         self.deals.push(deal);
     }
 
-    fn line(&self, place: usize) -> (u16, Bond, Deal) {
-        (self.others[place], self.bonds[place], self.deals[place])
+    fn line(&self, place: usize) -> (Mate, Bond, Deal) {
+        (self.mates[place], self.bonds[place], self.deals[place])
     }
 
     fn resize(&mut self, lines: usize, moment: &Moment) {
-        self.others.resize(lines, 0);
-        self.counts.resize(lines, false);
+        self.mates.resize(lines, Mate::default());
         self.offsets_m.resize(lines, [0.0; D]);
         self.bonds.resize(lines, Bond::new(moment));
         self.deals.resize(lines, Deal::default());
@@ -316,15 +337,14 @@ impl<const D: usize> Rows<D> {
 
     fn copy(&mut self, start: usize, from: &Self, range: Range<usize>) {
         let to = start..start + range.len();
-        self.others[to.clone()].copy_from_slice(&from.others[range.clone()]);
-        self.counts[to.clone()].copy_from_slice(&from.counts[range.clone()]);
+        self.mates[to.clone()].copy_from_slice(&from.mates[range.clone()]);
         self.offsets_m[to.clone()].copy_from_slice(&from.offsets_m[range.clone()]);
         self.bonds[to.clone()].copy_from_slice(&from.bonds[range.clone()]);
         self.deals[to].copy_from_slice(&from.deals[range]);
     }
 
     fn put(&mut self, start: usize, from: &Self) {
-        self.copy(start, from, 0..from.others.len());
+        self.copy(start, from, 0..from.mates.len());
     }
 }
 
@@ -338,23 +358,27 @@ impl<'a, const D: usize> Others<'a, D> {
         self.unseen.iter().find(|ghost| ghost.other == other).map(|ghost| &ghost.unseen)
     }
 
-    /// Those that are sensed.
+    /// Those that are sensed, each with whether it counts for the robot.
     #[inline]
-    pub(crate) fn sensed(self) -> impl Iterator<Item = usize> + 'a {
-        self.numbers
-            .iter()
-            .filter(move |other| self.unseen(**other).is_none())
-            .map(|other| usize::from(*other))
+    pub(crate) fn sensed(self) -> impl Iterator<Item = (usize, bool)> + 'a {
+        let sensed = self.mates.iter().filter(move |mate| self.unseen(mate.other).is_none());
+        sensed.map(|mate| (usize::from(mate.other), mate.counts))
     }
 }
 
 impl<const D: usize> Rule<'_, D> {
+    /// A neighbour of a robot that has no row yet.
+    fn mate(&self, robot: usize, other: u16) -> Mate {
+        let (counts, back) =
+            (self.roster.counts(robot, usize::from(other)), self.roster.counts(usize::from(other), robot));
+        Mate { other, counts, mutual: counts && back, active: false }
+    }
+
     /// True if a neighbour of a robot at `own_m` (m) that it does not sense keeps its place. What it told does not matter here.
     fn keeps(&self, (other, bond, deal): (u16, &Bond, &Deal), unseen: &Unseen<D>, own_m: &Vector<D>) -> bool {
-        let silent = Voice { price_m: 0.0, wish_m_s: [0.0; D] };
         let member = self.roster.member(usize::from(other));
         let mut slot = Slot::default();
-        bond.fill(&mut slot, deal, &self.moment, member, [0.0; D], &silent);
+        bond.fill(&mut slot, deal, &self.moment, member, [0.0; D], &Voice::SILENCE);
         unseen.fill(&mut slot, own_m);
         self.controller.keeps_unseen(&slot)
     }

@@ -8,6 +8,7 @@ mod piece;
 
 use closeranks_core::controller::links::bond::{Moment, Voice};
 use closeranks_core::controller::links::control::LinksController;
+use closeranks_core::controller::links::line::Agreement;
 use closeranks_core::equations::barrier::degree_barrier;
 use closeranks_core::num::Vector;
 use closeranks_core::obstacle::Obstacle;
@@ -18,7 +19,7 @@ use crate::attack::liars::Liars;
 use crate::engine::bench::Decided;
 use crate::engine::consensus::Consensus;
 use crate::engine::held::lists::{Lists, Rule};
-use crate::engine::held::piece::{Agreed, Desk};
+use crate::engine::held::piece::Desk;
 use crate::engine::roster::Roster;
 use crate::engine::workers::{Piece, Workers, share};
 use crate::frame::Frame;
@@ -37,7 +38,7 @@ pub struct Held<const D: usize> {
     /// What each of those who compute the team needs.
     desks: Vec<Desk<D>>,
     decided: Vec<Decided<D>>,
-    agreed: Vec<Agreed>,
+    agreed: Vec<Agreement>,
     tick: u32,
     period_nanos: u64,
 }
@@ -72,13 +73,12 @@ impl<const D: usize> Held<D> {
     ) -> Self {
         let (count, period) = (values.len(), params.settings().clock.level_period.as_nanos());
         let period_nanos = u64::try_from(period).unwrap_or(u64::MAX);
-        let silence = Voice { price_m: f64::INFINITY, wish_m_s: [0.0; D] };
         let team = Robots {
             controller,
             roster: Roster::new(scenario, &params),
             moment: Moment::new(0, period_nanos),
             lists: Lists::new(count),
-            voices: vec![silence; count],
+            voices: vec![Voice::SILENCE; count],
             wishes_m_s: vec![[0.0; D]; count],
         };
         let lies = scenario.malicious_mask();
@@ -91,7 +91,7 @@ impl<const D: usize> Held<D> {
             malicious: (0..count).filter(|robot| lies[*robot]).map(small).collect(),
             desks: Vec::new(),
             decided: vec![Decided::NOTHING; count],
-            agreed: vec![Agreed::default(); count],
+            agreed: vec![Agreement { price_m: f64::INFINITY, changed: false }; count],
             tick: 0,
             period_nanos,
         }
@@ -102,9 +102,10 @@ impl<const D: usize> Held<D> {
         self.look(frame);
         liars.begin_tick(self.tick);
         self.agree(workers);
+        self.team.lists.exchange(self.desks.iter_mut().flat_map(Desk::news), &self.team.moment);
+        self.mark(frame);
         self.tell(frame, liars);
         self.hold_round(frame, liars);
-        self.team.lists.exchange(self.desks.iter_mut().flat_map(Desk::news));
         self.decide(frame, workers);
         self.note(frame);
         self.tick = self.tick.saturating_add(1);
@@ -140,14 +141,35 @@ impl<const D: usize> Held<D> {
         workers.run(pieces);
         team.lists.give(bonds, deals);
         for (robot, voice) in team.voices.iter_mut().enumerate() {
-            *voice = Voice { price_m: agreed[robot].price_m, wish_m_s: team.wishes_m_s[robot] };
+            *voice = team.controller.voice(agreed[robot].price_m, team.wishes_m_s[robot]);
+            if agreed[robot].changed {
+                team.lists.has_changed(robot, &team.moment);
+            }
+        }
+    }
+
+    /// Who is counted on and who has a row, where that may have changed.
+    fn mark(&mut self, frame: &mut Frame<D>) {
+        let Robots { lists, moment, .. } = &mut self.team;
+        for (robot, (counted, rows)) in frame.counted.iter_mut().zip(&mut frame.rows).enumerate() {
+            let Some(neighbors) = lists.mark(robot, *moment) else { continue };
+            counted.clear();
+            rows.clear();
+            for (other, [is_counted, is_active]) in neighbors {
+                if is_counted {
+                    counted.push(other + 1);
+                }
+                if is_active {
+                    rows.push(other + 1);
+                }
+            }
         }
     }
 
     /// Levels, as they are and as they are told.
     fn tell(&mut self, frame: &mut Frame<D>, liars: &mut Liars) {
-        for (index, agreed) in self.agreed.iter().enumerate() {
-            let level = f64::from(agreed.counted);
+        for (index, counted) in frame.counted.iter().enumerate() {
+            let level = f64::from(small(counted.len()));
             frame.levels[index] = level;
             frame.h[index] = degree_barrier(level, self.team.roster.need(index));
             frame.told[index] = liars.level(index, level);
@@ -156,9 +178,9 @@ impl<const D: usize> Held<D> {
 
     /// A round of consensus, if one is due.
     fn hold_round(&mut self, frame: &mut Frame<D>, liars: &mut Liars) {
-        let Robots { lists, roster, .. } = &self.team;
+        let lists = &self.team.lists;
         if self.consensus.is_due(self.tick) {
-            self.consensus.hold_around(frame, liars, |robot| lists.of(robot).sensed(), roster);
+            self.consensus.hold_around(frame, liars, |robot| lists.of(robot).sensed());
             return;
         }
         for robot in self.malicious.iter().map(|robot| usize::from(*robot)) {
@@ -168,35 +190,23 @@ impl<const D: usize> Held<D> {
 
     /// Every robot finds its velocity.
     fn decide(&mut self, frame: &mut Frame<D>, workers: &dyn Workers) {
-        let Self { team, desks, agreed, decided, .. } = self;
+        let Self { team, desks, decided, .. } = self;
         let each = share(decided.len(), workers);
-        let (team, agreed, frame) = (&*team, &agreed[..], &*frame);
+        let (team, frame) = (&*team, &*frame);
         let pieces = decided.chunks_mut(each).zip(desks).enumerate();
         let pieces = pieces.map(|(piece, (decided, desk))| -> Piece<'_> {
-            Box::new(move || team.decide_from(piece * each, decided, agreed, desk, frame))
+            Box::new(move || team.decide_from(piece * each, decided, desk, frame))
         });
         workers.run(pieces.collect());
     }
 
     /// Writes what became of every robot where it belongs.
     fn note(&mut self, frame: &mut Frame<D>) {
-        let (input, Robots { lists, moment, wishes_m_s, .. }) =
-            (self.params.settings().limits.input, &mut self.team);
+        let (input, wishes_m_s) = (self.params.settings().limits.input, &mut self.team.wishes_m_s);
         for (robot, decided) in self.decided.iter().enumerate() {
             decided.write(robot, frame);
             wishes_m_s[robot] = input.clip(&frame.asked_m_s[robot]);
             frame.phis[robot] = f64::NAN;
-            let (counted, rows) = (&mut frame.counted[robot], &mut frame.rows[robot]);
-            counted.clear();
-            rows.clear();
-            for (other, bond) in lists.of(robot).numbers.iter().zip(lists.bonds(robot)) {
-                if bond.is_counted(moment) {
-                    counted.push(other + 1);
-                }
-                if bond.is_active(moment) {
-                    rows.push(other + 1);
-                }
-            }
         }
     }
 }

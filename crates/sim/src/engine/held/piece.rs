@@ -1,15 +1,17 @@
 //! A piece of the team: what its robots decide on, first whom they list, then where they go.
 
 use closeranks_core::controller::links::bond::{Bond, Deal};
-use closeranks_core::controller::links::line::Line;
+use closeranks_core::controller::links::line::{Agreement, Line};
 use closeranks_core::controller::links::rows::Beside;
 use closeranks_core::controller::{Control, Decision, Motion, Standing};
+use closeranks_core::id::RobotId;
 use closeranks_core::obstacle::Obstacle;
 use closeranks_core::robot::scratch::Scratch;
 use closeranks_core::settings::params::Params;
 
 use crate::engine::bench::Decided;
 use crate::engine::held::Robots;
+use crate::engine::held::lists::Mate;
 use crate::engine::memory::Memory;
 use crate::frame::Frame;
 use crate::geometry::near::small;
@@ -21,15 +23,6 @@ pub(super) struct Desk<const D: usize> {
     values: Vec<f64>,
     /// Who says something else than in the tick before, and to whom.
     news: Vec<[u16; 2]>,
-}
-
-/// What a robot has agreed on.
-#[derive(Clone, Copy, Debug, Default)]
-pub(super) struct Agreed {
-    /// What a promise of it costs, m.
-    pub(super) price_m: f64,
-    /// How many it counts on.
-    pub(super) counted: u16,
 }
 
 impl<const D: usize> Desk<D> {
@@ -53,7 +46,7 @@ impl<const D: usize> Robots<D> {
     pub(super) fn agree_from<'a>(
         &'a self,
         first: usize,
-        agreed: &mut [Agreed],
+        agreed: &mut [Agreement],
         (mut bonds, mut deals): Held<'a>,
         desk: &mut Desk<D>,
     ) {
@@ -66,23 +59,21 @@ impl<const D: usize> Robots<D> {
             self.gather(robot, (bonds, deals), &mut lines);
             desk.values.resize(lines.len(), 0.0);
             let (own, wish_m_s) = (self.roster.member(robot), &self.wishes_m_s[robot]);
-            let (lines, values) = (&mut lines[..], &mut desk.values[..]);
-            agreed.price_m = self.controller.agree_at_once(own, &self.moment, wish_m_s, lines, values);
-            let readers = lines.iter().filter_map(Line::news).map(|reader| [small(robot), reader.0 - 1]);
-            desk.news.extend(readers);
-            agreed.counted = small(lines.iter().filter(|line| line.will_be_counted(&self.moment)).count());
+            let lines = (&mut lines[..], &mut desk.values[..]);
+            let tell = |reader: RobotId| desk.news.push([small(robot), reader.0 - 1]);
+            *agreed = self.controller.agree_at_once(own, &self.moment, wish_m_s, lines, tell);
         }
     }
 
     /// Collects the neighbours that count for a robot.
     fn gather<'a>(&'a self, robot: usize, (bonds, deals): Held<'a>, lines: &mut Vec<Line<'a, D>>) {
         let others = self.lists.of(robot);
-        let held = bonds.iter_mut().zip(deals).zip(others.counts);
-        for ((other, offset_m), (held, counts)) in others.numbers.iter().zip(others.offsets_m).zip(held) {
-            if *counts {
-                let (member, voice) =
-                    (self.roster.member(usize::from(*other)), &self.voices[usize::from(*other)]);
-                lines.push(Line::new(member, offset_m, held, voice, others.unseen(*other), &self.moment));
+        let held = bonds.iter_mut().zip(deals);
+        for ((mate, offset_m), held) in others.mates.iter().zip(others.offsets_m).zip(held) {
+            if mate.counts {
+                let who = (self.roster.member(usize::from(mate.other)), mate.mutual);
+                let voice = &self.voices[usize::from(mate.other)];
+                lines.push(Line::new(who, offset_m, held, voice, others.unseen(mate.other), &self.moment));
             }
         }
     }
@@ -92,13 +83,12 @@ impl<const D: usize> Robots<D> {
         &self,
         first: usize,
         decided: &mut [Decided<D>],
-        agreed: &[Agreed],
         desk: &mut Desk<D>,
         frame: &Frame<D>,
     ) {
         let scratch = &mut desk.memory.lend();
         for (robot, decided) in (first..).zip(decided) {
-            let counted = usize::from(agreed[robot].counted);
+            let counted = frame.counted[robot].len();
             let decision = self.decide(robot, counted, frame, scratch);
             *decided = self.judged(robot, &decision, frame);
         }
@@ -112,20 +102,16 @@ impl<const D: usize> Robots<D> {
         scratch: &mut Scratch<'_, D>,
     ) -> Decision<D> {
         let (own_m, others) = (&frame.positions_m[robot], self.lists.of(robot));
-        let offsets = others.numbers.iter().zip(others.offsets_m);
-        let beside = offsets.clone().zip(self.lists.bonds(robot)).map(|((other, offset_m), bond)| {
-            let active = bond.is_active(&self.moment);
-            match others.unseen(*other) {
-                Some(unseen) => unseen.beside(own_m, active),
-                None => Beside { offset_m: *offset_m, gone_m: 0.0, sensed: true, active },
-            }
+        let lines = others.mates.iter().zip(others.offsets_m);
+        let beside = lines.clone().map(|(mate, offset_m)| match others.unseen(mate.other) {
+            Some(unseen) => unseen.beside(own_m, mate.active),
+            None => Beside { offset_m: *offset_m, gone_m: 0.0, sensed: true, active: mate.active },
         });
         let links = &self.controller.links;
         let desired_m_s = if links.may_meet(self.lists.nearest_m2(robot)) {
-            let heard = offsets.filter(|(other, _)| others.unseen(**other).is_none());
-            let wish_m_s = |other: u16| &self.voices[usize::from(other)].wish_m_s;
-            links
-                .turned(&frame.asked_m_s[robot], heard.map(|(other, offset_m)| (*offset_m, wish_m_s(*other))))
+            let heard = lines.filter(|(mate, _)| others.unseen(mate.other).is_none());
+            let wish_m_s = |mate: &Mate| &self.voices[usize::from(mate.other)].wish_m_s;
+            links.turned(&frame.asked_m_s[robot], heard.map(|(mate, offset_m)| (*offset_m, wish_m_s(mate))))
         } else {
             frame.asked_m_s[robot]
         };
