@@ -251,7 +251,7 @@ pub(crate) const MUTANTS: [Mutant; 42] = [
         law: "feasible",
         lines: &[
             (SHARED, "0.5 * gamma_c * larger(spare_m2, 0.0)", "0.5 * gamma_c * spare_m2"),
-            ("core/src/program/balls/row.rs", "bound: (scale * bound).max(0.0),", "bound: scale * bound,"),
+            ("core/src/program/balls/row.rs", "bound: larger(scale * bound, 0.0),", "bound: scale * bound,"),
         ],
     },
     Mutant {
@@ -340,11 +340,11 @@ pub(crate) const MUTANTS: [Mutant; 42] = [
         name: "ranks: everybody is listed, whatever its rank",
         law: "degree",
         lines: &[
-            (POLICY, "partner.is_sensed() && self.need.counts(own, partner.member())", "partner.is_sensed()"),
+            (POLICY, "partner.is_sensed() && partner.counts_with(own, &self.need)[0]", "partner.is_sensed()"),
             (
-                POLICY,
-                "(self.need.counts(own, other), self.need.counts(other, own))",
-                "(true, self.need.counts(other, own))",
+                "core/src/controller/links/partner.rs",
+                "[need.counts(own, self.member()), need.counts(self.member(), own)]",
+                "[true, need.counts(self.member(), own)]",
             ),
             (
                 POLICY,
