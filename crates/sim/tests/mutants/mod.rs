@@ -297,7 +297,7 @@ pub(crate) const MUTANTS: [Mutant; 42] = [
     Mutant {
         name: "links: held rows give too much",
         law: "held",
-        lines: &[(ROWS, "0.25 * self.gamma * (self.radius_m", "0.6 * self.gamma * (self.radius_m")],
+        lines: &[(ROWS, "0.25 * self.gamma * larger(", "0.6 * self.gamma * larger(")],
     },
     Mutant {
         name: "links: |v|² left out of (held)",
