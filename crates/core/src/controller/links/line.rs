@@ -21,7 +21,7 @@ pub struct Line<'a, const D: usize> {
     member: Member,
     /// True if the robot counts for it too.
     mutual: bool,
-    offset_m: &'a Vector<D>,
+    offset_m: Vector<D>,
     voice: &'a Voice<D>,
     bond: &'a mut Bond,
     deal: &'a mut Deal,
@@ -44,7 +44,7 @@ impl<'a, const D: usize> Line<'a, D> {
     #[must_use]
     pub fn new(
         (member, mutual): (Member, bool),
-        offset_m: &'a Vector<D>,
+        offset_m: Vector<D>,
         (bond, deal): (&'a mut Bond, &'a mut Deal),
         voice: &'a Voice<D>,
         unseen: Option<&'a Unseen<D>>,
@@ -91,7 +91,7 @@ impl<const D: usize> Partner<D> for Line<'_, D> {
 
     #[inline]
     fn offset_m(&self) -> &Vector<D> {
-        self.offset_m
+        &self.offset_m
     }
 
     #[inline]

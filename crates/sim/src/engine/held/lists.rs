@@ -22,7 +22,7 @@ pub(crate) struct Lists<const D: usize> {
     /// Where the room of each robot begins, and one past the last; and how much of it is in use.
     starts: Vec<u32>,
     counts: Vec<u16>,
-    rows: Rows<D>,
+    rows: Rows,
     /// Those that are not sensed and keep their place, in the same order. There are hardly ever any.
     unseen: Vec<Ghost<D>>,
     unseen_before: Vec<Ghost<D>>,
@@ -34,17 +34,16 @@ pub(crate) struct Lists<const D: usize> {
     changed: Vec<u32>,
     crowd: Crowd,
     /// Memory for the neighbours of one robot, and for those that it senses.
-    fresh: Rows<D>,
+    fresh: Rows,
     near: Vec<u16>,
 }
 
 /// One line a neighbour.
 #[derive(Clone, Debug)]
-struct Rows<const D: usize> {
+struct Rows {
     mates: Vec<Mate>,
-    /// x_i − x_j, m, as sensed last.
-    offsets_m: Vec<Vector<D>>,
     bonds: Vec<Bond>,
+    /// Those with neighbours that count for the robot, one after the other. What is left of the room of a robot is of no use.
     deals: Vec<Deal>,
 }
 
@@ -71,8 +70,6 @@ struct Ghost<const D: usize> {
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Others<'a, const D: usize> {
     pub(crate) mates: &'a [Mate],
-    /// x_i − x_j, m, as sensed last.
-    pub(crate) offsets_m: &'a [Vector<D>],
     unseen: &'a [Ghost<D>],
 }
 
@@ -120,33 +117,22 @@ impl<const D: usize> Lists<D> {
                 self.measure(robot, positions_m, radius_m * radius_m);
             }
         }
-        self.measure_unseen(positions_m);
         self.before_m.copy_from_slice(positions_m);
     }
 
-    /// Measures where the neighbours of one robot are. True if they are those that it senses: all of them, and nobody else.
+    /// Measures how far the nearest neighbour of one robot is. True if its neighbours are those that it senses: all of them, and nobody else.
     fn measure(&mut self, robot: usize, positions_m: &[Vector<D>], radius_m2: f64) -> bool {
         let (range, own_m) = (self.range(robot), &positions_m[robot]);
         let mut same = range.len() == usize::from(self.crowd.counts()[robot]);
-        let offsets_m = &mut self.rows.offsets_m[range.clone()];
         let mut nearest_m2 = f64::INFINITY;
-        for (offset_m, mate) in offsets_m.iter_mut().zip(&self.rows.mates[range]) {
-            *offset_m = subtract(own_m, &positions_m[usize::from(mate.other)]);
-            let square_m2 = dot(offset_m, offset_m);
+        for mate in &self.rows.mates[range] {
+            let offset_m = subtract(own_m, &positions_m[usize::from(mate.other)]);
+            let square_m2 = dot(&offset_m, &offset_m);
             same &= radius_m2 - square_m2 >= 0.0;
             nearest_m2 = if square_m2 < nearest_m2 { square_m2 } else { nearest_m2 };
         }
         self.nearest_m2[robot] = nearest_m2;
         same
-    }
-
-    /// Measures where neighbours were that are not sensed.
-    fn measure_unseen(&mut self, positions_m: &[Vector<D>]) {
-        for Ghost { robot, other, unseen } in &self.unseen {
-            if let Some(place) = self.place(*robot, *other) {
-                self.rows.offsets_m[place] = unseen.offset_m(&positions_m[usize::from(*robot)]);
-            }
-        }
     }
 
     /// Collects the neighbours of one robot where some came or left.
@@ -155,9 +141,11 @@ impl<const D: usize> Lists<D> {
         self.fresh.clear();
         self.crowd.around(robot, positions_m, &mut self.near);
         let mut near = self.near.iter().copied().peekable();
-        for place in self.range(robot) {
-            let (mate, bond, deal) = self.rows.line(place);
-            let other = mate.other;
+        let range = self.range(robot);
+        let mut deals = self.rows.deals[range.clone()].iter();
+        for (mate, bond) in self.rows.mates[range.clone()].iter().zip(&self.rows.bonds[range]) {
+            let deal = mate.counts.then(|| deals.next()).flatten().copied().unwrap_or_default();
+            let (mate, bond, other) = (*mate, *bond, mate.other);
             while let Some(new) = near.next_if(|near| *near < other) {
                 self.fresh.push(newcomer(new));
             }
@@ -207,11 +195,7 @@ impl<const D: usize> Lists<D> {
     #[inline]
     pub(crate) fn of(&self, robot: usize) -> Others<'_, D> {
         let range = self.range(robot);
-        Others {
-            mates: &self.rows.mates[range.clone()],
-            offsets_m: &self.rows.offsets_m[range],
-            unseen: self.unseen_by(robot),
-        }
+        Others { mates: &self.rows.mates[range], unseen: self.unseen_by(robot) }
     }
 
     /// How many neighbours each robot senses, and whether it does not sense one that must still be there.
@@ -305,32 +289,27 @@ impl<const D: usize> Lists<D> {
     }
 }
 
-impl<const D: usize> Rows<D> {
+impl Rows {
     fn new() -> Self {
-        Self { mates: Vec::new(), offsets_m: Vec::new(), bonds: Vec::new(), deals: Vec::new() }
+        Self { mates: Vec::new(), bonds: Vec::new(), deals: Vec::new() }
     }
 
     fn clear(&mut self) {
         self.mates.clear();
-        self.offsets_m.clear();
         self.bonds.clear();
         self.deals.clear();
     }
 
     fn push(&mut self, (mate, bond, deal): (Mate, Bond, Deal)) {
         self.mates.push(mate);
-        self.offsets_m.push([0.0; D]);
         self.bonds.push(bond);
-        self.deals.push(deal);
-    }
-
-    fn line(&self, place: usize) -> (Mate, Bond, Deal) {
-        (self.mates[place], self.bonds[place], self.deals[place])
+        if mate.counts {
+            self.deals.push(deal);
+        }
     }
 
     fn resize(&mut self, lines: usize, moment: &Moment) {
         self.mates.resize(lines, Mate::default());
-        self.offsets_m.resize(lines, [0.0; D]);
         self.bonds.resize(lines, Bond::new(moment));
         self.deals.resize(lines, Deal::default());
     }
@@ -338,13 +317,15 @@ impl<const D: usize> Rows<D> {
     fn copy(&mut self, start: usize, from: &Self, range: Range<usize>) {
         let to = start..start + range.len();
         self.mates[to.clone()].copy_from_slice(&from.mates[range.clone()]);
-        self.offsets_m[to.clone()].copy_from_slice(&from.offsets_m[range.clone()]);
         self.bonds[to.clone()].copy_from_slice(&from.bonds[range.clone()]);
         self.deals[to].copy_from_slice(&from.deals[range]);
     }
 
+    /// Puts all of `from`, which has no deals to spare, where the room of a robot begins.
     fn put(&mut self, start: usize, from: &Self) {
-        self.copy(start, from, 0..from.mates.len());
+        self.mates[start..start + from.mates.len()].copy_from_slice(&from.mates);
+        self.bonds[start..start + from.bonds.len()].copy_from_slice(&from.bonds);
+        self.deals[start..start + from.deals.len()].copy_from_slice(&from.deals);
     }
 }
 
@@ -356,6 +337,15 @@ impl<'a, const D: usize> Others<'a, D> {
             return None;
         }
         self.unseen.iter().find(|ghost| ghost.other == other).map(|ghost| &ghost.unseen)
+    }
+
+    /// From a neighbour to the robot, m, as it was sensed last; robots are at `positions_m` (m), and this one at `own_m`.
+    #[inline]
+    pub(crate) fn offset_m(&self, mate: Mate, own_m: &Vector<D>, positions_m: &[Vector<D>]) -> Vector<D> {
+        match self.unseen(mate.other) {
+            Some(unseen) => unseen.offset_m(own_m),
+            None => subtract(own_m, &positions_m[usize::from(mate.other)]),
+        }
     }
 
     /// Those that are sensed, each with whether it counts for the robot.

@@ -101,7 +101,7 @@ impl<const D: usize> Held<D> {
     pub fn step(&mut self, frame: &mut Frame<D>, liars: &mut Liars, workers: &dyn Workers) {
         self.look(frame);
         liars.begin_tick(self.tick);
-        self.agree(workers);
+        self.agree(&frame.positions_m, workers);
         self.team.lists.exchange(self.desks.iter_mut().flat_map(Desk::news), &self.team.moment);
         self.mark(frame);
         self.tell(frame, liars);
@@ -123,7 +123,7 @@ impl<const D: usize> Held<D> {
     }
 
     /// Every robot decides whom it lists.
-    fn agree(&mut self, workers: &dyn Workers) {
+    fn agree(&mut self, positions_m: &[Vector<D>], workers: &dyn Workers) {
         let Self { params, map, team, desks, agreed, .. } = self;
         let (count, each) = (agreed.len(), share(agreed.len(), workers));
         desks.resize_with(count.div_ceil(each), || Desk::new(params, count, map));
@@ -136,7 +136,7 @@ impl<const D: usize> Held<D> {
             let (begin, end) = (now.lists.room(first).start, now.lists.room(first + agreed.len() - 1).end);
             let bonds = rest.0.split_off_mut(..end - begin).unwrap_or_default();
             let deals = rest.1.split_off_mut(..end - begin).unwrap_or_default();
-            pieces.push(Box::new(move || now.agree_from(first, agreed, (bonds, deals), desk)));
+            pieces.push(Box::new(move || now.agree_from(first, agreed, (bonds, deals), desk, positions_m)));
         }
         workers.run(pieces);
         team.lists.give(bonds, deals);

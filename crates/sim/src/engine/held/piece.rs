@@ -5,6 +5,7 @@ use closeranks_core::controller::links::line::{Agreement, Line};
 use closeranks_core::controller::links::rows::Beside;
 use closeranks_core::controller::{Control, Decision, Motion, Standing};
 use closeranks_core::id::RobotId;
+use closeranks_core::num::{Vector, subtract};
 use closeranks_core::obstacle::Obstacle;
 use closeranks_core::robot::scratch::Scratch;
 use closeranks_core::settings::params::Params;
@@ -49,6 +50,7 @@ impl<const D: usize> Robots<D> {
         agreed: &mut [Agreement],
         (mut bonds, mut deals): Held<'a>,
         desk: &mut Desk<D>,
+        positions_m: &[Vector<D>],
     ) {
         let mut lines = Vec::new();
         for (robot, agreed) in (first..).zip(agreed) {
@@ -56,7 +58,7 @@ impl<const D: usize> Robots<D> {
             let held = (bonds.split_off_mut(..room), deals.split_off_mut(..room));
             let (Some(bonds), Some(deals)) = held else { return };
             lines.clear();
-            self.gather(robot, (bonds, deals), &mut lines);
+            self.gather(robot, positions_m, (bonds, deals), &mut lines);
             desk.values.resize(lines.len(), 0.0);
             let (own, wish_m_s) = (self.roster.member(robot), &self.wishes_m_s[robot]);
             let lines = (&mut lines[..], &mut desk.values[..]);
@@ -66,15 +68,20 @@ impl<const D: usize> Robots<D> {
     }
 
     /// Collects the neighbours that count for a robot.
-    fn gather<'a>(&'a self, robot: usize, (bonds, deals): Held<'a>, lines: &mut Vec<Line<'a, D>>) {
-        let others = self.lists.of(robot);
-        let held = bonds.iter_mut().zip(deals);
-        for ((mate, offset_m), held) in others.mates.iter().zip(others.offsets_m).zip(held) {
-            if mate.counts {
-                let who = (self.roster.member(usize::from(mate.other)), mate.mutual);
-                let voice = &self.voices[usize::from(mate.other)];
-                lines.push(Line::new(who, offset_m, held, voice, others.unseen(mate.other), &self.moment));
-            }
+    fn gather<'a>(
+        &'a self,
+        robot: usize,
+        positions_m: &[Vector<D>],
+        (bonds, deals): Held<'a>,
+        lines: &mut Vec<Line<'a, D>>,
+    ) {
+        let (own_m, others) = (&positions_m[robot], self.lists.of(robot));
+        let counting = others.mates.iter().zip(bonds).filter(|(mate, _)| mate.counts);
+        for ((mate, bond), deal) in counting.zip(deals) {
+            let (who, unseen) = (usize::from(mate.other), others.unseen(mate.other));
+            let (member, voice) = ((self.roster.member(who), mate.mutual), &self.voices[who]);
+            let offset_m = others.offset_m(*mate, own_m, positions_m);
+            lines.push(Line::new(member, offset_m, (bond, deal), voice, unseen, &self.moment));
         }
     }
 
@@ -102,16 +109,16 @@ impl<const D: usize> Robots<D> {
         scratch: &mut Scratch<'_, D>,
     ) -> Decision<D> {
         let (own_m, others) = (&frame.positions_m[robot], self.lists.of(robot));
-        let lines = others.mates.iter().zip(others.offsets_m);
-        let beside = lines.clone().map(|(mate, offset_m)| match others.unseen(mate.other) {
+        let offset_m = |mate: &Mate| subtract(own_m, &frame.positions_m[usize::from(mate.other)]);
+        let beside = others.mates.iter().map(|mate| match others.unseen(mate.other) {
             Some(unseen) => unseen.beside(own_m, mate.active),
-            None => Beside { offset_m: *offset_m, gone_m: 0.0, sensed: true, active: mate.active },
+            None => Beside { offset_m: offset_m(mate), gone_m: 0.0, sensed: true, active: mate.active },
         });
         let links = &self.controller.links;
         let desired_m_s = if links.may_meet(self.lists.nearest_m2(robot)) {
-            let heard = lines.filter(|(mate, _)| others.unseen(mate.other).is_none());
+            let heard = others.mates.iter().filter(|mate| others.unseen(mate.other).is_none());
             let wish_m_s = |mate: &Mate| &self.voices[usize::from(mate.other)].wish_m_s;
-            links.turned(&frame.asked_m_s[robot], heard.map(|(mate, offset_m)| (*offset_m, wish_m_s(mate))))
+            links.turned(&frame.asked_m_s[robot], heard.map(|mate| (offset_m(mate), wish_m_s(mate))))
         } else {
             frame.asked_m_s[robot]
         };
