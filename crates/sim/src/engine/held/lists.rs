@@ -5,7 +5,7 @@ use core::ops::Range;
 use closeranks_core::controller::Control;
 use closeranks_core::controller::links::bond::{Bond, Deal, Moment, Unseen, Voice};
 use closeranks_core::controller::links::control::LinksController;
-use closeranks_core::num::{Vector, dot, subtract};
+use closeranks_core::num::Vector;
 use closeranks_core::robot::missing::Horizon;
 use closeranks_core::robot::neighbor::Slot;
 
@@ -26,8 +26,6 @@ pub(crate) struct Lists<const D: usize> {
     /// Those that are not sensed and keep their place, in the same order. There are hardly ever any.
     unseen: Vec<Ghost<D>>,
     unseen_before: Vec<Ghost<D>>,
-    /// Of each robot the squared distance to whoever is nearest to it, m²; infinite if nobody is near.
-    nearest_m2: Vec<f64>,
     /// Where robots were in the tick before, m.
     before_m: Vec<Vector<D>>,
     /// Of each robot the tick in which it got or lost neighbours last, or it or a neighbour changed its list.
@@ -90,7 +88,6 @@ impl<const D: usize> Lists<D> {
             rows: Rows::new(),
             unseen: Vec::new(),
             unseen_before: Vec::new(),
-            nearest_m2: vec![f64::INFINITY; robots],
             before_m: vec![[0.0; D]; robots],
             changed: vec![0; robots],
             crowd: Crowd::default(),
@@ -99,8 +96,9 @@ impl<const D: usize> Lists<D> {
         }
     }
 
-    /// Robots at `positions_m` look around as far as `radius_m`.
-    pub(crate) fn look(&mut self, positions_m: &[Vector<D>], radius_m: f64, rule: &Rule<'_, D>) {
+    /// Robots at `positions_m` look around as far as `radius_m`. False if the neighbours of all of them must be looked at anew ([`update`](Self::update)),
+    /// whether they are the same or not: some are not sensed.
+    pub(crate) fn look(&mut self, positions_m: &[Vector<D>], radius_m: f64, rule: &Rule<'_, D>) -> bool {
         self.crowd.split(positions_m, radius_m);
         self.crowd.count(positions_m);
         let counts = self.crowd.counts();
@@ -109,30 +107,24 @@ impl<const D: usize> Lists<D> {
         }
         core::mem::swap(&mut self.unseen, &mut self.unseen_before);
         self.unseen.clear();
-        for robot in 0..positions_m.len() {
-            let same = self.measure(robot, positions_m, radius_m * radius_m);
-            if !same || !self.unseen_before.is_empty() {
-                self.merge(robot, positions_m, rule);
-                self.put(robot, rule);
-                self.measure(robot, positions_m, radius_m * radius_m);
-            }
-        }
+        self.unseen_before.is_empty()
+    }
+
+    /// Takes in whom one robot senses now. Of several robots this is asked in order of their numbers.
+    pub(crate) fn update(&mut self, robot: usize, positions_m: &[Vector<D>], rule: &Rule<'_, D>) {
+        self.merge(robot, positions_m, rule);
+        self.put(robot, rule);
+    }
+
+    /// Ends a look around.
+    pub(crate) fn looked(&mut self, positions_m: &[Vector<D>]) {
         self.before_m.copy_from_slice(positions_m);
     }
 
-    /// Measures how far the nearest neighbour of one robot is. True if its neighbours are those that it senses: all of them, and nobody else.
-    fn measure(&mut self, robot: usize, positions_m: &[Vector<D>], radius_m2: f64) -> bool {
-        let (range, own_m) = (self.range(robot), &positions_m[robot]);
-        let mut same = range.len() == usize::from(self.crowd.counts()[robot]);
-        let mut nearest_m2 = f64::INFINITY;
-        for mate in &self.rows.mates[range] {
-            let offset_m = subtract(own_m, &positions_m[usize::from(mate.other)]);
-            let square_m2 = dot(&offset_m, &offset_m);
-            same &= radius_m2 - square_m2 >= 0.0;
-            nearest_m2 = if square_m2 < nearest_m2 { square_m2 } else { nearest_m2 };
-        }
-        self.nearest_m2[robot] = nearest_m2;
-        same
+    /// How many robots are near this one.
+    #[inline]
+    pub(crate) fn near(&self, robot: usize) -> usize {
+        usize::from(self.crowd.counts()[robot])
     }
 
     /// Collects the neighbours of one robot where some came or left.
@@ -207,12 +199,6 @@ impl<const D: usize> Lists<D> {
             degrees[robot] -= 1;
             missing[robot] |= ghost.unseen.is_missing();
         }
-    }
-
-    /// The squared distance to whoever is nearest to a robot, m².
-    #[inline]
-    pub(crate) fn nearest_m2(&self, robot: usize) -> f64 {
-        self.nearest_m2[robot]
     }
 
     /// Where the neighbours of one robot are.
@@ -337,15 +323,6 @@ impl<'a, const D: usize> Others<'a, D> {
             return None;
         }
         self.unseen.iter().find(|ghost| ghost.other == other).map(|ghost| &ghost.unseen)
-    }
-
-    /// From a neighbour to the robot, m, as it was sensed last; robots are at `positions_m` (m), and this one at `own_m`.
-    #[inline]
-    pub(crate) fn offset_m(&self, mate: Mate, own_m: &Vector<D>, positions_m: &[Vector<D>]) -> Vector<D> {
-        match self.unseen(mate.other) {
-            Some(unseen) => unseen.offset_m(own_m),
-            None => subtract(own_m, &positions_m[usize::from(mate.other)]),
-        }
     }
 
     /// Those that are sensed, each with whether it counts for the robot.

@@ -8,7 +8,6 @@ mod piece;
 
 use closeranks_core::controller::links::bond::{Moment, Voice};
 use closeranks_core::controller::links::control::LinksController;
-use closeranks_core::controller::links::line::Agreement;
 use closeranks_core::equations::barrier::degree_barrier;
 use closeranks_core::num::Vector;
 use closeranks_core::obstacle::Obstacle;
@@ -19,7 +18,7 @@ use crate::attack::liars::Liars;
 use crate::engine::bench::Decided;
 use crate::engine::consensus::Consensus;
 use crate::engine::held::lists::{Lists, Rule};
-use crate::engine::held::piece::Desk;
+use crate::engine::held::piece::{Agreed, Desk, Scene};
 use crate::engine::roster::Roster;
 use crate::engine::workers::{Piece, Workers, share};
 use crate::frame::Frame;
@@ -38,7 +37,7 @@ pub struct Held<const D: usize> {
     /// What each of those who compute the team needs.
     desks: Vec<Desk<D>>,
     decided: Vec<Decided<D>>,
-    agreed: Vec<Agreement>,
+    agreed: Vec<Agreed>,
     tick: u32,
     period_nanos: u64,
 }
@@ -91,7 +90,7 @@ impl<const D: usize> Held<D> {
             malicious: (0..count).filter(|robot| lies[*robot]).map(small).collect(),
             desks: Vec::new(),
             decided: vec![Decided::NOTHING; count],
-            agreed: vec![Agreement { price_m: f64::INFINITY, changed: false }; count],
+            agreed: vec![Agreed::NOTHING; count],
             tick: 0,
             period_nanos,
         }
@@ -99,9 +98,10 @@ impl<const D: usize> Held<D> {
 
     /// One tick: fills everything in `frame` but positions and desired velocities.
     pub fn step(&mut self, frame: &mut Frame<D>, liars: &mut Liars, workers: &dyn Workers) {
-        self.look(frame);
+        self.team.moment = Moment::new(self.tick, self.period_nanos);
         liars.begin_tick(self.tick);
-        self.agree(&frame.positions_m, workers);
+        self.look_and_agree(&frame.positions_m, workers);
+        self.note_who_is_near(frame);
         self.team.lists.exchange(self.desks.iter_mut().flat_map(Desk::news), &self.team.moment);
         self.mark(frame);
         self.tell(frame, liars);
@@ -111,19 +111,49 @@ impl<const D: usize> Held<D> {
         self.tick = self.tick.saturating_add(1);
     }
 
-    /// Who is near whom.
-    fn look(&mut self, frame: &mut Frame<D>) {
+    /// Every robot looks around and decides whom it lists: at once where its neighbours are the same as in the tick before, which they mostly are, else
+    /// once they are known.
+    fn look_and_agree(&mut self, positions_m: &[Vector<D>], workers: &dyn Workers) {
         let Robots { controller, roster, lists, moment, .. } = &mut self.team;
-        *moment = Moment::new(self.tick, self.period_nanos);
-        let rule = Rule { controller, horizon: self.horizon, roster, moment: *moment };
-        lists.look(&frame.positions_m, self.params.link().radius_m, &rule);
-        lists.count(&mut frame.degrees, &mut frame.missing);
+        let (radius_m, horizon) = (self.params.link().radius_m, self.horizon);
+        let rule = Rule { controller, horizon, roster, moment: *moment };
+        let may_be_same = lists.look(positions_m, radius_m, &rule);
+        self.agreed.iter_mut().for_each(|agreed| agreed.outdated = !may_be_same);
+        let scene = Scene { positions_m, radius_m2: radius_m * radius_m, updated: false };
+        if may_be_same {
+            self.agree(scene, workers);
+        }
+        let outdated = self.agreed.iter().enumerate().filter(|(_, agreed)| agreed.outdated);
+        let Robots { controller, roster, lists, moment, .. } = &mut self.team;
+        let rule = Rule { controller, horizon, roster, moment: *moment };
+        outdated.for_each(|(robot, _)| lists.update(robot, positions_m, &rule));
+        lists.looked(positions_m);
+        if self.agreed.iter().any(|agreed| agreed.outdated) {
+            self.agree(Scene { updated: true, ..scene }, workers);
+        }
+        self.take_voices();
+    }
+
+    /// What all said, and who changed their lists.
+    fn take_voices(&mut self) {
+        let Self { team, agreed, .. } = self;
+        for (robot, Agreed { agreement, .. }) in agreed.iter().enumerate() {
+            team.voices[robot] = team.controller.voice(agreement.price_m, team.wishes_m_s[robot]);
+            if agreement.changed {
+                team.lists.has_changed(robot, &team.moment);
+            }
+        }
+    }
+
+    /// Who is near whom.
+    fn note_who_is_near(&self, frame: &mut Frame<D>) {
+        self.team.lists.count(&mut frame.degrees, &mut frame.missing);
         let ends: u32 = frame.degrees.iter().map(|degree| u32::from(*degree)).sum();
         frame.links = ends / 2;
     }
 
-    /// Every robot decides whom it lists.
-    fn agree(&mut self, positions_m: &[Vector<D>], workers: &dyn Workers) {
+    /// Robots decide whom they list.
+    fn agree(&mut self, scene: Scene<'_, D>, workers: &dyn Workers) {
         let Self { params, map, team, desks, agreed, .. } = self;
         let (count, each) = (agreed.len(), share(agreed.len(), workers));
         desks.resize_with(count.div_ceil(each), || Desk::new(params, count, map));
@@ -136,16 +166,10 @@ impl<const D: usize> Held<D> {
             let (begin, end) = (now.lists.room(first).start, now.lists.room(first + agreed.len() - 1).end);
             let bonds = rest.0.split_off_mut(..end - begin).unwrap_or_default();
             let deals = rest.1.split_off_mut(..end - begin).unwrap_or_default();
-            pieces.push(Box::new(move || now.agree_from(first, agreed, (bonds, deals), desk, positions_m)));
+            pieces.push(Box::new(move || now.agree_from(first, agreed, (bonds, deals), desk, scene)));
         }
         workers.run(pieces);
         team.lists.give(bonds, deals);
-        for (robot, voice) in team.voices.iter_mut().enumerate() {
-            *voice = team.controller.voice(agreed[robot].price_m, team.wishes_m_s[robot]);
-            if agreed[robot].changed {
-                team.lists.has_changed(robot, &team.moment);
-            }
-        }
     }
 
     /// Who is counted on and who has a row, where that may have changed.
@@ -190,12 +214,12 @@ impl<const D: usize> Held<D> {
 
     /// Every robot finds its velocity.
     fn decide(&mut self, frame: &mut Frame<D>, workers: &dyn Workers) {
-        let Self { team, desks, decided, .. } = self;
+        let Self { team, desks, agreed, decided, .. } = self;
         let each = share(decided.len(), workers);
-        let (team, frame) = (&*team, &*frame);
+        let (team, agreed, frame) = (&*team, &agreed[..], &*frame);
         let pieces = decided.chunks_mut(each).zip(desks).enumerate();
         let pieces = pieces.map(|(piece, (decided, desk))| -> Piece<'_> {
-            Box::new(move || team.decide_from(piece * each, decided, desk, frame))
+            Box::new(move || team.decide_from(piece * each, decided, agreed, desk, frame))
         });
         workers.run(pieces.collect());
     }

@@ -5,7 +5,7 @@ use closeranks_core::controller::links::line::{Agreement, Line};
 use closeranks_core::controller::links::rows::Beside;
 use closeranks_core::controller::{Control, Decision, Motion, Standing};
 use closeranks_core::id::RobotId;
-use closeranks_core::num::{Vector, subtract};
+use closeranks_core::num::{Vector, dot, subtract};
 use closeranks_core::obstacle::Obstacle;
 use closeranks_core::robot::scratch::Scratch;
 use closeranks_core::settings::params::Params;
@@ -42,47 +42,93 @@ impl<const D: usize> Desk<D> {
 /// What robots hold of their neighbours, line by line.
 type Held<'a> = (&'a mut [Bond], &'a mut [Deal]);
 
+/// What a robot knows in a tick once it has decided whom it lists.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Agreed {
+    pub(super) agreement: Agreement,
+    /// The squared distance to the nearest neighbour, m²; infinite if there is none.
+    pub(super) nearest_m2: f64,
+    /// True if its neighbours were not those that it senses, so that its list must be updated first.
+    pub(super) outdated: bool,
+}
+
+impl Agreed {
+    /// That of a robot which knows nobody.
+    pub(super) const NOTHING: Self = Self {
+        agreement: Agreement { price_m: f64::INFINITY, changed: false },
+        nearest_m2: f64::INFINITY,
+        outdated: true,
+    };
+}
+
+/// Where the robots of a tick are, m, how far they sense, m², and whether lists that were outdated are up to date.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Scene<'a, const D: usize> {
+    pub(super) positions_m: &'a [Vector<D>],
+    pub(super) radius_m2: f64,
+    pub(super) updated: bool,
+}
+
 impl<const D: usize> Robots<D> {
-    /// The robots from `first` on, whose room begins with that of `held`, decide whom they list.
+    /// The robots from `first` on, whose room begins with that of `held`, decide whom they list: those whose neighbours are still the same, and where
+    /// lists are updated, those for whom that was needed.
     pub(super) fn agree_from<'a>(
         &'a self,
         first: usize,
-        agreed: &mut [Agreement],
+        agreed: &mut [Agreed],
         (mut bonds, mut deals): Held<'a>,
         desk: &mut Desk<D>,
-        positions_m: &[Vector<D>],
+        scene: Scene<'_, D>,
     ) {
         let mut lines = Vec::new();
         for (robot, agreed) in (first..).zip(agreed) {
             let room = self.lists.room(robot).len();
             let held = (bonds.split_off_mut(..room), deals.split_off_mut(..room));
             let (Some(bonds), Some(deals)) = held else { return };
+            if agreed.outdated != scene.updated {
+                continue;
+            }
             lines.clear();
-            self.gather(robot, positions_m, (bonds, deals), &mut lines);
+            let (same, nearest_m2) = self.gather(robot, scene, (bonds, deals), &mut lines);
+            (agreed.outdated, agreed.nearest_m2) = (!same && !scene.updated, nearest_m2);
+            if agreed.outdated {
+                continue;
+            }
             desk.values.resize(lines.len(), 0.0);
             let (own, wish_m_s) = (self.roster.member(robot), &self.wishes_m_s[robot]);
             let lines = (&mut lines[..], &mut desk.values[..]);
             let tell = |reader: RobotId| desk.news.push([small(robot), reader.0 - 1]);
-            *agreed = self.controller.agree_at_once(own, &self.moment, wish_m_s, lines, tell);
+            agreed.agreement = self.controller.agree_at_once(own, &self.moment, wish_m_s, lines, tell);
         }
     }
 
-    /// Collects the neighbours that count for a robot.
+    /// Collects the neighbours that count for a robot. Gives whether its neighbours are those that it senses, all of them and nobody else, and the squared
+    /// distance to the nearest one, m².
     fn gather<'a>(
         &'a self,
         robot: usize,
-        positions_m: &[Vector<D>],
+        scene: Scene<'_, D>,
         (bonds, deals): Held<'a>,
         lines: &mut Vec<Line<'a, D>>,
-    ) {
-        let (own_m, others) = (&positions_m[robot], self.lists.of(robot));
-        let counting = others.mates.iter().zip(bonds).filter(|(mate, _)| mate.counts);
-        for ((mate, bond), deal) in counting.zip(deals) {
-            let (who, unseen) = (usize::from(mate.other), others.unseen(mate.other));
-            let (member, voice) = ((self.roster.member(who), mate.mutual), &self.voices[who]);
-            let offset_m = others.offset_m(*mate, own_m, positions_m);
-            lines.push(Line::new(member, offset_m, (bond, deal), voice, unseen, &self.moment));
+    ) -> (bool, f64) {
+        let (own_m, others, mut deals) = (&scene.positions_m[robot], self.lists.of(robot), deals.iter_mut());
+        let (mut same, mut nearest_m2) = (others.mates.len() == self.lists.near(robot), f64::INFINITY);
+        for (mate, bond) in others.mates.iter().zip(bonds) {
+            let who = usize::from(mate.other);
+            let mut offset_m = subtract(own_m, &scene.positions_m[who]);
+            let square_m2 = dot(&offset_m, &offset_m);
+            same &= scene.radius_m2 - square_m2 >= 0.0;
+            nearest_m2 = if square_m2 < nearest_m2 { square_m2 } else { nearest_m2 };
+            if let Some(deal) = mate.counts.then(|| deals.next()).flatten() {
+                let unseen = others.unseen(mate.other);
+                if let Some(unseen) = unseen {
+                    offset_m = unseen.offset_m(own_m);
+                }
+                let (member, voice) = ((self.roster.member(who), mate.mutual), &self.voices[who]);
+                lines.push(Line::new(member, offset_m, (bond, deal), voice, unseen, &self.moment));
+            }
         }
+        (same, nearest_m2)
     }
 
     /// The robots from `first` on find their velocities.
@@ -90,13 +136,13 @@ impl<const D: usize> Robots<D> {
         &self,
         first: usize,
         decided: &mut [Decided<D>],
+        agreed: &[Agreed],
         desk: &mut Desk<D>,
         frame: &Frame<D>,
     ) {
         let scratch = &mut desk.memory.lend();
         for (robot, decided) in (first..).zip(decided) {
-            let counted = frame.counted[robot].len();
-            let decision = self.decide(robot, counted, frame, scratch);
+            let decision = self.decide(robot, agreed[robot].nearest_m2, frame, scratch);
             *decided = self.judged(robot, &decision, frame);
         }
     }
@@ -104,7 +150,7 @@ impl<const D: usize> Robots<D> {
     fn decide(
         &self,
         robot: usize,
-        counted: usize,
+        nearest_m2: f64,
         frame: &Frame<D>,
         scratch: &mut Scratch<'_, D>,
     ) -> Decision<D> {
@@ -115,7 +161,7 @@ impl<const D: usize> Robots<D> {
             None => Beside { offset_m: offset_m(mate), gone_m: 0.0, sensed: true, active: mate.active },
         });
         let links = &self.controller.links;
-        let desired_m_s = if links.may_meet(self.lists.nearest_m2(robot)) {
+        let desired_m_s = if links.may_meet(nearest_m2) {
             let heard = others.mates.iter().filter(|mate| others.unseen(mate.other).is_none());
             let wish_m_s = |mate: &Mate| &self.voices[usize::from(mate.other)].wish_m_s;
             links.turned(&frame.asked_m_s[robot], heard.map(|mate| (offset_m(mate), wish_m_s(mate))))
@@ -123,6 +169,7 @@ impl<const D: usize> Robots<D> {
             frame.asked_m_s[robot]
         };
         let motion = Motion { position_m: *own_m, desired_m_s, before_m_s: frame.velocities_m_s[robot] };
+        let counted = frame.counted[robot].len();
         self.controller.decide(self.roster.member(robot), counted, beside, &motion, scratch)
     }
 
