@@ -8,7 +8,7 @@
    begins so. Robustness is necessary for W-MSR(F), not only enough. `stay_between`: all other values stay between the least and the greatest of the start if
    liars tell values in between.
 
-   Not here: that the groups that the code peels are as large as these liars can keep them. *)
+   That the groups that the code peels are as large as these liars can keep them is in peel.v, that robustness is enough in sufficient.v. *)
 
 From mathcomp Require Import all_ssreflect all_algebra zify.
 From Closeranks Require Import round robust.
