@@ -2,7 +2,7 @@
 
 pub mod delaunay;
 pub mod fixed;
-mod generator;
+pub(crate) mod generator;
 pub mod large;
 mod mesh;
 pub mod minimal;

@@ -1,6 +1,7 @@
 //! Growing the first set, then the second one in what is left.
 
 use super::board::Board;
+use super::guess::{Guess, Guesses};
 use super::side::Side;
 use crate::effort::{Meter, Stopped};
 use crate::graph::word::Word;
@@ -12,6 +13,7 @@ pub(super) type Pair<W> = (W, W);
 pub(super) struct Search<'b, 'm, 'a, W> {
     pub(super) board: &'b Board<'b, W>,
     pub(super) meter: &'m mut Meter<'a>,
+    guesses: Option<Guesses>,
 }
 
 /// Where a side is grown and what is left beside it.
@@ -72,7 +74,25 @@ impl<W: Word> Choice<W> {
     }
 }
 
-impl<W: Word> Search<'_, '_, '_, W> {
+impl<'b, 'm, 'a, W: Word> Search<'b, 'm, 'a, W> {
+    pub(super) fn new(board: &'b Board<'b, W>, meter: &'m mut Meter<'a>) -> Self {
+        Self { board, meter, guesses: None }
+    }
+
+    /// The search of the part of that number, which guesses when it is long.
+    pub(super) fn guessing(board: &'b Board<'b, W>, meter: &'m mut Meter<'a>, part: usize) -> Self {
+        let guesses = Some(Guesses::new(part, meter.nodes()));
+        Self { board, meter, guesses }
+    }
+
+    /// Sets that are guessed, now and then and no matter where in the tree.
+    fn guess(&mut self, room: Room<W>) -> Result<Option<Pair<W>>, Stopped> {
+        let due =
+            self.guesses.as_mut().filter(|_| room.pair).and_then(|guesses| guesses.due(self.meter.nodes()));
+        let Some((seed, nodes)) = due else { return Ok(None) };
+        Guess::new(&self.board.needs, room.effort, seed).go_on(nodes, self.meter)
+    }
+
     /// A set within `field` with a content member and at most `effort` exempt ones.
     fn single(&mut self, field: W, effort: i32) -> Result<Option<W>, Stopped> {
         let core = self.board.needs.core(field);
@@ -103,6 +123,9 @@ impl<W: Word> Search<'_, '_, '_, W> {
     /// Searches everything that follows from `side`, the node that it is counted.
     pub(super) fn extend(&mut self, side: Side<W>, room: Room<W>) -> Result<Option<Pair<W>>, Stopped> {
         self.meter.spend(1)?;
+        if let Some(pair) = self.guess(room)? {
+            return Ok(Some(pair));
+        }
         match self.board.step(side, room) {
             Step::Dead => Ok(None),
             Step::Found { first, effort, room } => self.finish(first, effort, room),

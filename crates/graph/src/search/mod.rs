@@ -25,6 +25,7 @@
 
 mod board;
 mod grow;
+mod guess;
 pub(crate) mod ledger;
 pub(crate) mod peel;
 mod pieces;
@@ -117,7 +118,7 @@ fn plain_sets<W: Word>(
     meter: &mut Meter<'_>,
 ) -> Result<Option<(NodeSet, NodeSet)>, Stopped> {
     let board = Board::<W>::plain(graph, r);
-    let found = Search { board: &board, meter }.roots(room(graph, s))?;
+    let found = Search::new(&board, meter).roots(room(graph, s))?;
     Ok(found.map(as_sets))
 }
 

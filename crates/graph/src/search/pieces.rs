@@ -76,8 +76,8 @@ fn one_by_one<W: Word>(
     parts: &[Part<W>],
     meter: &mut Meter<'_>,
 ) -> Result<Option<Pair<W>>, Stopped> {
-    for (side, room) in parts {
-        let found = Search { board, meter: &mut *meter }.extend(*side, *room)?;
+    for (place, (side, room)) in parts.iter().enumerate() {
+        let found = Search::guessing(board, &mut *meter, place).extend(*side, *room)?;
         if found.is_some() {
             return Ok(found);
         }
@@ -159,7 +159,7 @@ fn work<W: Word>(
             if shared.is_over(place) { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
         };
         let mut meter = Meter::new(left.saturating_sub(shared.before(place)), &mut look);
-        let found = Search { board, meter: &mut meter }.extend(*side, *room);
+        let found = Search::guessing(board, &mut meter, place).extend(*side, *room);
         let nodes = meter.nodes();
         if !matches!(found, Ok(None)) {
             shared.end.fetch_min(place, Relaxed);
