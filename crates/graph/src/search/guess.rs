@@ -5,7 +5,6 @@
 use alloc::vec;
 use alloc::vec::Vec;
 
-use super::grow::Pair;
 use super::peel::Needs;
 use crate::effort::{Meter, Stopped};
 use crate::graph::word::Word;
@@ -40,6 +39,7 @@ const EXEMPT: i32 = 64;
 const PLACES: usize = 3;
 
 /// Two sets, and what is known of them.
+//= theory sec:guess
 pub(super) struct Guess<'b, W> {
     needs: &'b Needs<W>,
     /// Exempt members that both sets may have together.
@@ -112,7 +112,7 @@ impl<'b, W: Word> Guess<'b, W> {
     }
 
     /// Goes on for `nodes` nodes: two disjoint sets with a content member each and no more exempt ones together than there may be.
-    pub(super) fn go_on(&mut self, nodes: u64, meter: &mut Meter<'_>) -> Result<Option<Pair<W>>, Stopped> {
+    pub(super) fn go_on(&mut self, nodes: u64, meter: &mut Meter<'_>) -> Result<Option<(W, W)>, Stopped> {
         for _ in 0..nodes {
             meter.spend(1)?;
             for _ in 0..CHANGES {
@@ -246,4 +246,83 @@ fn luck(bits: u64) -> i32 {
     let zeros = bits.leading_zeros().min(63);
     let rest = bits << zeros >> 57 & 63;
     i32::try_from(64 * u64::from(zeros + 1) - rest).unwrap_or(0)
+}
+
+#[cfg(test)]
+mod tests {
+    use core::ops::ControlFlow;
+
+    use super::*;
+    use crate::definition::{self, Witness};
+    use crate::effort::Progress;
+    use crate::graph::Graph;
+    use crate::graph::set::NodeSet;
+    use crate::makers::{fixed, random};
+
+    fn guessed(graph: &Graph, r: usize, s: usize, nodes: u64) -> Option<Witness> {
+        let mut go_on = |_: &Progress| ControlFlow::Continue(());
+        let mut meter = Meter::new(u64::MAX, &mut go_on);
+        let needs = Needs::<u64>::thorough(graph, r);
+        let effort = i32::try_from(s).unwrap() - 1;
+        let found = Guess::new(&needs, effort, 1).go_on(nodes, &mut meter).unwrap();
+        assert!(found.is_some() || meter.nodes() == nodes);
+        let set = |set: u64| NodeSet::from_bits(set.into());
+        found.map(|(first, second)| Witness::new(graph, r, s, set(first), set(second)))
+    }
+
+    //= theory sec:guess type=test
+    #[test]
+    fn all_that_is_guessed_is_true_and_nearly_all_that_is_true_is_guessed() {
+        let (mut found, mut missed) = (0, 0);
+        for seed in 0..12 {
+            let graph = random::erdos_renyi(8, 0.6, seed % 3 == 0, seed).unwrap();
+            for (r, s) in (1..=4).flat_map(|r| (1..=8).map(move |s| (r, s))) {
+                match guessed(&graph, r, s, 1500) {
+                    Some(witness) => {
+                        assert!(witness.holds(&graph), "{witness:?}, {graph:?}");
+                        found += 1;
+                    }
+                    None => missed += usize::from(!definition::is_robust(&graph, r, s)),
+                }
+            }
+        }
+        assert!(found > 200 && missed < found / 20, "{found} found, {missed} missed");
+    }
+
+    #[test]
+    fn what_is_known_of_the_sets_stays_right() {
+        let graph = fixed::k_circulant(11, 3, true).unwrap();
+        let needs = Needs::<u64>::thorough(&graph, 2);
+        let mut guess = Guess::new(&needs, 3, 5);
+        for _ in 0..2000 {
+            guess.try_change(36);
+            let lacks =
+                |node: usize, place: usize| needs.need[node] - needs.heard_in(node, guess.sets[place]);
+            let mut content = [0; PLACES];
+            let mut exempt = 0;
+            for (node, place) in guess.places.iter().enumerate().filter(|(_, place)| **place > 0) {
+                assert!(u64::one(node).is_within(guess.sets[*place]));
+                content[*place] += i32::from(lacks(node, *place) <= 0);
+                exempt += i32::from(lacks(node, *place) > 0);
+            }
+            assert_eq!([content[1], content[2], exempt], [guess.content[1], guess.content[2], guess.exempt]);
+        }
+    }
+
+    #[test]
+    fn guesses_are_made_ever_less_often() {
+        let mut guesses = Guesses::new(7, 100);
+        let mut due = (100..1 << 20).filter_map(|now| guesses.due(now).map(|(_, nodes)| (now, nodes)));
+        assert_eq!(due.next(), Some((100 + PATIENCE, PATIENCE / 4)));
+        let second = 100 + 4 * PATIENCE + PATIENCE / 4;
+        assert_eq!(due.next(), Some((second, PATIENCE)));
+        assert_eq!(due.next(), Some((second + PATIENCE + 12 * PATIENCE, 4 * PATIENCE)));
+    }
+
+    #[test]
+    fn luck_is_a_logarithm() {
+        let at = |bits: u64| luck(bits);
+        assert_eq!([u64::MAX, 1 << 63, 3 << 62, 1 << 62, 1 << 60].map(at), [1, 64, 32, 128, 256]);
+        assert_eq!([0, 1].map(at), [4096, 4096]);
+    }
 }

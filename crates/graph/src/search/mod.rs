@@ -21,6 +21,7 @@
 //!   the first piece that has one.
 //! * **Sums**: in long searches what all content members lack together must be had from the nodes that are still taken (`sums.rs`), and a set
 //!   of m members has enough nodes that can be content among m (`peel.rs`).
+//! * **Guesses**: a search that is long stops now and then to guess at a witness (`guess.rs`).
 //! * **Late exemption**: a member is branched on as content or exempt only when nothing else is open.
 
 mod board;
