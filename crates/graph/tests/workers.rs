@@ -7,9 +7,11 @@ use core::ops::ControlFlow;
 use std::thread;
 
 use closeranks_graph::analysis::{Analysis, analyze_with};
+use closeranks_graph::decide::Robustness;
 use closeranks_graph::effort::{Meter, Progress};
 use closeranks_graph::graph::Graph;
 use closeranks_graph::makers::{fixed, random, symmetric};
+use closeranks_graph::verdict::Verdict;
 use closeranks_graph::workers::{Piece, Workers};
 use common::NO_TABLE;
 
@@ -57,6 +59,24 @@ fn every_number_of_threads_gives_the_same_answer_and_count() {
             assert_eq!(analysis(&graph, u64::MAX, threads), alone, "{threads} threads, {graph:?}");
         }
     }
+}
+
+//= theory sec:guess type=test
+#[test]
+fn a_witness_that_is_guessed_is_the_same_for_every_number_of_threads() {
+    let graph = random::erdos_renyi(30, 0.8, false, 1).unwrap();
+    let decide = |threads: usize| {
+        let mut go_on = |_: &Progress| ControlFlow::Continue(());
+        let threads = Threads(threads);
+        let mut meter = Meter::new(u64::MAX, &mut go_on).with_workers(&threads);
+        let verdict = Robustness::new(&graph, &NO_TABLE).decide(11, 11, &mut meter);
+        (verdict, meter.nodes())
+    };
+    let (verdict, nodes) = decide(1);
+    let Verdict::NotRobust(witness) = verdict else { panic!("{verdict:?}") };
+    // Without guesses it takes 903,871 nodes.
+    assert!(witness.holds(&graph) && nodes < 300_000, "{nodes}");
+    assert_eq!(decide(3), (verdict, nodes));
 }
 
 #[test]
