@@ -6,7 +6,7 @@ use core::time::Duration;
 use closeranks_core::equations::composition::PhiSplit;
 use closeranks_core::obstacle::Obstacle;
 use closeranks_core::settings::{Clock, ComposedSettings, LinkSettings, Team};
-use closeranks_sim::attack::{LevelAttack, MotionAttack, ValueAttack};
+use closeranks_sim::attack::{LevelAttack, ListsAttack, MotionAttack, ValueAttack};
 use closeranks_sim::law::Law;
 use closeranks_sim::plant::Plant;
 use closeranks_sim::scenario::desired::Desired;
@@ -207,7 +207,7 @@ fn lies_that_change_motions_plants_and_splits() {
 /// What lanes are not for goes one by one, with the same answers.
 #[test]
 fn what_is_not_computed_in_lanes_is_computed_all_the_same() {
-    for controller in [Controller::Budget, Controller::Links, Controller::None] {
+    for controller in [Controller::Budget, Controller::None] {
         assert!(!same_bits(&Scenario { controller, duration_s: 0.2, ..short("controller") }, 6));
     }
     assert!(!same_bits(&Scenario { attack: ValueAttack::Split.into(), ..short("faces") }, 6));
@@ -251,4 +251,86 @@ fn what_is_given_reaches_its_world() {
     given[11].values = Some(&bad);
     assert!(block.step_with(&given).is_err());
     assert!(block.worlds().iter().all(|world| world.ticks_done() == 30));
+}
+
+fn links(name: &str) -> Scenario {
+    Scenario { controller: Controller::Links, ..short(name) }
+}
+
+/// Teams that hold links: together, spreading so that pairs leave range, wandering in and out of it, drawn far apart, among liars.
+#[test]
+fn held_links() {
+    for (worlds, attack) in [(16, LevelAttack::None), (7, LevelAttack::Bias(-2.5))] {
+        assert!(same_bits(&Scenario { attack: attack.into(), ..links("attack") }, worlds));
+    }
+    for desired in [Desired::Gather, Desired::Outward, Desired::Wander, Desired::Hold] {
+        for half_side_m in [0.9, 1.3, 2.6] {
+            let start = random(half_side_m, 0.3);
+            let desired = desired.clone();
+            assert!(same_bits(&Scenario { desired, start, duration_s: 1.5, ..links("desired") }, 9));
+        }
+    }
+    assert!(!same_bits(&links("few"), 3), "few worlds are not worth it");
+}
+
+/// Long enough that promises lapse and whoever does not let go is barred, in teams that many pairs join and leave.
+#[test]
+fn held_links_for_a_while() {
+    for (desired, half_side_m, faults) in [(Desired::Wander, 2.2, 1), (Desired::Outward, 1.3, 2)] {
+        let (malicious, team) = ((1..=faults).collect(), Team { robots: 8, faults });
+        let start = random(half_side_m, 0.3);
+        let attack = ValueAttack::Sway.into();
+        let scenario =
+            Scenario { desired, start, malicious, team, attack, duration_s: 12.0, ..links("while") };
+        assert!(same_bits(&scenario, 6));
+    }
+}
+
+/// Robots that begin too close, in clusters, on a line and far apart, pressed against each other, so that rows and monitors are near.
+#[test]
+fn held_links_of_starts_of_all_kinds() {
+    for (half_side_m, distance_min_m) in [(0.6, 0.05), (4.0, 0.3), (30.0, 0.3), (1000.0, 0.3)] {
+        let start = random(half_side_m, distance_min_m);
+        assert!(same_bits(&Scenario { start, desired: Desired::Gather, ..links("start") }, 16));
+    }
+    let gather = Scenario { desired: Desired::Gather, duration_s: 2.5, ..links("pressed") };
+    assert!(same_bits(&gather, 6));
+    let line = (0..11).map(|k| vec![0.5 * f64::from(k) - 2.5, 0.0]).collect();
+    assert!(same_bits(&Scenario { start: Start::Listed(line), ..links("line") }, 6));
+    let mut right = Scenario { desired: Desired::Paper, duration_s: 1.5, ..links("right") };
+    for pass_right in [false, true] {
+        right.links.pass_right = pass_right;
+        assert!(same_bits(&right, 6));
+    }
+}
+
+#[test]
+fn held_links_of_teams_of_other_sizes() {
+    for (robots, faults) in [(2, 0), (3, 1), (6, 1), (29, 4), (64, 3)] {
+        let (malicious, team) = ((1..=faults).collect(), Team { robots, faults });
+        let start = random(0.32 * f64::from(robots).sqrt() + 0.3, 0.2);
+        assert!(same_bits(&Scenario { malicious, team, start, duration_s: 0.2, ..links("size") }, 9));
+    }
+    let cube = Scenario {
+        dimension: 3,
+        start: random(0.9, 0.4),
+        team: Team { robots: 12, faults: 2 },
+        limits: Limits { input_min_m_s: vec![-1.5; 3], input_max_m_s: vec![1.5; 3], ..links("cube").limits },
+        ..links("cube")
+    };
+    assert!(same_bits(&cube, 10));
+    let slow = Limits { speed_max_m_s: 1.6, ..links("disc").limits };
+    assert!(same_bits(&Scenario { limits: slow, duration_s: 1.0, ..links("disc") }, 6));
+    let clock = Clock { level_period: Duration::from_millis(20), ..links("slow").clock };
+    assert!(same_bits(&Scenario { clock, duration_s: 1.2, ..links("slow") }, 8));
+}
+
+/// What lanes of held links are not for goes one by one.
+#[test]
+fn held_links_that_are_computed_one_by_one() {
+    let mut amid = links("obstacles");
+    amid.obstacles.list.push(Obstacle::disc([0.9, 0.9, 0.0], 0.2));
+    assert!(!same_bits(&amid, 6));
+    assert!(!same_bits(&Scenario { attack: MotionAttack::Flee.into(), ..links("runaways") }, 6));
+    assert!(!same_bits(&Scenario { attack: ListsAttack::Never.into(), ..links("lists") }, 6));
 }

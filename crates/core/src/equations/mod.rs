@@ -2,5 +2,6 @@
 
 pub mod barrier;
 pub mod composition;
+pub mod lanes;
 pub mod link;
 mod scaling;

@@ -7,7 +7,7 @@ use closeranks_core::robot::Robot;
 use crate::attack::liars::Liars;
 use crate::engine::fleet::Fleet;
 use crate::engine::held::Held;
-use crate::engine::lanes::Lent;
+use crate::engine::lanes::composed::Lent;
 use crate::engine::team::Team;
 use crate::engine::workers::Workers;
 use crate::faults::edges::Edges;
@@ -21,6 +21,11 @@ pub(crate) trait Robots<const D: usize>: Send + Sync {
 
     /// What computing this team side by side with others takes; `None` where that is not how it is computed.
     fn lend(&mut self) -> Option<Lent<'_>> {
+        None
+    }
+
+    /// This team if it is one of held links that can be computed side by side with others.
+    fn lend_held(&mut self) -> Option<&mut Held<D>> {
         None
     }
 
@@ -110,5 +115,9 @@ where
 {
     fn step(&mut self, frame: &mut Frame<D>, liars: &mut Liars, workers: &dyn Workers) {
         self.step(frame, liars, workers);
+    }
+
+    fn lend_held(&mut self) -> Option<&mut Held<D>> {
+        self.in_lanes().is_some().then_some(self)
     }
 }

@@ -15,7 +15,7 @@ use crate::attack::liars::Liars;
 use crate::engine::bench::{Bench, Decided};
 use crate::engine::consensus::Consensus;
 use crate::engine::dense::{DENSE_MAX, Dense};
-use crate::engine::lanes::Lent;
+use crate::engine::lanes::composed::Lent;
 use crate::engine::links::{Linked, Links};
 use crate::engine::marks::{Counting, Marks, glimpse};
 use crate::engine::phi::Phi;

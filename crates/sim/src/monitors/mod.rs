@@ -8,6 +8,7 @@ mod heard;
 mod numbers;
 mod pairs;
 pub mod robustness;
+mod rounding;
 mod rule;
 pub(crate) mod truth;
 mod values;
@@ -159,7 +160,7 @@ impl<const D: usize> Monitors<D> {
     }
 
     /// The same for whoever has taken a `glance` at the tick, with the same outcome.
-    pub(crate) fn watch_with(&mut self, tick: u32, frame: &Frame<D>, glance: Option<&Glance>) {
+    pub(crate) fn watch_with(&mut self, tick: u32, frame: &Frame<D>, glance: Option<&Glance<'_>>) {
         let glance = glance.filter(|_| self.glances);
         let broken = |verdicts: &Verdicts| verdicts.of(Law::Degree).count + verdicts.of(Law::Distance).count;
         let before = broken(&self.verdicts);
@@ -185,7 +186,7 @@ impl<const D: usize> Monitors<D> {
     }
 
     /// What must hold from tick to tick.
-    fn watch_carry(&mut self, tick: u32, frame: &Frame<D>, glance: Option<&Glance>) {
+    fn watch_carry(&mut self, tick: u32, frame: &Frame<D>, glance: Option<&Glance<'_>>) {
         self.carry.keep(&mut self.truth);
         if let Some(glance) = glance
             && self.carry.glance(tick, frame, glance, self.few_lie)
@@ -203,7 +204,7 @@ impl<const D: usize> Monitors<D> {
         self.verdicts.broke(law, violation, covered);
     }
 
-    fn watch_degrees(&mut self, frame: &Frame<D>, glance: Option<&Glance>) {
+    fn watch_degrees(&mut self, frame: &Frame<D>, glance: Option<&Glance<'_>>) {
         match glance {
             Some(glance) => self.glance_at_degrees(glance),
             None => self.look_at_degrees(frame),
@@ -212,7 +213,7 @@ impl<const D: usize> Monitors<D> {
         self.extremes.clear_min_m = self.carry.least_clear_m();
     }
 
-    fn glance_at_degrees(&mut self, glance: &Glance) {
+    fn glance_at_degrees(&mut self, glance: &Glance<'_>) {
         let Glance { degree_min, malicious_degree_min, normal_level_min, .. } = *glance;
         let Extremes { degree_min: normal, malicious_degree_min: malicious, h_min, .. } = &mut self.extremes;
         for (least, degree) in [(normal, degree_min), (malicious, malicious_degree_min)] {
@@ -243,10 +244,12 @@ impl<const D: usize> Monitors<D> {
 
     /// φ of the true levels, of the paper's weight whatever the controller.
     //= paper eq:composition
-    fn watch_composition(&mut self, tick: u32, collisions: Option<f64>, glance: Option<&Glance>) {
-        let collisions = collisions.filter(|_| self.plain).unwrap_or_else(|| self.collisions());
+    fn watch_composition(&mut self, tick: u32, collisions: Option<f64>, glance: Option<&Glance<'_>>) {
+        let collisions = collisions.filter(|_| self.plain);
+        let lists = glance.and_then(|glance| glance.lists);
+        let collisions = lists.map(|lists| lists.collisions).or(collisions);
         let degrees = glance.map_or_else(|| self.degree_terms(), |glance| glance.terms);
-        let phi = 1.0 - degrees - collisions;
+        let phi = 1.0 - degrees - collisions.unwrap_or_else(|| self.collisions());
         self.extremes.phi_global_min = self.extremes.phi_global_min.min(phi);
         if phi < 0.0 {
             self.broke(Law::Composition, Violation { tick, robots: [0, 0], seen: phi, demanded: 0.0 });
@@ -269,7 +272,7 @@ impl<const D: usize> Monitors<D> {
         self.collisions.iter().fold(0.0, |sum, term| sum + term)
     }
 
-    fn watch_programs(&mut self, tick: u32, frame: &Frame<D>, glance: Option<&Glance>) {
+    fn watch_programs(&mut self, tick: u32, frame: &Frame<D>, glance: Option<&Glance<'_>>) {
         if let Some(Glance { phi_min, .. }) = glance.filter(|glance| glance.phi_min >= 0.0 && glance.boxed) {
             self.extremes.phi_min = self.extremes.phi_min.min(*phi_min);
             self.extremes.inside_from.get_or_insert(tick);
@@ -333,12 +336,13 @@ impl<const D: usize> Monitors<D> {
 }
 
 /// Whether the laws of `scenario` can be seen to hold from numbers of the whole team: everybody counts for everybody and is there, knows
-/// its level and obeys, and nothing else is in the way.
+/// its level or holds links, and obeys, and nothing else is in the way.
 fn glances<const D: usize>(scenario: &Scenario, params: &Params<D>, rule: &Rule) -> bool {
-    let plain =
-        scenario.is_plain() && scenario.obstacles.list.is_empty() && params.controller().tells_levels();
-    let kept = params.kept();
-    plain && !rule.is_free() && rule.ranks().is_none() && kept.gamma_c == 1.0 && kept.errors.away_m == 0.0
+    let plain = scenario.is_plain() && scenario.obstacles.list.is_empty();
+    let (controller, kept) = (params.controller(), params.kept());
+    let lists = controller.tells_lists() && kept.errors.offset_m == 0.0 && !params.weighs_its_own_way();
+    let known = lists || controller.tells_levels() && kept.gamma_c == 1.0;
+    plain && known && !rule.is_free() && rule.ranks().is_none() && kept.errors.away_m == 0.0
 }
 
 /// A degree that is a number among others.

@@ -2,7 +2,7 @@
 
 use closeranks_core::controller::budget::knowledge::Sighting;
 use closeranks_core::equations::link::{Link, LinkShape};
-use closeranks_core::num::{Vector, length, sqrt, subtract};
+use closeranks_core::num::{Vector, length, subtract};
 use closeranks_core::obstacle::Obstacle;
 use closeranks_core::settings::params::Params;
 
@@ -11,12 +11,9 @@ use crate::geometry::around::Around;
 use crate::geometry::squared_distance;
 use crate::monitors::glance::Glance;
 use crate::monitors::pairs::Pairs;
+pub(crate) use crate::monitors::rounding::ROUNDING;
+use crate::monitors::rounding::rounding_m2;
 use crate::monitors::rule::Rule;
-
-/// Sums of weights are rounded by far less than this, and squares of distances by less than this fraction of themselves.
-pub(crate) const ROUNDING: f64 = 1e-11;
-/// Coordinates are rounded by far less than this fraction of themselves in a tick.
-const PLACE_ROUNDING: f64 = 1e-14;
 
 /// A link that has no more room than this beside an obstacle, m, is cut.
 const CUT_M: f64 = 1e-9;
@@ -111,9 +108,15 @@ impl Truth {
 
     /// What whoever watches the run sees of `frame`, and of the rest that of which a `glance` has shown that nothing else is asked, until the
     /// next tick [asks](Pairs::catch_up) for pairs.
-    pub(crate) fn glance<const D: usize>(&mut self, frame: &Frame<D>, glance: &Glance) {
+    pub(crate) fn glance<const D: usize>(&mut self, frame: &Frame<D>, glance: &Glance<'_>) {
         self.is_local = true;
-        self.levels.clone_from(&frame.levels);
+        match &glance.levels {
+            Some(levels) => {
+                self.levels.clear();
+                self.levels.extend(levels.iter());
+            }
+            None => self.levels.clone_from(&frame.levels),
+        }
         self.degrees.clone_from(&frame.degrees);
         self.neighbors.clone_from(&frame.degrees);
         (self.least_m2, self.span_m) = (glance.least_m2, glance.span_m);
@@ -236,7 +239,7 @@ impl Truth {
 
     /// How much a squared distance of about `distance_m2` (m²) may be rounded, m²: it scales with the numbers compared.
     pub(crate) fn rounding_m2(&self, distance_m2: f64) -> f64 {
-        ROUNDING * distance_m2 + PLACE_ROUNDING * self.span_m * sqrt(distance_m2)
+        rounding_m2(self.span_m, distance_m2)
     }
 
     fn resize(&mut self, count: usize) {

@@ -166,14 +166,14 @@ impl AnyWorld {
         }, else {});
     }
 
-    /// The third part, if need be from a `glance` at the tick.
-    pub(crate) fn settle(&mut self, glance: Option<&Glance>) {
-        dispatch!(self, world => world.settle(glance), else {});
+    /// The third part, in which φ_i may be known, if need be from a `glance` at the tick.
+    pub(crate) fn settle(&mut self, knows_phi: bool, glance: Option<&Glance<'_>>) {
+        dispatch!(self, world => world.settle(knows_phi, glance), else {});
     }
 
     /// True if its team can be computed side by side with others.
     pub(crate) fn goes_in_lanes(&mut self) -> bool {
-        dispatch!(self, world => world.in_lane().is_some(), else false)
+        dispatch!(self, world => world.goes_in_lanes(), else false)
     }
 
     /// The world, if it is in the plane.

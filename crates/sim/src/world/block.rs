@@ -2,7 +2,7 @@
 
 use closeranks_core::num::lane::LANES;
 
-use crate::engine::lanes::{InLane, Lanes};
+use crate::engine::lanes::Lanes;
 use crate::monitors::glance::Glance;
 use crate::scenario::Scenario;
 use crate::world::any::{AnyGiven, AnyWorld};
@@ -24,10 +24,17 @@ enum AnyLanes {
 }
 
 impl AnyLanes {
-    fn glance(&self, lane: usize) -> Option<Glance> {
+    fn glance(&self, lane: usize) -> Option<Glance<'_>> {
         match self {
             Self::Plane(lanes) => lanes.glance(lane),
             Self::Space(lanes) => lanes.glance(lane),
+        }
+    }
+
+    fn knows_phi(&self, lane: usize) -> bool {
+        match self {
+            Self::Plane(lanes) => lanes.knows_phi(lane),
+            Self::Space(lanes) => lanes.knows_phi(lane),
         }
     }
 }
@@ -120,7 +127,8 @@ impl Block {
         }
         for (lane, world) in self.worlds.iter_mut().enumerate() {
             let glance = self.lanes.as_ref().and_then(|lanes| lanes.glance(lane));
-            world.settle(glance.as_ref());
+            let knows_phi = self.lanes.as_ref().is_some_and(|lanes| lanes.knows_phi(lane));
+            world.settle(knows_phi, glance.as_ref());
             if self.summaries {
                 world.collect();
             }
@@ -152,6 +160,8 @@ impl Block {
 }
 
 fn step<'a, const D: usize>(lanes: &mut Lanes<D>, worlds: impl Iterator<Item = &'a mut World<D>>) {
-    let mut worlds: Vec<InLane<'_, D>> = worlds.filter_map(World::in_lane).collect();
-    lanes.step(&mut worlds);
+    match lanes {
+        Lanes::Composed(lanes) => lanes.step(&mut worlds.filter_map(World::in_lane).collect::<Vec<_>>()),
+        Lanes::Held(lanes) => lanes.step(&mut worlds.filter_map(World::held_in_lane).collect::<Vec<_>>()),
+    }
 }

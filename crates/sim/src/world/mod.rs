@@ -4,6 +4,7 @@ pub mod any;
 pub mod block;
 mod door;
 pub mod given;
+mod lane;
 mod outcome;
 mod script;
 pub mod teams;
@@ -21,7 +22,6 @@ use crate::controllers::{Answer, Global, TeamView, Velocities};
 use crate::engine;
 pub use crate::engine::Engine;
 use crate::engine::judge::Judge;
-use crate::engine::lanes::{InLane, Lanes};
 use crate::engine::phi::PaperPhi;
 use crate::engine::robots::Robots;
 use crate::engine::workers::{Alone, Workers};
@@ -257,7 +257,7 @@ impl<const D: usize> World<D> {
     fn end(&mut self) -> &Frame<D> {
         self.ask();
         self.compute();
-        self.settle(None);
+        self.settle(false, None);
         self.note();
         &self.frame
     }
@@ -279,32 +279,22 @@ impl<const D: usize> World<D> {
         self.robots.step(&mut self.frame, &mut self.liars, self.workers.as_ref());
     }
 
-    /// Its team for an engine that computes many side by side; `None` if it is not computed so.
-    pub(crate) fn in_lane(&mut self) -> Option<InLane<'_, D>> {
-        let team = self.robots.lend().filter(|_| self.scenario.absences.is_empty())?;
-        Some(InLane { frame: &mut self.frame, liars: &mut self.liars, team })
-    }
-
-    /// That engine, for worlds like this one.
-    pub(crate) fn lanes(&self) -> Option<Lanes<D>> {
-        Lanes::new(&self.params, self.scenario.malicious_mask())
-    }
-
-    /// What comes of it for the world: the rest of the frame, and the laws, if need be from a `glance` at the tick.
-    fn settle(&mut self, glance: Option<&Glance>) {
-        self.judge();
+    /// What comes of it for the world: the rest of the frame, of which φ_i may be known, and the laws, if need be from a `glance` at
+    /// the tick.
+    fn settle(&mut self, knows_phi: bool, glance: Option<&Glance<'_>>) {
+        self.judge(knows_phi);
         self.watch(glance);
     }
 
     /// The rest of the frame but for the laws.
-    fn judge(&mut self) {
+    fn judge(&mut self, knows_phi: bool) {
         if let Some(exchange) = &mut self.exchange {
             exchange.step(self.done, &mut self.frame, self.robots.as_ref(), self.liars.given_values());
         }
         for (outcome, answer) in self.frame.outcomes.iter_mut().zip(&self.answers) {
             *outcome = answer.outcome;
         }
-        if let Some(phi) = &mut self.paper_phi {
+        if let Some(phi) = self.paper_phi.as_mut().filter(|_| !knows_phi) {
             let edges = self.robots.edges();
             phi.fill(&mut self.frame, |robot| edges.is_some_and(|edges| edges.downtime.down(robot)));
         }
@@ -312,7 +302,7 @@ impl<const D: usize> World<D> {
     }
 
     /// Looks at the laws, and ends the tick.
-    fn watch(&mut self, glance: Option<&Glance>) {
+    fn watch(&mut self, glance: Option<&Glance<'_>>) {
         self.monitors.watch_with(self.done, &self.frame, glance);
         let liars = self.monitors.malicious().iter().enumerate().filter(|(_, lies)| **lies);
         for (index, _) in liars {

@@ -3,6 +3,7 @@
 use closeranks_core::settings::params::Params;
 
 use crate::engine::dense::DENSE_MAX;
+use crate::engine::lanes::Lanes;
 use crate::scenario::Scenario;
 use crate::world::block::Block;
 use crate::world::{Options, Run};
@@ -58,7 +59,7 @@ impl Shape {
 
 /// The parameters of a team whose controller can be computed so.
 fn in_lanes<const D: usize>(scenario: &Scenario) -> Option<Params<D>> {
-    scenario.params().ok().filter(|params: &Params<D>| params.controller().in_lanes().is_some())
+    scenario.params().ok().filter(|params: &Params<D>| Lanes::are_for(params))
 }
 
 /// Places of scenarios that may share a block.
@@ -68,7 +69,9 @@ fn alike(scenarios: &[&Scenario]) -> Vec<Vec<usize>> {
         let Some(shape) = Shape::of(scenario) else { continue };
         let same = |(other, places): &&mut (Shape, Vec<usize>)| {
             let first = scenarios[places[0]];
-            *other == shape && first.malicious == scenario.malicious && first.ticks() == scenario.ticks()
+            let same = first.malicious == scenario.malicious && first.ticks() == scenario.ticks();
+            // Robots may not use the paper's composition, and it is looked at all the same.
+            *other == shape && same && first.composition() == scenario.composition()
         };
         match groups.iter_mut().find(same) {
             Some((_, places)) => places.push(place),

@@ -8,26 +8,12 @@
 use crate::controller::Decision;
 use crate::controller::composed::{ComposedController, Sums};
 use crate::equations::composition::{Composition, Sum, TERM_LARGE};
-use crate::equations::link::{Link, LinkShape};
-use crate::num::exponential::exps_in_lanes;
-use crate::num::lane::{LANES, Lane};
-use crate::num::{Vector, dot, subtract};
+pub use crate::equations::lanes::PairInLanes;
+use crate::equations::link::LinkShape;
+use crate::num::Vector;
+use crate::num::lane::{LANES, Lane, at};
 use crate::program::Outcome;
 use crate::program::box_row::{Mostly, closest, closest_mostly};
-
-/// In place of the collision term of two robots that have no link.
-const UNLINKED: f64 = -1.0;
-
-/// What both ends of a link share, in every lane. Without a link all numbers are 0 but the collision term.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct PairInLanes {
-    /// `a_ij`.
-    pub weights: Lane,
-    /// `2 ∂a/∂Δ²`, 1/m².
-    slopes: Lane,
-    /// `E^c_ij`, or [`UNLINKED`].
-    collisions: Lane,
-}
 
 /// The sums behind φ_i and H_i, in every lane.
 #[derive(Clone, Copy, Debug)]
@@ -51,20 +37,6 @@ pub struct DecisionInLanes<const D: usize> {
     pub outcomes: [Option<Outcome>; LANES],
 }
 
-impl PairInLanes {
-    /// Of two robots without a link in any lane.
-    pub const NONE: Self =
-        Self { weights: [0.0; LANES], slopes: [0.0; LANES], collisions: [UNLINKED; LANES] };
-
-    /// `E^c_ij` in a lane, 0 without a link, and whether there is one.
-    #[inline]
-    #[must_use]
-    pub fn collision(&self, lane: usize) -> (f64, bool) {
-        let linked = self.collisions[lane] >= 0.0;
-        (if linked { self.collisions[lane] } else { 0.0 }, linked)
-    }
-}
-
 impl<const D: usize> SumsInLanes<D> {
     /// Sums of a robot without neighbours whose own Ê are `own`.
     #[must_use]
@@ -81,26 +53,8 @@ impl<const D: usize> ComposedController<D> {
     }
 
     /// What two robots at these positions share.
-    #[inline(never)]
     pub fn pair_in_lanes(&self, first: &[Lane; D], second: &[Lane; D], pair: &mut PairInLanes) {
-        let mut slacks_m2 = [0.0; LANES];
-        let (mut of_links, mut of_collisions) = ([0.0; LANES], [0.0; LANES]);
-        for k in 0..LANES {
-            let offset_m = subtract(&at(first, k), &at(second, k));
-            let distance_m2 = dot(&offset_m, &offset_m);
-            slacks_m2[k] = self.link.slack_m2(distance_m2);
-            let linked = slacks_m2[k] >= 0.0;
-            of_links[k] = if linked { self.link.exponent(slacks_m2[k]) } else { 0.0 };
-            of_collisions[k] = if linked { self.composed.collision_exponent(distance_m2) } else { 0.0 };
-        }
-        let (tails, collisions) = (exps_in_lanes(&of_links), exps_in_lanes(&of_collisions));
-        for k in 0..LANES {
-            let linked = slacks_m2[k] >= 0.0;
-            let Link { weight, slope }: Link<f64> = self.link.link_of(slacks_m2[k], tails[k]);
-            pair.weights[k] = if linked { weight } else { 0.0 };
-            pair.slopes[k] = if linked { slope } else { 0.0 };
-            pair.collisions[k] = if linked { collisions[k] } else { UNLINKED };
-        }
+        self.composed.pair_in_lanes(&self.link, first, second, pair);
     }
 
     /// The shape of links.
@@ -110,14 +64,9 @@ impl<const D: usize> ComposedController<D> {
     }
 
     /// Ê of told levels.
-    #[inline(never)]
     #[must_use]
     pub fn told_in_lanes(&self, levels: &Lane) -> Lane {
-        let mut exponents = [0.0; LANES];
-        for k in 0..LANES {
-            exponents[k] = self.composed.degree_exponent(levels[k]);
-        }
-        exps_in_lanes(&exponents)
+        self.composed.terms_in_lanes(levels)
     }
 
     /// Adds a pair to the sums of both ends, which are at these positions. To be called for every pair, for each end in order of the
@@ -211,10 +160,4 @@ impl<const D: usize> SumsInLanes<D> {
         let row = Sum::of(at(&self.normal, lane), self.own[lane], self.collisions[lane]);
         Sums { row, terms: self.terms[lane] }
     }
-}
-
-/// A vector in one lane.
-#[inline]
-fn at<const D: usize>(vectors: &[Lane; D], lane: usize) -> Vector<D> {
-    core::array::from_fn(|d| vectors[d][lane])
 }

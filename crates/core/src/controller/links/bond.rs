@@ -38,7 +38,7 @@ pub struct Moment {
 /// What a robot says to one neighbour.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Said {
-    listed: bool,
+    pub(super) listed: bool,
     pub(super) promised: bool,
 }
 
@@ -133,6 +133,18 @@ impl Bond {
     #[inline]
     pub fn hear(&mut self, said: Said) {
         self.their = said;
+    }
+
+    /// What the neighbour said in the tick before.
+    #[must_use]
+    pub fn heard(&self) -> Said {
+        self.their
+    }
+
+    /// The tick in which the neighbour came.
+    #[must_use]
+    pub fn born(&self) -> u32 {
+        self.born
     }
 
     /// What is held before the messages of `tick`.

@@ -27,7 +27,7 @@ pub struct LinksController<const D: usize> {
     /// The parameters of the rows and of the rule who releases whom.
     pub links: Links,
     reach: Reach<D>,
-    slack: Slack,
+    pub(super) slack: Slack,
     input: InputBox<D>,
     clearance: Clearance,
     cuts: Cuts,

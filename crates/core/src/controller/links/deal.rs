@@ -38,8 +38,20 @@ pub struct Deal {
 
 impl Deal {
     /// V with what is added for a pair that is engaged, m.
+    #[inline]
     pub(super) fn key_m(&self) -> f64 {
         self.gain_m + if self.engaged { GRACE_M } else { 0.0 }
+    }
+
+    /// Takes in how far apart both would end, m, whether the link is `stretched`, whether the neighbour has `promised` a release, and at
+    /// which price, m. It may be promised one only if it is sensed and counts, as `may` says.
+    #[inline]
+    pub(super) fn weigh(&mut self, gain_m: f64, stretched: bool, promised: bool, price_m: f64, may: bool) {
+        self.gain_m = gain_m;
+        self.engaged = self.promised && promised;
+        self.stretched = stretched;
+        let usable = self.barred_s <= 0.0 && (self.stretched || self.lapsed_s <= 0.0);
+        self.eligible = may && usable && self.key_m() >= price_m;
     }
 
     /// The share of what a promise was unused that is forgotten in this time.
@@ -48,6 +60,7 @@ impl Deal {
     }
 
     /// Lets time pass, in which the share `forgotten` is [`forgotten`](Self::forgotten).
+    #[inline]
     pub(super) fn pass(&mut self, elapsed_s: f64, forgotten: f64) {
         self.lapsed_s = larger(self.lapsed_s - elapsed_s, 0.0);
         self.barred_s = larger(self.barred_s - elapsed_s, 0.0);

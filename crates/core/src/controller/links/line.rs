@@ -216,4 +216,10 @@ impl<const D: usize> LinksController<D> {
         }
         Agreement { price_m: ledger.price_m, changed }
     }
+
+    /// The end of [`agree_at_once`](Self::agree_at_once) for whoever has looked at everybody and made all promises in another way: decides whom
+    /// robot `own`, which counts on so many, releases and lists.
+    pub fn part_at_once(&self, own: Member, moment: &Moment, lines: &mut [Line<'_, D>], counted: usize) {
+        self.links.part_and_list(own, lines, Moment::last(moment.tick), (false, counted));
+    }
 }

@@ -27,11 +27,13 @@
 //! | who releases whom: no guarantee rests on it | `policy`, `deal`; what it asks of a neighbour: `partner` |
 //! | the seam | [`control`] |
 //! | the same in few bytes, for large teams in which nothing goes wrong | [`bond`], [`mod@line`] |
+//! | the same for many worlds at once | [`lanes`] |
 
 pub mod bond;
 pub mod control;
 pub mod cut;
 mod deal;
+pub mod lanes;
 pub mod line;
 mod partner;
 pub mod peer;
@@ -45,6 +47,7 @@ use core::time::Duration;
 
 use crate::controller::assume::Assume;
 use crate::controller::errors::ErrorBounds;
+use crate::controller::links::cut::Room;
 use crate::controller::links::partner::Partner;
 use crate::id::Member;
 use crate::need::Need;
@@ -128,11 +131,24 @@ impl Links {
         let recent = partner.was_sensed_within(self.told_max, now);
         let error_m = self.error_m(partner.gone_m());
         let distance_m = length(partner.offset_m());
-        let certainly_within = distance_m + error_m <= self.begun_m() && partner.room().suffices();
-        let certainly_beyond =
-            distance_m - error_m > self.radius_m * (1.0 + HAIR) || partner.room().is_lost();
-        let carried = partner.is_held() && partner.unseen_ticks() == 0 && !certainly_beyond;
-        partner.hold(partner.acknowledges() && recent && (carried || certainly_within));
+        let acknowledges = partner.acknowledges() && recent;
+        let before = partner.is_held() && partner.unseen_ticks() == 0;
+        let held = self.is_held(acknowledges, before, (distance_m, error_m), &partner.room());
+        partner.hold(held);
         distance_m
+    }
+
+    /// Whether a neighbour is counted on that acknowledges or not, was so `before` or not, and is seen at a distance with an error, m.
+    #[inline]
+    fn is_held(
+        &self,
+        acknowledges: bool,
+        before: bool,
+        (distance_m, error_m): (f64, f64),
+        room: &Room,
+    ) -> bool {
+        let certainly_within = distance_m + error_m <= self.begun_m() && room.suffices();
+        let certainly_beyond = distance_m - error_m > self.radius_m * (1.0 + HAIR) || room.is_lost();
+        acknowledges && (before && !certainly_beyond || certainly_within)
     }
 }

@@ -36,7 +36,7 @@ const WIDE: f64 = 0.15;
 /// So many ticks a neighbour has time to follow a release.
 const PATIENCE_TICKS: u32 = 10;
 /// No more time than this passes between two looks, s.
-const STEP_MAX_S: f64 = 1.0;
+pub(super) const STEP_MAX_S: f64 = 1.0;
 
 /// Up to so many keys are put in order one by one.
 const FEW: usize = 16;
@@ -71,9 +71,33 @@ impl Links {
         let keep = usize::from(self.keep(own));
         let slots_left = in_range.saturating_sub(keep);
         ledger.price_m = promise(partners, slots_left, values);
+        self.part_and_list(own, partners, last, (first, counted));
+        ledger.looked_at = Some(now);
+    }
+
+    /// Decides whom robot `own` releases and lists once promises are made. It counts on so many, and looks at them for the `first` time or not.
+    pub(super) fn part_and_list<const D: usize, P: Partner<D>>(
+        &self,
+        own: Member,
+        partners: &mut [P],
+        last: Number,
+        (first, counted): (bool, usize),
+    ) {
+        let keep = usize::from(self.keep(own));
         release(partners, counted, keep);
         self.list(own, partners, last, first || counted < keep);
-        ledger.looked_at = Some(now);
+    }
+
+    /// True if a pair at this distance, m, is far enough apart to be released.
+    #[inline]
+    pub(super) fn is_stretched(&self, distance_m: f64) -> bool {
+        distance_m > STRETCHED * self.radius_m
+    }
+
+    /// Within this distance a robot lists others, m: everybody whom it could count on if it needs `all`.
+    #[inline]
+    pub(super) fn reach_m(&self, all: bool) -> f64 {
+        if all { self.begun_m() + self.errors.offset_m } else { NEAR * self.radius_m }
     }
 
     /// Looks at one neighbour at `distance_m`: how far apart both would end, and whether it may be promised anything. True if it
@@ -100,19 +124,15 @@ impl Links {
             Some(_) => (0.0, true),
         };
         let is_tight = partner.room().least_m < TIGHT * self.radius_m;
-        let deal = partner.deal_mut();
-        deal.gain_m = length(&ends_m);
-        deal.engaged = deal.promised && promised;
-        deal.stretched = distance_m > STRETCHED * self.radius_m || is_tight;
-        let usable = deal.barred_s <= 0.0 && (deal.stretched || deal.lapsed_s <= 0.0);
-        deal.eligible = sensed && counts && usable && deal.key_m() >= price_m;
+        let stretched = self.is_stretched(distance_m) || is_tight;
+        partner.deal_mut().weigh(length(&ends_m), stretched, promised, price_m, sensed && counts);
         may_be_counted
     }
 
     /// Lists who is near, who does not let go, and with `all` who may be in range.
     fn list<const D: usize, P: Partner<D>>(&self, own: Member, partners: &mut [P], last: Number, all: bool) {
         let counts = |partner: &&mut P| partner.is_sensed() && partner.counts_with(own, &self.need)[0];
-        let reach_m = if all { self.begun_m() + self.errors.offset_m } else { NEAR * self.radius_m };
+        let reach_m = self.reach_m(all);
         let clear = |partner: &P| {
             let room = partner.room();
             if all { !room.is_lost() } else { room.least_m >= WIDE * self.radius_m }

@@ -265,6 +265,37 @@ impl<const D: usize> Lists<D> {
         Some(range.start + line)
     }
 
+    /// True if nobody keeps its place without being sensed.
+    pub(crate) fn are_all_sensed(&self) -> bool {
+        self.unseen.is_empty()
+    }
+
+    /// Each neighbour of each robot with what the robot holds of it, robot after robot.
+    pub(crate) fn lines(&self) -> impl Iterator<Item = ([usize; 2], &Bond, &Deal)> + Clone {
+        let of = |robot: usize| self.range(robot).map(move |place| (robot, place));
+        (0..self.counts.len()).flat_map(of).map(|(robot, place)| {
+            let (other, rows) = (usize::from(self.rows.mates[place].other), &self.rows);
+            ([robot, other], &rows.bonds[place], &rows.deals[place])
+        })
+    }
+
+    /// Replaces what each robot holds of each of its neighbours before the tick of `moment`, and takes where everybody was in the tick before, m.
+    pub(crate) fn replace(
+        &mut self,
+        held: impl Fn([usize; 2]) -> (Bond, Deal),
+        before_m: &[Vector<D>],
+        moment: &Moment,
+    ) {
+        for robot in 0..self.counts.len() {
+            for place in self.range(robot) {
+                let other = usize::from(self.rows.mates[place].other);
+                (self.rows.bonds[place], self.rows.deals[place]) = held([robot, other]);
+            }
+        }
+        self.before_m.copy_from_slice(before_m);
+        self.changed.fill(moment.tick());
+    }
+
     fn unseen_by(&self, robot: usize) -> &[Ghost<D>] {
         if self.unseen.is_empty() {
             return &[];

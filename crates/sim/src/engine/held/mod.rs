@@ -3,6 +3,7 @@
 //! What a robot holds of a neighbour is a [`Bond`](closeranks_core::controller::links::bond::Bond) of few bytes in one list of the whole team, and messages are a word from
 //! bond to bond. Who releases whom, the rows and the closest velocity are those of a robot on its own.
 
+pub(crate) mod lent;
 mod lists;
 mod piece;
 

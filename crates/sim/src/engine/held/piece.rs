@@ -33,6 +33,11 @@ impl<const D: usize> Desk<D> {
         Self { memory, values: Vec::new(), news: Vec::new() }
     }
 
+    /// Memory for the robots of the piece, one after another.
+    pub(super) fn lend(&mut self) -> Scratch<'_, D> {
+        self.memory.lend()
+    }
+
     /// Gives away who says something else than in the tick before, and to whom.
     pub(super) fn news(&mut self) -> impl Iterator<Item = [u16; 2]> {
         self.news.drain(..)
@@ -174,7 +179,7 @@ impl<const D: usize> Robots<D> {
     }
 
     /// A decision with what it is worth.
-    fn judged(&self, robot: usize, decision: &Decision<D>, frame: &Frame<D>) -> Decided<D> {
+    pub(super) fn judged(&self, robot: usize, decision: &Decision<D>, frame: &Frame<D>) -> Decided<D> {
         let Decision { velocity_m_s, outcome, phi, doubt: reason } = *decision;
         let (degree, h, need) = (frame.degrees[robot], frame.h[robot], self.roster.need(robot));
         let standing = Standing { degree, need, h, phi, outcome, untold: 0, missing: 0, reason };

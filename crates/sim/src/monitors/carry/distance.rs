@@ -1,15 +1,16 @@
 //! Distances of robots from tick to tick: how near they come, between ticks too, and how fast.
 
 use closeranks_core::controller::Kept;
-use closeranks_core::num::{Vector, add_scaled, dot, sqrt, subtract};
+use closeranks_core::num::{sqrt, subtract};
 use closeranks_core::settings::params::Params;
 
 use crate::attack::MotionAttack;
 use crate::frame::Frame;
-use crate::geometry::{fill_pairs, squared_distance};
+use crate::geometry::{fill_pairs, nearest_m2, squared_distance};
 use crate::law::{Law, Verdicts, Violation};
 use crate::monitors::carry::before::Before;
 use crate::monitors::glance::Glance;
+use crate::monitors::glance::held::Lists;
 use crate::monitors::pairs::Places;
 use crate::monitors::truth::{ROUNDING, Truth};
 use crate::scenario::Scenario;
@@ -155,13 +156,20 @@ impl<const D: usize> Distances<D> {
     }
 
     /// True if no two robots of a plain team are near each other, or were since the tick before.
-    pub(crate) fn are_far(&self, glance: &Glance) -> bool {
+    pub(crate) fn are_far(&self, glance: &Glance<'_>) -> bool {
         let least_m2 = self.kept.distance_min_m * self.kept.distance_min_m;
         glance.least_m2 >= self.near_after_m2(glance.moved_m2) && glance.least_m2 >= least_m2
     }
 
+    /// True if no two robots of a team came too near each other or too fast since the tick before, as far as its `lists` tell, and all that is safe
+    /// stays so.
+    pub(crate) fn are_apart(&self, glance: &Glance<'_>, lists: &Lists) -> bool {
+        let [least_m, kept_m] = [self.params.settings().limits.distance_min_m, self.kept.distance_min_m];
+        !lists.falls && lists.path_m2 >= least_m * least_m && glance.least_m2 >= kept_m * kept_m
+    }
+
     /// Looks at a tick in which all [are far](Self::are_far), and carries what is safe to the next one.
-    pub(crate) fn glance(&mut self, glance: &Glance, moved: bool, inside: bool, moves: bool) {
+    pub(crate) fn glance(&mut self, glance: &Glance<'_>, moved: bool, inside: bool, moves: bool) {
         self.least_m2 = self.least_m2.min(glance.least_m2);
         self.far_apart = moves && inside;
         if self.far_apart {
@@ -274,20 +282,9 @@ fn limit_m2(least_m: f64, truth: &Truth) -> f64 {
     least_m2 - truth.rounding_m2(least_m2)
 }
 
-/// Square of the least distance while an offset goes straight from `start` to `end`, m².
-fn nearest_m2<const D: usize>(start: &Vector<D>, end: &Vector<D>) -> f64 {
-    let step = subtract(end, start);
-    let (length_m2, end_m2) = (dot(&step, &step), dot(end, end));
-    if length_m2 == 0.0 {
-        return end_m2;
-    }
-    let share = (-dot(start, &step) / length_m2).clamp(0.0, 1.0);
-    let nearest = add_scaled(start, share, &step);
-    dot(&nearest, &nearest).min(end_m2)
-}
-
 #[cfg(test)]
 mod tests {
+    use closeranks_core::num::Vector;
     use closeranks_core::settings::{Errors, Team};
 
     use super::*;
@@ -365,12 +362,5 @@ mod tests {
             }
         }
         assert!(broken.iter().all(|count| *count > 1_000), "{broken:?}");
-    }
-
-    #[test]
-    fn robots_that_pass_each_other_between_ticks_are_seen() {
-        assert_eq!(nearest_m2(&[-1.0, 0.25], &[1.0, 0.25]), 0.0625);
-        assert_eq!(nearest_m2(&[1.0, 0.0], &[2.0, 0.0]), 1.0);
-        assert_eq!(nearest_m2(&[2.0, 0.0], &[2.0, 0.0]), 4.0);
     }
 }

@@ -21,6 +21,8 @@ pub(crate) struct Held<const D: usize> {
     rule: Arc<Rule>,
     /// For each robot the others, by number, in rising order.
     sound: Vec<Vec<u16>>,
+    /// True if that is all on whom normal robots counted in the last tick.
+    whole: bool,
     /// Memory for the others of one robot.
     scratch: Vec<u16>,
 }
@@ -34,6 +36,7 @@ impl<const D: usize> Held<D> {
             rule: Arc::clone(rule),
             malicious: scenario.malicious_mask(),
             sound: vec![Vec::new(); robots],
+            whole: false,
             scratch: Vec::new(),
         }
     }
@@ -47,6 +50,7 @@ impl<const D: usize> Held<D> {
         [moved, moves]: [bool; 2],
         verdicts: &mut Verdicts,
     ) {
+        self.whole = false;
         let radius_m = self.params.kept().link.radius_m;
         let (radius_m2, away_m) = (radius_m * radius_m, self.params.kept().errors.away_m);
         for (index, counted) in frame.counted.iter().enumerate() {
@@ -78,6 +82,18 @@ impl<const D: usize> Held<D> {
                 }
             }
             (self.sound[index], self.scratch) = (sound, before);
+        }
+    }
+
+    /// Looks at a tick in which nothing is wrong with any of the links on which robots count, and moves obey the rows: some count on others than
+    /// in the tick before if they have `relisted`.
+    pub(crate) fn glance(&mut self, frame: &Frame<D>, relisted: bool) {
+        if core::mem::replace(&mut self.whole, true) && !relisted {
+            return;
+        }
+        let normal = self.sound.iter_mut().zip(&frame.counted).zip(&self.malicious);
+        for ((sound, counted), _) in normal.filter(|(_, malicious)| !**malicious) {
+            sound.clone_from(counted);
         }
     }
 

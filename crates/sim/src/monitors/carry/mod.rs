@@ -24,6 +24,7 @@ use crate::monitors::carry::mode::ModeWatch;
 use crate::monitors::carry::rest::RestWatch;
 use crate::monitors::carry::time::{fraction, longer_ago};
 use crate::monitors::glance::Glance;
+use crate::monitors::glance::held::Lists;
 use crate::monitors::rule::Rule;
 use crate::monitors::truth::{ROUNDING, Truth};
 use crate::scenario::Scenario;
@@ -119,7 +120,10 @@ impl<const D: usize> Carry<D> {
     }
 
     /// Looks at a tick of a plain team from afar, with the same outcome: false if robots must be looked at, and then nothing was done.
-    pub(crate) fn glance(&mut self, tick: u32, frame: &Frame<D>, glance: &Glance, covered: bool) -> bool {
+    pub(crate) fn glance(&mut self, tick: u32, frame: &Frame<D>, glance: &Glance<'_>, covered: bool) -> bool {
+        if let Some(lists) = &glance.lists {
+            return self.glance_at_lists(tick, frame, (glance, lists), covered);
+        }
         let required = f64::from(self.rule.required(0));
         let kept = glance.normal_level_min - required >= -ROUNDING && glance.degree_min >= required;
         let inside = glance.phi_min >= 0.0;
@@ -134,6 +138,29 @@ impl<const D: usize> Carry<D> {
             false => {}
         }
         self.distances.glance(glance, now.moves, inside, moves);
+        self.remember(now, frame, [moves, settled]);
+        true
+    }
+
+    /// The same of a team that holds links.
+    fn glance_at_lists(
+        &mut self,
+        tick: u32,
+        frame: &Frame<D>,
+        (glance, lists): (&Glance<'_>, &Lists),
+        covered: bool,
+    ) -> bool {
+        let [required, keep] = [self.rule.required(0), self.rule.keep(0)].map(f64::from);
+        let linked = glance.degree_min >= required.max(keep) && glance.malicious_degree_min >= required;
+        let held = lists.sound && lists.counted_min >= keep;
+        let calm = covered && !frame.assumptions.renewed && self.mode.is_calm(frame, glance, lists);
+        let clear = linked && held && calm && self.distances.are_apart(glance, lists);
+        let Some(now) = self.before.take_if(|_| clear) else { return false };
+        let [moves, settled] = self.assume(tick, frame, covered);
+        self.kept.fill(settled);
+        self.distances.glance(glance, now.moves, true, moves);
+        self.held.glance(frame, lists.relisted);
+        self.mode.glance();
         self.remember(now, frame, [moves, settled]);
         true
     }

@@ -14,6 +14,9 @@ use crate::geometry::squared_distance;
 use crate::law::{Law, Verdicts, Violation};
 use crate::monitors::carry::report::{Reports, Untrue};
 use crate::monitors::carry::time::{fraction, longer_ago, since};
+use crate::monitors::glance::Glance;
+use crate::monitors::glance::held::Lists;
+use crate::monitors::rounding::rounding_m2;
 use crate::monitors::rule::Rule;
 use crate::monitors::truth::{ROUNDING, Stranger, Truth, WHOLE_M, room_m};
 use crate::scenario::Scenario;
@@ -144,6 +147,23 @@ impl<const D: usize> ModeWatch<D> {
         }
         if well && !all {
             self.recovery_ticks = self.recovery_ticks.max(since(self.unwell, tick).min(tick));
+        }
+    }
+
+    /// True if a tick need not be looked at robot by robot: no robot of a team that senses exactly lacks anything or is in doubt.
+    pub(crate) fn is_calm(&self, frame: &Frame<D>, glance: &Glance<'_>, lists: &Lists) -> bool {
+        let least_m2 = self.params.kept().distance_min_m * self.params.kept().distance_min_m;
+        let apart = glance.least_m2 >= least_m2 + rounding_m2(glance.span_m, least_m2);
+        let Frame { assumptions, presence, .. } = frame;
+        let wrong = assumptions.broken || assumptions.sensed_wrong.contains(&true);
+        self.exact && !self.free && lists.calm && apart && !wrong && !presence.changed
+    }
+
+    /// Counts a tick that [is calm](Self::is_calm).
+    pub(crate) fn glance(&mut self) {
+        let normal = self.malicious.iter().filter(|malicious| !**malicious).count();
+        for counter in &mut self.counted[..2] {
+            *counter += u64::try_from(normal).unwrap_or(0);
         }
     }
 

@@ -194,7 +194,7 @@ impl<const D: usize> Teams<D> {
         for (told, world) in self.told.iter_mut().zip(&mut self.worlds) {
             *told = world.robots.told();
         }
-        self.worlds.iter_mut().for_each(World::judge);
+        self.worlds.iter_mut().for_each(|world| world.judge(false));
         (0..self.worlds.len()).for_each(|team| self.introduce(team));
         for world in &mut self.worlds {
             world.watch(None);

@@ -4,13 +4,17 @@
 //! [`Glances`] takes them of many worlds side by side. Every function of it has one loop over the lanes, without branches. None is inlined,
 //! so that the compiler knows that no arguments overlap, and vectorises. Least and greatest numbers are those that one world alone has.
 
-use closeranks_core::num::lane::{LANES, Lane};
-use closeranks_core::num::{Vector, dot, larger, subtract};
+pub(crate) mod held;
+
+use closeranks_core::num::lane::{LANES, Lane, at};
+use closeranks_core::num::{dot, larger, subtract};
 use closeranks_core::program::InputBox;
+
+use crate::monitors::glance::held::Lists;
 
 /// The numbers of one world.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Glance {
+pub(crate) struct Glance<'a> {
     /// Least squared distance of two robots, m².
     pub(crate) least_m2: f64,
     /// Greatest coordinate, m.
@@ -27,8 +31,26 @@ pub(crate) struct Glance {
     pub(crate) phi_min: f64,
     /// The sum of the E_k of all robots.
     pub(crate) terms: f64,
-    /// True if every velocity lies in the box.
+    /// True if every velocity lies in the box, and every program had an answer.
     pub(crate) boxed: bool,
+    /// c_i of everybody as they are; none where robots know them themselves.
+    pub(crate) levels: Option<Levels<'a>>,
+    /// More of a team that holds links.
+    pub(crate) lists: Option<Lists>,
+}
+
+/// Levels of one world.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Levels<'a> {
+    all: &'a [Lane],
+    lane: usize,
+}
+
+impl Levels<'_> {
+    /// Robot after robot.
+    pub(crate) fn iter(&self) -> impl Iterator<Item = f64> {
+        self.all.iter().map(|levels| levels[self.lane])
+    }
 }
 
 /// The numbers of many worlds, robot after robot.
@@ -125,7 +147,7 @@ impl<const D: usize> Glances<D> {
     }
 
     /// The numbers of a world; none if its robots must be looked at.
-    pub(crate) fn of(&self, lane: usize) -> Option<Glance> {
+    pub(crate) fn of<'a>(&self, lane: usize) -> Option<Glance<'a>> {
         let usual = self.usual[lane] && self.finite[lane] == 0.0;
         usual.then(|| Glance {
             least_m2: self.least_m2[lane],
@@ -138,6 +160,8 @@ impl<const D: usize> Glances<D> {
             phi_min: self.phi_min[lane],
             terms: self.terms[lane],
             boxed: self.beyond_m_s[lane] <= 0.0,
+            levels: None,
+            lists: None,
         })
     }
 }
@@ -188,8 +212,7 @@ fn exceed(velocities_m_s: &Lane, least_m_s: f64, most_m_s: f64, beyond_m_s: &mut
 
 #[inline]
 fn between_m2<const D: usize>(x: &[Lane; D], y: &[Lane; D], lane: usize) -> f64 {
-    let [x, y]: [Vector<D>; 2] = [x, y].map(|vectors| core::array::from_fn(|d| vectors[d][lane]));
-    let offset_m = subtract(&x, &y);
+    let offset_m = subtract(&at(x, lane), &at(y, lane));
     dot(&offset_m, &offset_m)
 }
 
