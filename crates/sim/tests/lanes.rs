@@ -3,6 +3,7 @@
 
 use core::time::Duration;
 
+use closeranks_core::controller::assume::Assume;
 use closeranks_core::equations::composition::PhiSplit;
 use closeranks_core::obstacle::Obstacle;
 use closeranks_core::settings::{Clock, ComposedSettings, LinkSettings, Team};
@@ -298,8 +299,8 @@ fn held_links_of_starts_of_all_kinds() {
     let line = (0..11).map(|k| vec![0.5 * f64::from(k) - 2.5, 0.0]).collect();
     assert!(same_bits(&Scenario { start: Start::Listed(line), ..links("line") }, 6));
     let mut right = Scenario { desired: Desired::Paper, duration_s: 1.5, ..links("right") };
-    for pass_right in [false, true] {
-        right.links.pass_right = pass_right;
+    for (pass_right, assume) in [(false, Assume::Free), (true, Assume::Obedient)] {
+        (right.links.pass_right, right.links.assume) = (pass_right, assume);
         assert!(same_bits(&right, 6));
     }
 }

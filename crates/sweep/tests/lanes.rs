@@ -17,7 +17,7 @@ use closeranks_sweep::shard::Shard;
 const TEXT: &str = "
 duration_s = 0.2
 [sweep]
-controllers = [\"budget\", \"composed\"]
+controllers = [\"budget\", \"composed\", \"links\"]
 [team]
 robots = { choose = [8, 11], weights = [1, 4] }
 malicious = [1, 2]
@@ -69,7 +69,7 @@ fn files_are_those_of_runs_one_by_one() {
         let scenarios: Vec<&Scenario> =
             drawn.iter().flat_map(|drawing| &drawing.scenarios).map(|(scenario, _)| scenario).collect();
         let side_by_side = together(&scenarios, Options::default()).iter().flatten().count();
-        assert!((6..=16).contains(&side_by_side), "{side_by_side} of 32 runs go side by side");
+        assert!((12..=32).contains(&side_by_side), "{side_by_side} of 48 runs go side by side");
     }
 }
 

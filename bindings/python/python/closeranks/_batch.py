@@ -18,8 +18,8 @@ class Batch:
     """B worlds that differ in their seeds alone, stepped together on all cores while Python waits outside of its lock.
 
     World b has the bits of `World(scenario.replace(seed=seeds[b]))`. Arrays begin with the world: (B, n, D) where those of a `World`
-    are (n, D), and mean the same. They are copies. Six or more worlds of `composed` are computed side by side, sixteen together on a
-    core; others one by one, each on any core.
+    are (n, D), and mean the same. They are copies. Six or more worlds of `composed` or `links` are computed side by side, sixteen together
+    on a core; others one by one, each on any core.
 
     Parameters
     ----------
