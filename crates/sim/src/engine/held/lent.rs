@@ -11,6 +11,7 @@ use closeranks_core::robot::scratch::Scratch;
 
 use crate::attack::liars::Liars;
 use crate::engine::dense::DENSE_MAX;
+use crate::engine::held::lists::Lists;
 use crate::engine::held::piece::Desk;
 use crate::engine::held::{Held, Robots};
 use crate::frame::Frame;
@@ -87,6 +88,39 @@ impl<const D: usize> Held<D> {
             *wish_m_s = input.clip(asked_m_s);
         }
         self.tick = self.tick.saturating_add(1);
+    }
+}
+
+impl<const D: usize> Lists<D> {
+    /// True if nobody keeps its place without being sensed.
+    fn are_all_sensed(&self) -> bool {
+        self.unseen.is_empty()
+    }
+
+    /// Each neighbour of each robot of a team in which everybody counts, with what the robot holds of it, robot after robot.
+    fn lines(&self) -> impl Iterator<Item = ([usize; 2], &Bond, &Deal)> + Clone {
+        let of = |robot: usize| self.range(robot).map(move |place| (robot, place));
+        (0..self.counts.len()).flat_map(of).map(|(robot, place)| {
+            let (other, rows) = (usize::from(self.rows.mates[place].other), &self.rows);
+            ([robot, other], &rows.bonds[place], &rows.deals[place])
+        })
+    }
+
+    /// Replaces what each robot holds of each of its neighbours before the tick of `moment`, and takes where everybody was in the tick before, m.
+    fn replace(
+        &mut self,
+        held: impl Fn([usize; 2]) -> (Bond, Deal),
+        before_m: &[Vector<D>],
+        moment: &Moment,
+    ) {
+        for robot in 0..self.counts.len() {
+            for place in self.range(robot) {
+                let other = usize::from(self.rows.mates[place].other);
+                (self.rows.bonds[place], self.rows.deals[place]) = held([robot, other]);
+            }
+        }
+        self.before_m.copy_from_slice(before_m);
+        self.changed.fill(moment.tick());
     }
 }
 

@@ -21,15 +21,15 @@ const SPARE: usize = 8;
 pub(crate) struct Lists<const D: usize> {
     /// Where the room of each robot begins, and one past the last; and how much of it is in use.
     starts: Vec<u32>,
-    counts: Vec<u16>,
-    rows: Rows,
+    pub(super) counts: Vec<u16>,
+    pub(super) rows: Rows,
     /// Those that are not sensed and keep their place, in the same order. There are hardly ever any.
-    unseen: Vec<Ghost<D>>,
+    pub(super) unseen: Vec<Ghost<D>>,
     unseen_before: Vec<Ghost<D>>,
     /// Where robots were in the tick before, m.
-    before_m: Vec<Vector<D>>,
+    pub(super) before_m: Vec<Vector<D>>,
     /// Of each robot the tick in which it got or lost neighbours last, or it or a neighbour changed its list.
-    changed: Vec<u32>,
+    pub(super) changed: Vec<u32>,
     crowd: Crowd,
     /// Memory for the neighbours of one robot, and for those that it senses.
     fresh: Rows,
@@ -38,11 +38,11 @@ pub(crate) struct Lists<const D: usize> {
 
 /// One line a neighbour.
 #[derive(Clone, Debug)]
-struct Rows {
-    mates: Vec<Mate>,
-    bonds: Vec<Bond>,
+pub(super) struct Rows {
+    pub(super) mates: Vec<Mate>,
+    pub(super) bonds: Vec<Bond>,
     /// Those with neighbours that count for the robot, one after the other. What is left of the room of a robot is of no use.
-    deals: Vec<Deal>,
+    pub(super) deals: Vec<Deal>,
 }
 
 /// Who a neighbour is.
@@ -58,7 +58,7 @@ pub(crate) struct Mate {
 
 /// A neighbour of a robot that the robot does not sense.
 #[derive(Clone, Copy, Debug)]
-struct Ghost<const D: usize> {
+pub(super) struct Ghost<const D: usize> {
     robot: u16,
     other: u16,
     unseen: Unseen<D>,
@@ -263,37 +263,6 @@ impl<const D: usize> Lists<D> {
         let range = self.range(usize::from(robot));
         let line = self.rows.mates[range.clone()].binary_search_by_key(&other, |mate| mate.other).ok()?;
         Some(range.start + line)
-    }
-
-    /// True if nobody keeps its place without being sensed.
-    pub(crate) fn are_all_sensed(&self) -> bool {
-        self.unseen.is_empty()
-    }
-
-    /// Each neighbour of each robot with what the robot holds of it, robot after robot.
-    pub(crate) fn lines(&self) -> impl Iterator<Item = ([usize; 2], &Bond, &Deal)> + Clone {
-        let of = |robot: usize| self.range(robot).map(move |place| (robot, place));
-        (0..self.counts.len()).flat_map(of).map(|(robot, place)| {
-            let (other, rows) = (usize::from(self.rows.mates[place].other), &self.rows);
-            ([robot, other], &rows.bonds[place], &rows.deals[place])
-        })
-    }
-
-    /// Replaces what each robot holds of each of its neighbours before the tick of `moment`, and takes where everybody was in the tick before, m.
-    pub(crate) fn replace(
-        &mut self,
-        held: impl Fn([usize; 2]) -> (Bond, Deal),
-        before_m: &[Vector<D>],
-        moment: &Moment,
-    ) {
-        for robot in 0..self.counts.len() {
-            for place in self.range(robot) {
-                let other = usize::from(self.rows.mates[place].other);
-                (self.rows.bonds[place], self.rows.deals[place]) = held([robot, other]);
-            }
-        }
-        self.before_m.copy_from_slice(before_m);
-        self.changed.fill(moment.tick());
     }
 
     fn unseen_by(&self, robot: usize) -> &[Ghost<D>] {

@@ -103,7 +103,7 @@ impl World {
         let mut held = self.held.iter_mut().zip(&self.offsets_m).zip(&self.voices).zip(2..);
         core::array::from_fn(|_| {
             let ((((bond, deal), offset_m), voice), number) = held.next().unwrap();
-            Line::new((member(number), true), offset_m, (bond, deal), voice, None, moment)
+            Line::new((member(number), true), *offset_m, (bond, deal), voice, None, moment)
         })
     }
 }

@@ -204,7 +204,7 @@ impl<const D: usize> HeldLanes<D> {
             })
             .collect();
         let lines = held.iter_mut().map(|(_, member, offset_m, bond, deal)| {
-            Line::new((*member, true), offset_m, (bond, deal), &Voice::SILENCE, None, moment)
+            Line::new((*member, true), *offset_m, (bond, deal), &Voice::SILENCE, None, moment)
         });
         let counted = whole(turn.counted[lane]);
         controller.part_at_once(member(robot), moment, &mut lines.collect::<Vec<_>>(), counted);
