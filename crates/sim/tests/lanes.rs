@@ -223,9 +223,15 @@ fn what_is_not_computed_in_lanes_is_computed_all_the_same() {
 /// Arrays that are given reach the world they are for, and a bad one is refused before any world is stepped.
 #[test]
 fn what_is_given_reaches_its_world() {
-    let scenario = Scenario { duration_s: 0.2, ..short("given") };
+    for controller in [Controller::Composed, Controller::Links] {
+        what_is_given(&Scenario { duration_s: 0.2, controller, ..short("given") });
+    }
+}
+
+#[track_caller]
+fn what_is_given(scenario: &Scenario) {
     let seeds: Vec<u64> = (0..16).collect();
-    let mut block = Block::new(&scenario, &seeds, OPTIONS).unwrap();
+    let mut block = Block::new(scenario, &seeds, OPTIONS).unwrap();
     assert!(block.is_in_lanes());
     let desired = |seed: u64| vec![0.05 * f64::from(u32::try_from(seed).unwrap()) - 0.4; 22];
     let levels = |seed: u64| vec![f64::from(u32::try_from(seed).unwrap()); 11];
