@@ -4,7 +4,7 @@ mod saved;
 
 use std::path::PathBuf;
 
-use anyhow::{Result, bail};
+use anyhow::{Result, anyhow, bail};
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 use closeranks_report::comparison::comparison;
 use closeranks_report::table::{Line, text};
@@ -143,10 +143,21 @@ impl Todo {
             Some(recorder) => recorder.run(&scenario, &mut |_| (), &mut tape::record(&mut tape)),
             None => tape::run(&scenario, options, &mut |_| (), &mut tape::record(&mut tape)),
         });
-        let run = run?;
+        let run = run.map_err(|error| {
+            can_run(&scenario).map_or(anyhow!("{error}"), |names| anyhow!("{error}; {names}"))
+        })?;
         let recorded = tape.map(Tape::finish).transpose()?;
         Ok(Done { run, source, scenario, wall_s: time.as_secs_f64(), step_us: f64::NAN, recorded })
     }
+}
+
+/// Which controllers can run a scenario that one of them can't; `None` if no other one can either.
+fn can_run(scenario: &Scenario) -> Option<String> {
+    let runs = |controller: &&Controller| {
+        AnyWorld::new(&scenario.clone().under(**controller), Options::default()).is_ok()
+    };
+    let names: Vec<&str> = Controller::ALL.iter().filter(runs).map(|controller| controller.name()).collect();
+    (!names.is_empty()).then(|| format!("`--controllers` can name {}", names.join(", ")))
 }
 
 impl Done {
@@ -175,6 +186,9 @@ fn say(arguments: &crate::Compare, runs: &[Done]) {
                 done.scenario.name,
                 sentences::start(&done.scenario, &done.run.summary)
             ));
+            for note in sentences::notes(&done.scenario, &done.run.summary) {
+                output::say(&format!("\n{note}"));
+            }
         }
     }
 }

@@ -25,6 +25,7 @@ use crate::monitors::carry::rest::RestWatch;
 use crate::monitors::carry::time::{fraction, longer_ago};
 use crate::monitors::glance::Glance;
 use crate::monitors::glance::held::Lists;
+use crate::monitors::rounding::level_rounding;
 use crate::monitors::rule::Rule;
 use crate::monitors::truth::{ROUNDING, Truth};
 use crate::scenario::Scenario;
@@ -233,7 +234,8 @@ impl<const D: usize> Carry<D> {
             let before = before.filter(|_| !bereft[index]);
             let carried = before.filter(|before| before.settled && self.kept[index]);
             let at = |seen, demanded| Violation { tick, robots: [robot, 0], seen, demanded };
-            if h < -ROUNDING {
+            let rounding = level_rounding(truth.neighbors[index]);
+            if h < -rounding {
                 verdicts.broke(Law::Spare, at(h, 0.0), carried.is_some());
             }
             if truth.degrees[index] < required {
@@ -246,7 +248,7 @@ impl<const D: usize> Carry<D> {
             }
             if let Some(before) = before.filter(|_| budget && !self.lists()) {
                 let floor = self.left(before.truth.h[index]);
-                if floor >= 0.0 && h < floor - ROUNDING {
+                if floor >= 0.0 && h < floor - rounding {
                     verdicts.broke(Law::Decay, at(h, floor), carried.is_some());
                 }
             }

@@ -16,6 +16,7 @@ use crate::monitors::carry::report::{Reports, Untrue};
 use crate::monitors::carry::time::{fraction, longer_ago, since};
 use crate::monitors::glance::Glance;
 use crate::monitors::glance::held::Lists;
+use crate::monitors::rounding::level_rounding;
 use crate::monitors::rounding::rounding_m2;
 use crate::monitors::rule::Rule;
 use crate::monitors::truth::{ROUNDING, Stranger, Truth, WHOLE_M, room_m};
@@ -211,7 +212,8 @@ impl<const D: usize> ModeWatch<D> {
     /// robot too close.
     fn untrue(&self, robot: usize, truth: &Truth, crowded: &[bool]) -> bool {
         let degree_low = self.exact && truth.degrees[robot] < self.rule.required(robot);
-        degree_low || truth.h[robot] < -ROUNDING - self.blur || crowded.get(robot) == Some(&true)
+        let h_low = truth.h[robot] < -level_rounding(truth.neighbors[robot]) - self.blur;
+        degree_low || h_low || crowded.get(robot) == Some(&true)
     }
 
     /// For each robot whether another one is certainly too close to it; `anybody` counts disobedient ones too. Empty if nobody

@@ -6,7 +6,8 @@ use closeranks_core::settings::params::Params;
 use crate::faults::{Clocks, Outages};
 use crate::frame::Frame;
 use crate::geometry::squared_distance;
-use crate::monitors::truth::{ROUNDING, Truth};
+use crate::monitors::rounding::level_rounding;
+use crate::monitors::truth::Truth;
 use crate::plant::Plant;
 use crate::scenario::Scenario;
 
@@ -64,7 +65,7 @@ impl Reports {
             return Some(Untrue { seen: f64::from(degree), demanded: f64::from(neighbors) });
         }
         let (h, own) = (frame.h[index], truth.h_own[index]);
-        let differs = (h - own).abs() > ROUNDING || h.is_nan();
+        let differs = (h - own).abs() > level_rounding(neighbors) || h.is_nan();
         if exact && !self.lists && differs {
             return Some(Untrue { seen: h, demanded: own });
         }

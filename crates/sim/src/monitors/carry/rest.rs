@@ -11,6 +11,7 @@ use closeranks_core::settings::params::Params;
 use crate::frame::Frame;
 use crate::law::{Law, Verdicts, Violation};
 use crate::monitors::carry::clear::Clear;
+use crate::monitors::rounding::level_rounding;
 use crate::monitors::rule::Rule;
 use crate::monitors::truth::{ROUNDING, Truth};
 use crate::scenario::Scenario;
@@ -94,7 +95,7 @@ impl<const D: usize> RestWatch<D> {
     /// What mending its own h and its own distances takes at most, m.
     fn demand_m(&self, robot: usize, frame: &Frame<D>, truth: &Truth) -> f64 {
         let most_m = self.params.reach().longest_m();
-        let missing = ROUNDING + self.blur - truth.h_own[robot];
+        let missing = level_rounding(truth.neighbors[robot]) + self.blur - truth.h_own[robot];
         let mut demand_m = match self.gradient(robot, frame) {
             _ if missing <= 0.0 => 0.0,
             _ if self.blur > 0.0 => most_m,
