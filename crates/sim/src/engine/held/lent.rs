@@ -99,10 +99,13 @@ impl<const D: usize> Lists<D> {
 
     /// Each neighbour of each robot of a team in which everybody counts, with what the robot holds of it, robot after robot.
     fn lines(&self) -> impl Iterator<Item = ([usize; 2], &Bond, &Deal)> + Clone {
-        let of = |robot: usize| self.range(robot).map(move |place| (robot, place));
-        (0..self.counts.len()).flat_map(of).map(|(robot, place)| {
+        let of = |robot: usize| {
+            let places = self.range(robot).zip(self.deal_room(robot));
+            places.map(move |(place, deal_place)| (robot, place, deal_place))
+        };
+        (0..self.counts.len()).flat_map(of).map(|(robot, place, deal_place)| {
             let (other, rows) = (usize::from(self.rows.mates[place].other), &self.rows);
-            ([robot, other], &rows.bonds[place], &rows.deals[place])
+            ([robot, other], &rows.bonds[place], &rows.deals[deal_place])
         })
     }
 
@@ -114,9 +117,9 @@ impl<const D: usize> Lists<D> {
         moment: &Moment,
     ) {
         for robot in 0..self.counts.len() {
-            for place in self.range(robot) {
+            for (place, deal_place) in self.range(robot).zip(self.deal_room(robot)) {
                 let other = usize::from(self.rows.mates[place].other);
-                (self.rows.bonds[place], self.rows.deals[place]) = held([robot, other]);
+                (self.rows.bonds[place], self.rows.deals[deal_place]) = held([robot, other]);
             }
         }
         self.before_m.copy_from_slice(before_m);

@@ -22,6 +22,10 @@ pub(crate) struct Lists<const D: usize> {
     /// Where the room of each robot begins, and one past the last; and how much of it is in use.
     starts: Vec<u32>,
     pub(super) counts: Vec<u16>,
+    /// The same of what was agreed on with those that count for it, and how many they are in all.
+    deal_starts: Vec<u32>,
+    deal_counts: Vec<u16>,
+    dealt: usize,
     pub(super) rows: Rows,
     /// Those that are not sensed and keep their place, in the same order. There are hardly ever any.
     pub(super) unseen: Vec<Ghost<D>>,
@@ -41,7 +45,7 @@ pub(crate) struct Lists<const D: usize> {
 pub(super) struct Rows {
     pub(super) mates: Vec<Mate>,
     pub(super) bonds: Vec<Bond>,
-    /// Those with neighbours that count for the robot, one after the other. What is left of the room of a robot is of no use.
+    /// Those with neighbours that count for the robot, in the same order.
     pub(super) deals: Vec<Deal>,
 }
 
@@ -85,6 +89,9 @@ impl<const D: usize> Lists<D> {
         Self {
             starts: vec![0; robots + 1],
             counts: vec![0; robots],
+            deal_starts: vec![0; robots + 1],
+            deal_counts: vec![0; robots],
+            dealt: 0,
             rows: Rows::new(),
             unseen: Vec::new(),
             unseen_before: Vec::new(),
@@ -116,9 +123,13 @@ impl<const D: usize> Lists<D> {
         self.put(robot, rule);
     }
 
-    /// Ends a look around.
-    pub(crate) fn looked(&mut self, positions_m: &[Vector<D>]) {
+    /// Ends a look around. Where deals take far more room than they need, as when it was not known yet who counts for whom, they get less: they are read
+    /// in every tick.
+    pub(crate) fn looked(&mut self, positions_m: &[Vector<D>], rule: &Rule<'_, D>) {
         self.before_m.copy_from_slice(positions_m);
+        if self.rows.deals.len() > 2 * (self.dealt + SPARE * self.counts.len()) {
+            self.make_room(rule, |lists, robot| usize::from(lists.counts[robot]));
+        }
     }
 
     /// How many robots are near this one.
@@ -134,7 +145,7 @@ impl<const D: usize> Lists<D> {
         self.crowd.around(robot, positions_m, &mut self.near);
         let mut near = self.near.iter().copied().peekable();
         let range = self.range(robot);
-        let mut deals = self.rows.deals[range.clone()].iter();
+        let mut deals = self.rows.deals[self.deal_room(robot)].iter();
         for (mate, bond) in self.rows.mates[range.clone()].iter().zip(&self.rows.bonds[range]) {
             let deal = mate.counts.then(|| deals.next()).flatten().copied().unwrap_or_default();
             let (mate, bond, other) = (*mate, *bond, mate.other);
@@ -158,29 +169,34 @@ impl<const D: usize> Lists<D> {
 
     /// Puts those that were collected where the neighbours of one robot are.
     fn put(&mut self, robot: usize, rule: &Rule<'_, D>) {
-        let count = self.fresh.mates.len();
-        if count > self.room(robot).len() {
+        let (count, dealt) = (self.fresh.mates.len(), self.fresh.deals.len());
+        if count > self.room(robot).len() || dealt > self.deal_room(robot).len() {
             self.make_room(
                 rule,
                 |lists, other| if other == robot { count } else { usize::from(lists.counts[other]) },
             );
         }
-        self.rows.put(self.starts[robot] as usize, &self.fresh);
+        self.rows.put([self.starts[robot], self.deal_starts[robot]].map(|start| start as usize), &self.fresh);
         self.counts[robot] = small(count);
+        self.dealt = self.dealt + dealt - usize::from(self.deal_counts[robot]);
+        self.deal_counts[robot] = small(dealt);
         self.changed[robot] = rule.moment.tick();
     }
 
-    /// Gives each robot room for at least as many neighbours as `needed`, and for some more.
+    /// Gives each robot room for at least as many neighbours as `needed`, and for some more. All newcomers may count for it.
     fn make_room(&mut self, rule: &Rule<'_, D>, needed: impl Fn(&Self, usize) -> usize) {
-        let (mut rows, mut starts) = (Rows::new(), vec![0]);
+        let (mut rows, mut starts, mut deal_starts) = (Rows::new(), vec![0], vec![0]);
         for robot in 0..self.counts.len() {
-            let start = rows.mates.len();
-            let room = needed(self, robot).max(usize::from(self.counts[robot])) + SPARE;
-            rows.resize(start + room, &rule.moment);
-            rows.copy(start, &self.rows, self.range(robot));
+            let [start, deal_start] = [rows.mates.len(), rows.deals.len()];
+            let [known, dealt] = [self.counts[robot], self.deal_counts[robot]].map(usize::from);
+            let new = needed(self, robot).saturating_sub(known);
+            rows.resize([start + known + new + SPARE, deal_start + dealt + new + SPARE / 2], &rule.moment);
+            let deals = self.deal_starts[robot] as usize..self.deal_starts[robot] as usize + dealt;
+            rows.copy([start, deal_start], &self.rows, [self.range(robot), deals]);
             starts.push(u32::try_from(rows.mates.len()).unwrap_or(u32::MAX));
+            deal_starts.push(u32::try_from(rows.deals.len()).unwrap_or(u32::MAX));
         }
-        (self.rows, self.starts) = (rows, starts);
+        (self.rows, self.starts, self.deal_starts) = (rows, starts, deal_starts);
     }
 
     /// The neighbours of one robot.
@@ -212,6 +228,12 @@ impl<const D: usize> Lists<D> {
     #[inline]
     pub(crate) fn room(&self, robot: usize) -> Range<usize> {
         self.starts[robot] as usize..self.starts[robot + 1] as usize
+    }
+
+    /// Where there is room for what a robot has agreed on with those that count for it.
+    #[inline]
+    pub(crate) fn deal_room(&self, robot: usize) -> Range<usize> {
+        self.deal_starts[robot] as usize..self.deal_starts[robot + 1] as usize
     }
 
     /// Notes that a robot lists or holds others since this tick.
@@ -294,24 +316,24 @@ impl Rows {
         }
     }
 
-    fn resize(&mut self, lines: usize, moment: &Moment) {
+    /// Makes room for so many neighbours and deals.
+    fn resize(&mut self, [lines, deals]: [usize; 2], moment: &Moment) {
         self.mates.resize(lines, Mate::default());
         self.bonds.resize(lines, Bond::new(moment));
-        self.deals.resize(lines, Deal::default());
+        self.deals.resize(deals, Deal::default());
     }
 
-    fn copy(&mut self, start: usize, from: &Self, range: Range<usize>) {
-        let to = start..start + range.len();
-        self.mates[to.clone()].copy_from_slice(&from.mates[range.clone()]);
-        self.bonds[to.clone()].copy_from_slice(&from.bonds[range.clone()]);
-        self.deals[to].copy_from_slice(&from.deals[range]);
+    /// Copies neighbours and deals to where they begin.
+    fn copy(&mut self, [start, deal_start]: [usize; 2], from: &Self, [lines, deals]: [Range<usize>; 2]) {
+        let to = start..start + lines.len();
+        self.mates[to.clone()].copy_from_slice(&from.mates[lines.clone()]);
+        self.bonds[to].copy_from_slice(&from.bonds[lines]);
+        self.deals[deal_start..deal_start + deals.len()].copy_from_slice(&from.deals[deals]);
     }
 
-    /// Puts all of `from`, which has no deals to spare, where the room of a robot begins.
-    fn put(&mut self, start: usize, from: &Self) {
-        self.mates[start..start + from.mates.len()].copy_from_slice(&from.mates);
-        self.bonds[start..start + from.bonds.len()].copy_from_slice(&from.bonds);
-        self.deals[start..start + from.deals.len()].copy_from_slice(&from.deals);
+    /// Puts all of `from` where the neighbours and the deals of a robot begin.
+    fn put(&mut self, starts: [usize; 2], from: &Self) {
+        self.copy(starts, from, [0..from.mates.len(), 0..from.deals.len()]);
     }
 }
 

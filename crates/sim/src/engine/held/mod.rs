@@ -128,7 +128,7 @@ impl<const D: usize> Held<D> {
         let Robots { controller, roster, lists, moment, .. } = &mut self.team;
         let rule = Rule { controller, horizon, roster, moment: *moment };
         outdated.for_each(|(robot, _)| lists.update(robot, positions_m, &rule));
-        lists.looked(positions_m);
+        lists.looked(positions_m, &rule);
         if self.agreed.iter().any(|agreed| agreed.outdated) {
             self.agree(Scene { updated: true, ..scene }, workers);
         }
@@ -164,9 +164,11 @@ impl<const D: usize> Held<D> {
         let now = &*team;
         for (piece, (agreed, desk)) in agreed.chunks_mut(each).zip(&mut *desks).enumerate() {
             let first = piece * each;
-            let (begin, end) = (now.lists.room(first).start, now.lists.room(first + agreed.len() - 1).end);
-            let bonds = rest.0.split_off_mut(..end - begin).unwrap_or_default();
-            let deals = rest.1.split_off_mut(..end - begin).unwrap_or_default();
+            let last = first + agreed.len() - 1;
+            let lines = now.lists.room(last).end - now.lists.room(first).start;
+            let deals = now.lists.deal_room(last).end - now.lists.deal_room(first).start;
+            let bonds = rest.0.split_off_mut(..lines).unwrap_or_default();
+            let deals = rest.1.split_off_mut(..deals).unwrap_or_default();
             pieces.push(Box::new(move || now.agree_from(first, agreed, (bonds, deals), desk, scene)));
         }
         workers.run(pieces);

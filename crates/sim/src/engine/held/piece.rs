@@ -87,8 +87,8 @@ impl<const D: usize> Robots<D> {
     ) {
         let mut lines = Vec::new();
         for (robot, agreed) in (first..).zip(agreed) {
-            let room = self.lists.room(robot).len();
-            let held = (bonds.split_off_mut(..room), deals.split_off_mut(..room));
+            let [room, deal_room] = [self.lists.room(robot).len(), self.lists.deal_room(robot).len()];
+            let held = (bonds.split_off_mut(..room), deals.split_off_mut(..deal_room));
             let (Some(bonds), Some(deals)) = held else { return };
             if agreed.outdated != scene.updated {
                 continue;
