@@ -117,7 +117,7 @@ impl Network {
         Self::new(self.node_count(), true, &turned)
     }
 
-    /// The same as a graph for exact search, if it is small enough.
+    /// Makes it a graph for exact search, if it is small enough.
     pub fn graph(&self) -> Result<Graph, GraphError> {
         let mut graph = Graph::empty(self.node_count(), self.directed)?;
         for (from, to) in self.edges() {

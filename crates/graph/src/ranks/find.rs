@@ -62,7 +62,7 @@ pub fn part(network: &Network, f: usize) -> Option<Found> {
     parts(network, f, 1).pop()
 }
 
-/// The same for F from `least` on, as long as there is a part, at most `count` of them.
+/// Finds such parts for F from `least` on, as long as there is one, and at most `count` of them.
 #[must_use]
 pub fn parts(network: &Network, least: usize, count: usize) -> Vec<Found> {
     let mut search = Search::new(network);

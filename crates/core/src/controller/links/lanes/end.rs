@@ -106,7 +106,7 @@ impl EndInLanes {
         (bond, deal)
     }
 
-    /// The same in the midst of a tick, after a `look` at the neighbour.
+    /// Gives what [`of`](Self::of) gives in the midst of a tick, after a `look` at the neighbour.
     #[must_use]
     pub fn line(
         &self,

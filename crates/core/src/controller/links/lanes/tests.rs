@@ -119,7 +119,7 @@ fn controller() -> LinksController<2> {
     Params::new(settings).unwrap().controller().lists().unwrap()
 }
 
-/// The same of all worlds, side by side; gives prices.
+/// Lets the robot of every world agree, all side by side, and gives their prices.
 fn agree(controller: &LinksController<2>, moment: Moment, worlds: &mut [World; LANES]) -> Lane {
     let (time, keep) = (MomentInLanes::new(moment).unwrap(), controller.links.keep(member(1)));
     let vectors = |of: &dyn Fn(&World) -> Vector<2>| -> [Lane; 2] {
