@@ -154,6 +154,36 @@ test("the sandbox: ranks and another rule of consensus are chosen, shown and sai
     assert.match(await page.$eval("#act-4 .digest", (digest) => digest.textContent), /^[0-9a-f]{16} after/);
   }));
 
+test("where time stands still labels are right in the next frame, however fast touches follow each other", () =>
+  on({}, async (page) => {
+    await see(page, "#act-4");
+    const labels = await page.$eval("#act-4 .robot", async (first) => {
+      const frame = () => new Promise(requestAnimationFrame);
+      const said = [];
+      first.focus();
+      for (let presses = 0; presses < 4; presses += 1) {
+        first.dispatchEvent(new KeyboardEvent("keydown", { key: "l", bubbles: true }));
+        await frame();
+        await frame();
+        said.push(first.getAttribute("aria-label").match(/liar|honest/)[0]);
+      }
+      return said;
+    });
+    assert.deepEqual(labels, ["honest", "liar", "honest", "liar"], "the first robot lies at the start");
+  }));
+
+test("what is to be read aloud is read, if later: the banner that stands at the end", () =>
+  on({}, async (page) => {
+    await see(page, "#act-4");
+    await page.$eval("#act-4 .robot", (first) => first.focus());
+    for (let presses = 0; presses < 2; presses += 1) {
+      await page.keyboard.press("l");
+      await page.keyboard.press("PageDown");
+    }
+    const last = await page.$eval("#act-4 .banner-main", (banner) => banner.textContent);
+    await page.waitForFunction((last) => document.querySelector("#act-4 .unseen").textContent === last, { polling: 100 }, last);
+  }));
+
 test("a link restores the state, to the bit", () =>
   on({}, async (page) => {
     await see(page, "#act-4");

@@ -140,18 +140,26 @@ export class Board<Seen extends Scene = Scene> {
     if (why.join("\n") !== [...this.why.children].map((line) => line.textContent).join("\n")) {
       this.why.replaceChildren(...why.map((line) => h("li", {}, line)));
     }
-    // A number that falls all the time is not worth a sentence each time.
-    const spoken = said.main.replace(/[\d.]+ apart/, "apart");
-    if (spoken !== this.spoken && now_ms - this.spoke > ALOUD_MS && stage.store.state.touches > 0) {
-      this.spoke = now_ms;
-      this.spoken = spoken;
-      say(this.aloud, said.main);
-    }
+    this.speak(said.main, now_ms);
     this.time.max = String(moments.length - 1);
     this.time.value = String(cursor);
     const time = stage.moment.time_s.toFixed(stage.moment.facts.tick_s < 0.01 ? 2 : 1);
     this.time.setAttribute("aria-valuetext", `${time} seconds`);
     say(this.clock, `${time} s`);
+  }
+
+  /** Reads the banner aloud, if it says something else than the last time; where that is too early, a later frame does. */
+  private speak(main: string, now_ms: number): void {
+    // A number that falls all the time is not worth a sentence each time.
+    const spoken = main.replace(/[\d.]+ apart/, "apart");
+    if (spoken === this.spoken || this.stage.store.state.touches === 0) return;
+    if (now_ms - this.spoke <= ALOUD_MS) {
+      this.stale = true;
+      return;
+    }
+    this.spoke = now_ms;
+    this.spoken = spoken;
+    say(this.aloud, main);
   }
 }
 

@@ -16,6 +16,8 @@ const DRAWN_M = 0.5;
 
 /** How often buttons follow their robots while time goes on, ms. */
 const PLACE_MS = 80;
+/** How often labels follow while time goes on, ms. */
+const LABEL_MS = 400;
 
 const ARROWS: Record<string, [number, number]> = {
   ArrowLeft: [-1, 0],
@@ -60,7 +62,8 @@ export class Hands {
     const { moment, store } = this.scene;
     while (this.buttons.length < moment.robots) this.add(this.buttons.length + 1);
     while (this.buttons.length > moment.robots) this.buttons.pop()?.remove();
-    const labels = now_ms - this.labelled > 400;
+    // Nothing draws a picture again that stands still, so its labels are right at once.
+    const labels = !store.state.playing || now_ms - this.labelled > LABEL_MS;
     if (labels) this.labelled = now_ms;
     // While time goes on buttons follow a little later: nobody sees them, and a layout in every frame costs.
     const places = !store.state.playing || this.isHeld || now_ms - this.placed > PLACE_MS;
