@@ -11,7 +11,7 @@
 //!
 //! and 0 otherwise. [`Hold`], the rule who releases whom and the rows are those of a robot on its own, so both come to the same bits.
 
-pub use crate::controller::links::deal::Deal;
+pub use crate::controller::links::deal::{Deal, Look};
 use crate::controller::links::partner::HEARD;
 use crate::controller::links::peer::Told;
 use crate::controller::links::protocol::{Entry, Hold, Number, Word};
@@ -192,7 +192,7 @@ impl Bond {
         let head = Head { number, value: None, price_m: told.price_m, wish_m_s: told.wish_m_s };
         let then = moment.before().filter(|_| self.born < moment.tick);
         peer.told = then.map(|then| Told { head, promised, at: then.now() });
-        peer.deal = *deal;
+        (peer.promised, peer.deal) = (self.promised, *deal);
     }
 }
 

@@ -4,7 +4,7 @@
 use core::time::Duration;
 
 use crate::controller::links::Links;
-use crate::controller::links::bond::{Bond, Deal, Moment, NEVER, Unseen, Voice};
+use crate::controller::links::bond::{Bond, Deal, Look, Moment, NEVER, Unseen, Voice};
 use crate::controller::links::control::LinksController;
 use crate::controller::links::partner::{Offer, Partner};
 use crate::controller::links::peer::Ledger;
@@ -25,6 +25,7 @@ pub struct Line<'a, const D: usize> {
     voice: &'a Voice<D>,
     bond: &'a mut Bond,
     deal: &'a mut Deal,
+    look: Look,
     tick: u32,
     /// True if what it says was told in the tick before, and that is no longer ago than counts.
     told: bool,
@@ -61,6 +62,7 @@ impl<'a, const D: usize> Line<'a, D> {
             voice,
             bond,
             deal,
+            look: Look::default(),
             tick,
             told,
             acknowledges,
@@ -69,6 +71,12 @@ impl<'a, const D: usize> Line<'a, D> {
             before,
             unseen,
         }
+    }
+
+    /// This neighbour once a robot has looked at it.
+    #[must_use]
+    pub fn looked_at(self, look: Look) -> Self {
+        Self { look, ..self }
     }
 
     /// True if it is listed or held, and was not in the tick before, or the other way round.
@@ -165,6 +173,16 @@ impl<const D: usize> Partner<D> for Line<'_, D> {
     }
 
     #[inline]
+    fn is_promised(&self) -> bool {
+        self.bond.promised
+    }
+
+    #[inline]
+    fn promise(&mut self, promised: bool) {
+        self.bond.promised = promised;
+    }
+
+    #[inline]
     fn deal(&self) -> &Deal {
         self.deal
     }
@@ -172,6 +190,16 @@ impl<const D: usize> Partner<D> for Line<'_, D> {
     #[inline]
     fn deal_mut(&mut self) -> &mut Deal {
         self.deal
+    }
+
+    #[inline]
+    fn look(&self) -> &Look {
+        &self.look
+    }
+
+    #[inline]
+    fn look_mut(&mut self) -> &mut Look {
+        &mut self.look
     }
 }
 
@@ -208,7 +236,6 @@ impl<const D: usize> LinksController<D> {
         self.links.agree(own, &mut ledger, lines, moment.now(), values);
         let mut changed = false;
         for line in lines {
-            line.bond.promised = line.deal.promised;
             changed |= line.has_changed();
             if line.bond.said() != line.before.said() {
                 tell(line.member.id);

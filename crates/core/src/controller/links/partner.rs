@@ -5,7 +5,7 @@ use core::time::Duration;
 
 use crate::controller::links::Links;
 use crate::controller::links::cut::Room;
-use crate::controller::links::deal::Deal;
+use crate::controller::links::deal::{Deal, Look};
 use crate::controller::links::peer::Told;
 use crate::controller::links::protocol::Number;
 use crate::id::Member;
@@ -70,10 +70,18 @@ pub(crate) trait Partner<const D: usize> {
     fn is_held(&self) -> bool;
     /// Notes whether it is.
     fn hold(&mut self, held: bool);
+    /// True if it is promised a release.
+    fn is_promised(&self) -> bool;
+    /// Promises it one, or none.
+    fn promise(&mut self, promised: bool);
     /// What was agreed on with it.
     fn deal(&self) -> &Deal;
     /// Gives what was agreed on with it, to be changed.
     fn deal_mut(&mut self) -> &mut Deal;
+    /// What came of the look at it in this tick.
+    fn look(&self) -> &Look;
+    /// Gives what came of the look at it, to be changed.
+    fn look_mut(&mut self) -> &mut Look;
 
     /// True if it is counted on and within the held radius.
     fn is_counted(&self) -> bool {
@@ -147,11 +155,27 @@ impl<const D: usize> Partner<D> for Slot<D> {
         self.peer.held = held;
     }
 
+    fn is_promised(&self) -> bool {
+        self.peer.promised
+    }
+
+    fn promise(&mut self, promised: bool) {
+        self.peer.promised = promised;
+    }
+
     fn deal(&self) -> &Deal {
         &self.peer.deal
     }
 
     fn deal_mut(&mut self) -> &mut Deal {
         &mut self.peer.deal
+    }
+
+    fn look(&self) -> &Look {
+        &self.peer.look
+    }
+
+    fn look_mut(&mut self) -> &mut Look {
+        &mut self.peer.look
     }
 }

@@ -2,7 +2,7 @@
 
 use core::time::Duration;
 
-use crate::controller::links::deal::Deal;
+use crate::controller::links::deal::{Deal, Look};
 use crate::controller::links::protocol::{Hold, Number, Numbers};
 use crate::controller::links::wire::{Head, Item, Notice};
 use crate::id::RobotId;
@@ -11,6 +11,7 @@ use crate::time::Instant;
 
 /// What a robot holds of one neighbour.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[expect(clippy::struct_excessive_bools, reason = "four facts, each with its own life")]
 pub struct Peer<const D: usize> {
     /// Who lists whom, and what was acknowledged.
     pub(crate) hold: Hold,
@@ -24,8 +25,11 @@ pub struct Peer<const D: usize> {
     pub(crate) inside: bool,
     /// What the newest message says to all, and whether it promises a release.
     pub(crate) told: Option<Told<D>>,
-    /// Who is to be released.
+    /// True if the robot promises it a release.
+    pub(crate) promised: bool,
+    /// What was agreed on with it, and what came of the look at it in this tick.
     pub(crate) deal: Deal,
+    pub(crate) look: Look,
 }
 
 /// What the newest message of a neighbour says besides lists.
@@ -48,7 +52,9 @@ impl<const D: usize> Peer<D> {
             vanished: false,
             inside: false,
             told: None,
+            promised: false,
             deal: Deal::default(),
+            look: Look::default(),
         }
     }
 
@@ -74,7 +80,7 @@ impl<const D: usize> Peer<D> {
 
     /// What is told of the neighbour `id`.
     pub(crate) fn item(&self, id: RobotId) -> Item {
-        Item { id, entry: self.hold.entry(), promised: self.deal.promised }
+        Item { id, entry: self.hold.entry(), promised: self.promised }
     }
 }
 

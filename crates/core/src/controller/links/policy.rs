@@ -19,7 +19,7 @@
 //! its row is active anyway, and is barred for a time that doubles.
 
 use crate::controller::links::Links;
-use crate::controller::links::deal::Deal;
+use crate::controller::links::deal::{Deal, Look};
 use crate::controller::links::partner::Partner;
 use crate::controller::links::peer::Ledger;
 use crate::controller::links::protocol::Number;
@@ -34,7 +34,7 @@ const NEAR: f64 = 0.85;
 const TIGHT: f64 = 0.05;
 const WIDE: f64 = 0.15;
 /// So many ticks a neighbour has time to follow a release.
-const PATIENCE_TICKS: u32 = 10;
+const PATIENCE_TICKS: u16 = 10;
 /// No more time than this passes between two looks, s.
 pub(super) const STEP_MAX_S: f64 = 1.0;
 
@@ -64,7 +64,8 @@ impl Links {
         for partner in &mut *partners {
             let distance_m = self.settle(partner, now);
             let may_be_counted = self.look(own, partner, distance_m, &ledger.wish_m_s, now);
-            partner.deal_mut().pass(elapsed_s, forgotten);
+            let look = *partner.look();
+            partner.deal_mut().pass(elapsed_s, forgotten, &look);
             counted += usize::from(partner.is_counted());
             in_range += usize::from(may_be_counted);
         }
@@ -125,7 +126,9 @@ impl Links {
         };
         let is_tight = partner.room().least_m < TIGHT * self.radius_m;
         let stretched = self.is_stretched(distance_m) || is_tight;
-        partner.deal_mut().weigh(length(&ends_m), stretched, promised, price_m, sensed && counts);
+        let (engaged, open) = (partner.is_promised() && promised, partner.deal().is_open(stretched));
+        *partner.look_mut() =
+            Look::new(length(&ends_m), [stretched, engaged], price_m, sensed && counts && open);
         may_be_counted
     }
 
@@ -205,9 +208,9 @@ impl Links {
 /// Promises the `left` slots to the eligible with the largest V; of equals, to those of the lowest numbers. Gives what a promise costs then, m.
 fn promise<const D: usize, P: Partner<D>>(partners: &mut [P], left: usize, values: &mut [f64]) -> f64 {
     let mut count = 0;
-    for deal in partners.iter().map(Partner::deal).filter(|deal| deal.eligible) {
+    for look in partners.iter().map(Partner::look).filter(|look| look.eligible) {
         if let Some(value) = values.get_mut(count) {
-            *value = deal.key_m();
+            *value = look.key_m();
             count += 1;
         }
     }
@@ -216,15 +219,17 @@ fn promise<const D: usize, P: Partner<D>>(partners: &mut [P], left: usize, value
     let above = keys.iter().filter(|key| **key > least).count();
     let mut equal = left.saturating_sub(above);
     let (mut engaged, mut least_m) = (0, f64::INFINITY);
-    for deal in partners.iter_mut().map(Partner::deal_mut) {
-        let key_m = deal.key_m();
-        let last = deal.eligible && key_m == least && equal > 0;
+    for partner in partners {
+        let look = partner.look_mut();
+        let key_m = look.key_m();
+        let last = look.eligible && key_m == least && equal > 0;
         equal -= usize::from(last);
-        deal.promised = deal.eligible && (key_m > least || last);
-        deal.engaged &= deal.promised;
-        if deal.engaged {
-            (engaged, least_m) = (engaged + 1, least_m.min(deal.gain_m));
+        let promised = look.eligible && (key_m > least || last);
+        look.engaged &= promised;
+        if look.engaged {
+            (engaged, least_m) = (engaged + 1, least_m.min(look.gain_m));
         }
+        partner.promise(promised);
     }
     match left {
         0 => f64::INFINITY,
@@ -257,16 +262,16 @@ fn largest(keys: &mut [f64], but: usize) -> f64 {
 fn release<const D: usize, P: Partner<D>>(partners: &mut [P], mut counted: usize, keep: usize) {
     loop {
         let loose = |partner: &P| {
-            if !partner.deal().stretched || !partner.is_listed() {
+            if !partner.look().stretched || !partner.is_listed() {
                 return false;
             }
-            let (is_counted, engaged) = (partner.is_counted(), partner.deal().engaged);
+            let (is_counted, engaged) = (partner.is_counted(), partner.look().engaged);
             let let_go = partner.is_released() && (engaged || !is_counted);
             (engaged || let_go) && counted >= keep + usize::from(is_counted)
         };
         let mut farthest: Option<&mut P> = None;
         for partner in partners.iter_mut().filter(|partner| loose(partner)) {
-            if farthest.as_ref().is_none_or(|most| partner.deal().gain_m > most.deal().gain_m) {
+            if farthest.as_ref().is_none_or(|most| partner.look().gain_m > most.look().gain_m) {
                 farthest = Some(partner);
             }
         }

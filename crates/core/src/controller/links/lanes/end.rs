@@ -1,7 +1,7 @@
 //! What a robot holds of a neighbour in every lane, and how it comes from a [`Bond`] with a [`Deal`] and becomes one.
 
 use crate::controller::links::bond::{Bond, NEVER, Said};
-use crate::controller::links::deal::Deal;
+use crate::controller::links::deal::{Deal, Look};
 use crate::controller::links::lanes::{LookInLanes, MomentInLanes, VoiceInLanes};
 use crate::num::lane::{LANES, Lane, fact, is_so};
 
@@ -82,7 +82,7 @@ impl EndInLanes {
         self.held[lane] = fact(bond.held);
         self.released[lane] = fact(deal.released);
         self.waiting_ticks[lane] = f64::from(deal.waiting_ticks);
-        self.bar_s[lane] = deal.bar_s;
+        self.bar_s[lane] = f64::from(deal.bar_s);
         self.pass(lane, deal);
     }
 
@@ -98,9 +98,9 @@ impl EndInLanes {
             their: hears.of(lane),
         };
         let deal = Deal {
-            promised,
             released: is_so(self.released[lane]),
-            waiting_ticks: whole(self.waiting_ticks[lane]),
+            waiting_ticks: few(self.waiting_ticks[lane]),
+            bar_s: short_s(self.bar_s[lane]),
             ..self.times(lane)
         };
         (bond, deal)
@@ -114,10 +114,9 @@ impl EndInLanes {
         born: f64,
         [says, hears]: [&SaidInLanes; 2],
         look: &LookInLanes,
-    ) -> (Bond, Deal) {
+    ) -> (Bond, Deal, Look) {
         let (bond, deal) = self.of(lane, born, [says, hears]);
-        let (engaged, stretched) = (is_so(look.engaged[lane]), is_so(look.stretched[lane]));
-        (bond, Deal { gain_m: look.gains_m[lane], engaged, stretched, ..deal })
+        (bond, deal, look.of(lane))
     }
 
     /// The times of a deal in a lane.
@@ -127,7 +126,6 @@ impl EndInLanes {
             unused_s: self.unused_s[lane],
             lapsed_s: self.lapsed_s[lane],
             barred_s: self.barred_s[lane],
-            bar_s: self.bar_s[lane],
             ..Deal::default()
         }
     }
@@ -178,4 +176,18 @@ fn whole(ticks: f64) -> u32 {
     #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "it was one before")]
     let ticks = ticks as u32;
     ticks
+}
+
+/// How many ticks a neighbour waited.
+fn few(ticks: f64) -> u16 {
+    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "it was one before")]
+    let ticks = ticks as u16;
+    ticks
+}
+
+/// How long a neighbour was barred, s.
+fn short_s(bar_s: f64) -> f32 {
+    #[expect(clippy::cast_possible_truncation, reason = "it was one before")]
+    let bar_s = bar_s as f32;
+    bar_s
 }

@@ -12,7 +12,7 @@ mod rows;
 use crate::controller::links::bond::Moment;
 use crate::controller::links::control::LinksController;
 use crate::controller::links::cut::Room;
-use crate::controller::links::deal::Deal;
+use crate::controller::links::deal::{Deal, Look};
 pub use crate::controller::links::lanes::end::{EndInLanes, SaidInLanes};
 pub use crate::controller::links::lanes::rows::{Bits, BitsInLanes, Others};
 use crate::controller::links::policy::STEP_MAX_S;
@@ -151,6 +151,12 @@ impl LookInLanes {
         counted: [0.0; LANES],
         let_go: [0.0; LANES],
     };
+
+    /// The look of one world, after promises are made.
+    fn of(&self, lane: usize) -> Look {
+        let (engaged, stretched) = (is_so(self.engaged[lane]), is_so(self.stretched[lane]));
+        Look { gain_m: self.gains_m[lane], engaged, eligible: self.keys_m[lane] >= 0.0, stretched }
+    }
 }
 
 impl TurnInLanes {
@@ -199,21 +205,22 @@ impl<const D: usize> LinksController<D> {
                 (distance_m, self.links.error_m(0.0)),
                 &Room::OPEN,
             );
-            let mut deal = Deal { promised: is_so(says.promised[k]), ..end.times(k) };
-            let (stretched, promised) = (self.links.is_stretched(distance_m), is_so(hears.promised[k]));
-            deal.weigh(look.gains_m[k], stretched, promised, voice.prices_m[k], sensed);
-            let key_m = deal.key_m();
-            deal.pass(time.elapsed_s, time.forgotten);
+            let mut deal = end.times(k);
+            let stretched = self.links.is_stretched(distance_m);
+            let engaged = is_so(says.promised[k]) & is_so(hears.promised[k]);
+            let open = sensed && deal.is_open(stretched);
+            let seen = Look::new(look.gains_m[k], [stretched, engaged], voice.prices_m[k], open);
+            deal.pass(time.elapsed_s, time.forgotten, &seen);
             end.pass(k, &deal);
             end.held[k] = fact(held);
             let counted = held & known.acknowledges;
-            look.keys_m[k] = if deal.eligible { key_m } else { INELIGIBLE };
-            look.engaged[k] = fact(deal.engaged);
+            look.keys_m[k] = if seen.eligible { seen.key_m() } else { INELIGIBLE };
+            look.engaged[k] = fact(engaged);
             look.stretched[k] = fact(stretched);
             look.counted[k] = fact(counted);
             look.let_go[k] = fact(known.released);
             turn.counted[k] += fact(counted);
-            turn.eligible[k] += fact(deal.eligible);
+            turn.eligible[k] += fact(seen.eligible);
             let within = distance_m <= begun_m;
             turn.in_range[k] += fact(sensed & within);
         }

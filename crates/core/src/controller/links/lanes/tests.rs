@@ -1,7 +1,7 @@
 //! A robot of sixteen worlds at once against the same robot of each.
 
 use super::*;
-use crate::controller::links::bond::{Bond, NEVER, Said, Voice};
+use crate::controller::links::bond::{Bond, Look, NEVER, Said, Voice};
 use crate::controller::links::line::Line;
 use crate::id::{Member, RobotId};
 use crate::settings::params::Params;
@@ -50,16 +50,14 @@ impl Draw {
         controller.voice(price_m, self.vector(2.0))
     }
 
-    fn deal(&mut self, promised: bool) -> Deal {
+    fn deal(&mut self) -> Deal {
         Deal {
-            promised,
             released: self.chance(30),
             unused_s: self.between(0.0, 3.1),
             lapsed_s: self.time_s(20.0),
             barred_s: self.time_s(4.0),
             bar_s: [0.0, 2.0, 4.0, 1_000.0][self.below(4) as usize],
-            waiting_ticks: if self.chance(80) { 0 } else { self.below(13) },
-            ..Deal::default()
+            waiting_ticks: if self.chance(80) { 0 } else { u16::try_from(self.below(13)).unwrap() },
         }
     }
 
@@ -87,7 +85,7 @@ impl World {
         let alike = draw.chance(10).then(|| draw.vector(0.6 * radius_m));
         let held = |draw: &mut Draw| {
             let promised = draw.chance(80);
-            (draw.bond(promised), draw.deal(promised))
+            (draw.bond(promised), draw.deal())
         };
         Self {
             wish_m_s: draw.vector(1.5),
@@ -99,11 +97,11 @@ impl World {
         }
     }
 
-    fn lines(&mut self, moment: &Moment) -> [Line<'_, 2>; OTHERS] {
+    fn lines(&mut self, moment: &Moment, looks: [Look; OTHERS]) -> [Line<'_, 2>; OTHERS] {
         let mut held = self.held.iter_mut().zip(&self.offsets_m).zip(&self.voices).zip(2..);
-        core::array::from_fn(|_| {
+        looks.map(|look| {
             let ((((bond, deal), offset_m), voice), number) = held.next().unwrap();
-            Line::new((member(number), true), *offset_m, (bond, deal), voice, None, moment)
+            Line::new((member(number), true), *offset_m, (bond, deal), voice, None, moment).looked_at(look)
         })
     }
 }
@@ -161,9 +159,11 @@ fn agree(controller: &LinksController<2>, moment: Moment, worlds: &mut [World; L
         controller.note_events_in_lanes(keep, &pairs[other], held, &looks[other], &mut turn);
     }
     for (k, world) in worlds.iter_mut().enumerate() {
-        for (other, held) in world.held.iter_mut().enumerate() {
+        let mut seen = [Look::default(); OTHERS];
+        for (other, (held, seen)) in world.held.iter_mut().zip(&mut seen).enumerate() {
             let said = [&says[other], &hears[other]];
-            *held = ends[other].line(k, pairs[other].born[k], said, &looks[other]);
+            let (bond, deal, look) = ends[other].line(k, pairs[other].born[k], said, &looks[other]);
+            (*held, *seen) = ((bond, deal), look);
         }
         if is_so(turn.eventful[k]) {
             #[expect(
@@ -172,16 +172,10 @@ fn agree(controller: &LinksController<2>, moment: Moment, worlds: &mut [World; L
                 reason = "a small sum of ones"
             )]
             let counted = turn.counted[k] as usize;
-            controller.part_at_once(member(1), &moment, &mut world.lines(&moment), counted);
+            controller.part_at_once(member(1), &moment, &mut world.lines(&moment, seen), counted);
         }
     }
     prices_m
-}
-
-/// What lives on: of use only in its tick is what a deal says of V and of who is engaged, eligible and stretched.
-fn kept((bond, deal): &(Bond, Deal)) -> (Bond, Deal) {
-    let deal = Deal { gain_m: 0.0, engaged: false, eligible: false, stretched: false, ..*deal };
-    (*bond, deal)
 }
 
 #[test]
@@ -195,15 +189,12 @@ fn a_robot_of_many_worlds_agrees_as_it_does_in_each() {
         let prices_m = agree(&controller, moment, &mut together);
         for (k, (mut alone, together)) in drawn.clone().into_iter().zip(&together).enumerate() {
             let wish_m_s = alone.wish_m_s;
-            let (lines, values) = (&mut alone.lines(&moment)[..], &mut [0.0; OTHERS][..]);
+            let (lines, values) =
+                (&mut alone.lines(&moment, [Look::default(); OTHERS])[..], &mut [0.0; OTHERS][..]);
             let agreed = controller.agree_at_once(member(1), &moment, &wish_m_s, (lines, values), |_| {});
             let price_m = agreed.price_m;
             assert_eq!(price_m.to_bits(), prices_m[k].to_bits(), "round {round}, world {k}");
-            assert_eq!(
-                alone.held.map(|held| kept(&held)),
-                together.held.map(|held| kept(&held)),
-                "{round}, {k}"
-            );
+            assert_eq!(alone.held, together.held, "{round}, {k}");
             promised += alone.held.iter().filter(|(bond, _)| bond.promised).count();
             let lists = |world: &World| world.held.map(|(bond, _)| bond.listed);
             changed += usize::from(lists(&alone) != lists(&drawn[k]));

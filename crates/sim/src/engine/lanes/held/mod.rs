@@ -198,17 +198,18 @@ impl<const D: usize> HeldLanes<D> {
         let near = near.filter(|((_, other), _)| table.is_sensed([robot, *other], lane));
         let mut held: Vec<_> = near
             .map(|((place, other), look)| {
-                let (bond, deal) = table.line([robot, other], lane, look);
+                let (bond, deal, look) = table.line([robot, other], lane, look);
                 let offset_m: Vector<D> = subtract(&own_m, &at(&positions_m[other], lane));
-                (place, member(other), offset_m, bond, deal)
+                (place, member(other), offset_m, (bond, deal), look)
             })
             .collect();
-        let lines = held.iter_mut().map(|(_, member, offset_m, bond, deal)| {
-            Line::new((*member, true), *offset_m, (bond, deal), &Voice::SILENCE, None, moment)
+        let lines = held.iter_mut().map(|(_, member, offset_m, (bond, deal), look)| {
+            let line = Line::new((*member, true), *offset_m, (bond, deal), &Voice::SILENCE, None, moment);
+            line.looked_at(*look)
         });
         let counted = whole(turn.counted[lane]);
         controller.part_at_once(member(robot), moment, &mut lines.collect::<Vec<_>>(), counted);
-        for (place, _, _, bond, deal) in held {
+        for (place, _, _, (bond, deal), _) in held {
             table.ends[place].put(lane, &bond, &deal);
         }
     }

@@ -2,7 +2,7 @@
 
 use core::ops::Range;
 
-use closeranks_core::controller::links::bond::{Bond, Deal};
+use closeranks_core::controller::links::bond::{Bond, Deal, Look};
 use closeranks_core::controller::links::lanes::{EndInLanes, LookInLanes, PairInLanes, SaidInLanes};
 use closeranks_core::num::lane::is_so;
 
@@ -60,7 +60,12 @@ impl Table {
     }
 
     /// The same once a robot has made its promises, from which everything follows that a `look` came to.
-    pub(super) fn line(&self, [robot, other]: [usize; 2], lane: usize, look: &LookInLanes) -> (Bond, Deal) {
+    pub(super) fn line(
+        &self,
+        [robot, other]: [usize; 2],
+        lane: usize,
+        look: &LookInLanes,
+    ) -> (Bond, Deal, Look) {
         let [own, to] = [[robot, other], [other, robot]].map(|ends| self.place(ends));
         let said = [&self.says[own], &self.said[to]];
         self.ends[own].line(lane, self.born([robot, other], lane), said, look)
