@@ -162,6 +162,19 @@ fn controllers_side_by_side() {
 }
 
 #[test]
+fn where_one_controller_cannot_run_a_scenario_those_are_named_that_can() {
+    let folder = tempfile::tempdir().unwrap();
+    let scenario = "duration_s = 0.1\n[controller]\nkind = \"links\"\n[obstacles]\ncuts_links = \"all\"\ndiscs = [[9.0, 9.0, 0.5]]\n";
+    fs::write(folder.path().join("cut.toml"), scenario).unwrap();
+    let compare = |names: &str| closeranks(folder.path(), &["compare", "cut.toml", "--controllers", names]);
+    let output = compare("composed,links");
+    let told = text(&output.stderr);
+    assert_eq!(output.status.code(), Some(2), "{told}");
+    assert!(told.ends_with("; `--controllers` can name links, none\n"), "{told}");
+    assert_eq!(compare("links,none").status.code(), Some(0), "what is named can be run");
+}
+
+#[test]
 fn the_paper_in_one_command() {
     let folder = tempfile::tempdir().unwrap();
     let output = closeranks(folder.path(), &["paper"]);

@@ -63,8 +63,8 @@ impl Links {
         let (mut counted, mut in_range, forgotten) = (0, 0, Deal::forgotten(elapsed_s));
         for partner in &mut *partners {
             let distance_m = self.settle(partner, now);
-            let may_be_counted = self.look(own, partner, distance_m, &ledger.wish_m_s, now);
-            let look = *partner.look();
+            let (look, may_be_counted) = self.look(own, partner, distance_m, &ledger.wish_m_s, now);
+            *partner.look_mut() = look;
             partner.deal_mut().pass(elapsed_s, forgotten, &look);
             counted += usize::from(partner.is_counted());
             in_range += usize::from(may_be_counted);
@@ -101,18 +101,18 @@ impl Links {
         if all { self.begun_m() + self.errors.offset_m } else { NEAR * self.radius_m }
     }
 
-    /// Looks at one neighbour at `distance_m`: how far apart both would end, and whether it may be promised anything. True if it
+    /// Looks at one neighbour at `distance_m`: how far apart both would end, and whether it may be promised anything. Gives true too if it
     /// is in range and can be counted on, now or soon.
     ///
     /// Under ranks only one of the two lists the other, if any does. It releases the other alone, who has nothing to promise.
     fn look<const D: usize>(
         &self,
         own: Member,
-        partner: &mut impl Partner<D>,
+        partner: &impl Partner<D>,
         distance_m: f64,
         wish_m_s: &Vector<D>,
         now: Instant,
-    ) -> bool {
+    ) -> (Look, bool) {
         let [counts, mutual] = partner.counts_with(own, &self.need);
         let told = partner.told(self, now);
         let sensed = partner.is_sensed();
@@ -126,10 +126,9 @@ impl Links {
         };
         let is_tight = partner.room().least_m < TIGHT * self.radius_m;
         let stretched = self.is_stretched(distance_m) || is_tight;
-        let (engaged, open) = (partner.is_promised() && promised, partner.deal().is_open(stretched));
-        *partner.look_mut() =
-            Look::new(length(&ends_m), [stretched, engaged], price_m, sensed && counts && open);
-        may_be_counted
+        let engaged = partner.is_promised() && promised;
+        let open = sensed && counts && partner.deal().is_open(stretched);
+        (Look::new(length(&ends_m), [stretched, engaged], price_m, open), may_be_counted)
     }
 
     /// Lists who is near, who does not let go, and with `all` who may be in range.
