@@ -13,8 +13,11 @@ use crate::engine::roster::Roster;
 use crate::geometry::crowd::Crowd;
 use crate::geometry::near::small;
 
-/// So many more neighbours a robot has room for than it has when room is made.
+/// So many more neighbours a robot has room for than it has when room is made, and so many more deals.
 const SPARE: usize = 8;
+const SPARE_DEALS: usize = 4;
+/// Deals are read in every tick, and gaps between those of one robot and the next cost time: at most so many a robot are left, on average.
+const GAP_DEALS: usize = 6;
 
 /// Neighbours robot after robot, those of each in order of numbers. If one robot has another, that one has it too.
 #[derive(Clone, Debug)]
@@ -123,11 +126,10 @@ impl<const D: usize> Lists<D> {
         self.put(robot, rule);
     }
 
-    /// Ends a look around. Where deals take far more room than they need, as when it was not known yet who counts for whom, they get less: they are read
-    /// in every tick.
+    /// Ends a look around. Where deals take more room than they need, as when it was not known yet who counts for whom, they get less.
     pub(crate) fn looked(&mut self, positions_m: &[Vector<D>], rule: &Rule<'_, D>) {
         self.before_m.copy_from_slice(positions_m);
-        if self.rows.deals.len() > 2 * (self.dealt + SPARE * self.counts.len()) {
+        if self.rows.deals.len() > self.dealt + GAP_DEALS * self.counts.len() {
             self.make_room(rule, |lists, robot| usize::from(lists.counts[robot]));
         }
     }
@@ -190,7 +192,7 @@ impl<const D: usize> Lists<D> {
             let [start, deal_start] = [rows.mates.len(), rows.deals.len()];
             let [known, dealt] = [self.counts[robot], self.deal_counts[robot]].map(usize::from);
             let new = needed(self, robot).saturating_sub(known);
-            rows.resize([start + known + new + SPARE, deal_start + dealt + new + SPARE / 2], &rule.moment);
+            rows.resize([start + known + new + SPARE, deal_start + dealt + new + SPARE_DEALS], &rule.moment);
             let deals = self.deal_starts[robot] as usize..self.deal_starts[robot] as usize + dealt;
             rows.copy([start, deal_start], &self.rows, [self.range(robot), deals]);
             starts.push(u32::try_from(rows.mates.len()).unwrap_or(u32::MAX));
