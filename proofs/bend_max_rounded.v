@@ -1,11 +1,11 @@
 (* kappa from a distance, with the ends of its interval rounded (crates/core/src/controller/budget/curvature.rs: `bend_max`).
 
    In words. `bend_rounded.v` is about K between two ends as they are stored. Here they come from a distance d, a longest move rho and an error E, as the code computes
-   them, with 2 rho + E <= R. 0 < q1 <= 4, 0 < q2 <= 1e15, 0 <= R <= 1e6 and sqrt(q2) R^2 <= 150.
+   them, with 2 rho + E <= R. 0 < q1 <= 4, 0 < q2 <= 1e15, 0 <= R <= 1e6 and sqrt(q2) R^2 <= 150.5, which holds of whatever `budget` chooses (150, and what is rounded of it).
 
    `bend_max_from_distance`: for every distance that the pair can have, K is at most kappa + 1.2e-15 R^2 q1 q2 (3.2 + 6 sqrt(q2) R^2) + 1e-240, if K at the stored
    peak is at least the largest K divided by 1 + 1e-13. The middle term is what the ends are wrong by, times the steepest slope of K (`bend_slope_bound`: the slope of f' is at most
-   1.5 q1 q2 sqrt(q2)). *)
+   1.5 q1 q2 sqrt(q2)). The condition is met: `stored_peak` in bend_peak_rounded.v. *)
 
 From Coq Require Import ZArith Reals Lra Psatz Lia.
 From Coquelicot Require Import Coquelicot.
@@ -110,7 +110,7 @@ Variable far : R -> R.
 Hypothesis far_nonneg : forall x, 0 <= far x.
 Variables radius d rho E : R.
 Hypothesis radius_range : 0 <= radius <= 1e6.
-Hypothesis steep : sqrt q2 * (radius * radius) <= 149.
+Hypothesis steep : sqrt q2 * (radius * radius) <= 150.5.
 Hypothesis d_double : double d.
 Hypothesis d_range : 0 <= d <= 1e7.
 Hypothesis rho_range : 0 <= rho.
@@ -250,7 +250,7 @@ assert (top : top_fl <= Rs).
   apply Rle_trans with (fl Rs); [apply fl_mono; lra | unfold Rs, square_fl; rewrite fl_twice; apply Rle_refl].
 assert (cin := closest_in s _ _ ordered); apply near in G.
 assert (Rs13 : 0 <= Rs <= 1e13) by (rewrite U in G; lra).
-assert (st : sqrt q2 * Rs <= 150).
+assert (st : sqrt q2 * Rs <= 151).
   assert (sqrt q2 * Rs <= sqrt q2 * (R2 + u * R2 + eta)) by (apply Rmult_le_compat_l; lra).
   assert (sqrt q2 * eta <= 1e8 * eta) by (apply Rmult_le_compat_r; lra); fold R2 in steep; rewrite U in *; lra.
 assert (M := bend_max_enough q1 q2 Rs q1_range q2_range Rs13 st far far_nonneg peak hat is_peak peak_range peak_high _ _ _ lo0 cin top).

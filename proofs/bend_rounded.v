@@ -1,11 +1,11 @@
 (* kappa as it is computed is large enough (crates/core/src/controller/budget/curvature.rs: `bend_max`; docs/theory/weights.md: eq:curvature-bound).
 
    In words. kappa is K at the point of an interval of s closest to a stored peak, computed with every operation rounded, and raised by a factor
-   1 + 1e-12. 0 < q1 <= 4, 0 < q2 <= 1e15, R^2 is taken as it is stored, at most 1e13, and sqrt(q2) R^2 <= 150, which holds of whatever `budget` chooses.
+   1 + 1e-12. 0 < q1 <= 4, 0 < q2 <= 1e15, R^2 is taken as it is stored, at most 1e13, and sqrt(q2) R^2 <= 151, which holds of whatever `budget` chooses (150, and what is rounded of it).
 
    `bend_low`: K as it is computed at one stored s with q2 s^2 <= 690 is at least (1 - 8e-13) K(s), less 1e-255.
    `bend_max_enough`: if K at the stored peak is at least the largest K divided by 1 + 1e-13, K(s) is at most this kappa, and 1e-250, for every s between the two ends
-   as they are stored. So the factor covers all rounding of kappa for given ends.
+   as they are stored. So the factor covers all rounding of kappa for given ends. That the stored peak is so is `stored_peak` in bend_peak_rounded.v.
 
    The steeper a weight, the more of the 1e-12 is used up: where K begins to have a second term that term is a difference of numbers near 1, times R^2. For
    weights that are steeper than any that is chosen the factor is not proved to be enough. *)
@@ -38,7 +38,7 @@ Variables q1 q2 R2 : R.
 Hypothesis q1_range : 0 < q1 <= 4.
 Hypothesis q2_range : 0 < q2 <= 1e15.
 Hypothesis R2_range : 0 <= R2 <= 1e13.
-Hypothesis steep : sqrt q2 * R2 <= 150.
+Hypothesis steep : sqrt q2 * R2 <= 151.
 Variable far : R -> R.
 Hypothesis far_nonneg : forall x, 0 <= far x.
 Let K := curvature.K q1 q2 R2.

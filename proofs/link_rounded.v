@@ -7,7 +7,7 @@
 
    `link_error_paper`: where q1 sqrt(q2) R^2 <= 18, this is at most 1e-14, which `level_error` asks for. With R = 3 m and q1 = 2.1 that is
    q2 <= 0.9 1/m^4.
-   `link_error_chosen`: where q2 is at most what `budget` chooses for itself, (150/R^2)^2, it is at most 2.3e-13.
+   `link_error_chosen`: where q2 is at most what `budget` chooses for itself, (150/R^2)^2, also where that is rounded, it is at most 2.3e-13.
 
    The first part of the bound is what the weight is wrong by for the slack as it is stored. The second part is what the slack is wrong by, at
    most 9.2e-16 R^2 (`slack_error`), times the greatest slope of the weight (`slope_bound`). So steep weights are less exact.
@@ -210,10 +210,10 @@ Qed.
 Theorem link_error_paper : q1 * sqrt q2 * R2 <= 18 -> Rabs (weight_at_fl s - weight q1 q2 R2 D) <= 1e-14.
 Proof. intro gentle; assert (H := link_error); lra. Qed.
 
-Theorem link_error_chosen : sqrt q2 * R2 <= 150 -> Rabs (weight_at_fl s - weight q1 q2 R2 D) <= 2.3e-13.
+Theorem link_error_chosen : sqrt q2 * R2 <= 151 -> Rabs (weight_at_fl s - weight q1 q2 R2 D) <= 2.3e-13.
 Proof.
 intro chosen; assert (H := link_error); assert (r := R2_range radius radius_range); fold R2 in r; assert (r0 := sqrt_pos q2).
-assert (q1 * (sqrt q2 * R2) <= 4 * 150) by (apply Rmult_le_compat; try lra; apply Rmult_le_pos; lra).
+assert (q1 * (sqrt q2 * R2) <= 4 * 151) by (apply Rmult_le_compat; try lra; apply Rmult_le_pos; lra).
 replace (q1 * (sqrt q2 * R2)) with (q1 * sqrt q2 * R2) in * by ring; lra.
 Qed.
 End Weight.
