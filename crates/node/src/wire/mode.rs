@@ -8,35 +8,54 @@ const STOPPED: u8 = 2;
 /// Reasons are numbered from here.
 const DEGRADED: u8 = 16;
 
-/// Every reason with the word that people read, in the order of its number.
-const REASONS: [(Reason, &str); 14] = [
-    (Reason::Degree, "degree"),
-    (Reason::Infeasible, "infeasible"),
-    (Reason::OutsideSafeSet, "outside"),
-    (Reason::Late, "late"),
-    (Reason::Moved, "moved"),
-    (Reason::Overlooked, "overlooked"),
-    (Reason::Uncertain, "uncertain"),
-    (Reason::Untold, "untold"),
-    (Reason::Uncounted, "uncounted"),
-    (Reason::Unfiltered, "unfiltered"),
-    (Reason::NotSensed, "not sensed"),
-    (Reason::NotShared, "not shared"),
-    (Reason::Scratch, "scratch"),
-    (Reason::ContinuousTime, "continuous time"),
+/// Every reason, in the order of its number.
+const REASONS: [Reason; 15] = [
+    Reason::Degree,
+    Reason::Infeasible,
+    Reason::OutsideSafeSet,
+    Reason::Late,
+    Reason::Moved,
+    Reason::Overlooked,
+    Reason::Uncertain,
+    Reason::Untold,
+    Reason::Uncounted,
+    Reason::Unfiltered,
+    Reason::NotSensed,
+    Reason::NotShared,
+    Reason::Scratch,
+    Reason::ContinuousTime,
+    Reason::Obstacle,
 ];
 
-/// The byte of a mode. A reason without a number is told as the last one, which no node of `budget` says.
+/// The number of a reason, and the word that people read.
+const fn told(reason: Reason) -> (u8, &'static str) {
+    match reason {
+        Reason::Degree => (0, "degree"),
+        Reason::Infeasible => (1, "infeasible"),
+        Reason::OutsideSafeSet => (2, "outside"),
+        Reason::Late => (3, "late"),
+        Reason::Moved => (4, "moved"),
+        Reason::Overlooked => (5, "overlooked"),
+        Reason::Uncertain => (6, "uncertain"),
+        Reason::Untold => (7, "untold"),
+        Reason::Uncounted => (8, "uncounted"),
+        Reason::Unfiltered => (9, "unfiltered"),
+        Reason::NotSensed => (10, "not sensed"),
+        Reason::NotShared => (11, "not shared"),
+        Reason::Scratch => (12, "scratch"),
+        Reason::ContinuousTime => (13, "continuous time"),
+        Reason::Obstacle => (14, "near obstacle"),
+    }
+}
+
+/// The byte of a mode.
 #[must_use]
 pub fn encode(mode: Mode) -> u8 {
     match mode {
         Mode::Guaranteed => GUARANTEED,
         Mode::Hold => HOLD,
         Mode::Stopped => STOPPED,
-        Mode::Degraded(reason) => {
-            let place = REASONS.iter().position(|(known, _)| *known == reason).unwrap_or(REASONS.len() - 1);
-            DEGRADED + u8::try_from(place).unwrap_or(0)
-        }
+        Mode::Degraded(reason) => DEGRADED + told(reason).0,
     }
 }
 
@@ -49,7 +68,7 @@ pub fn decode(byte: u8) -> Option<Mode> {
         STOPPED => Some(Mode::Stopped),
         _ => {
             let place = usize::from(byte.checked_sub(DEGRADED)?);
-            REASONS.get(place).map(|(reason, _)| Mode::Degraded(*reason))
+            REASONS.get(place).copied().map(Mode::Degraded)
         }
     }
 }
@@ -61,9 +80,7 @@ pub fn word(mode: Mode) -> &'static str {
         Mode::Guaranteed => "GUARANTEED",
         Mode::Hold => "HOLD",
         Mode::Stopped => "STOPPED",
-        Mode::Degraded(reason) => {
-            REASONS.iter().find(|(known, _)| *known == reason).map_or("degraded", |(_, word)| word)
-        }
+        Mode::Degraded(reason) => told(reason).1,
     }
 }
 
@@ -103,5 +120,13 @@ mod tests {
             }
         }
         assert_eq!(found, 3 + REASONS.len());
+    }
+
+    #[test]
+    fn every_reason_has_the_number_of_its_place() {
+        for (reason, number) in REASONS.into_iter().zip(0..) {
+            assert_eq!(told(reason).0, number, "{reason:?}");
+            assert_eq!(decode(encode(Mode::Degraded(reason))), Some(Mode::Degraded(reason)));
+        }
     }
 }
