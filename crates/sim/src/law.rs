@@ -169,7 +169,7 @@ impl Law {
             Self::Input => "input inside its box",
             Self::Spare => "h of a normal robot >= 0",
             Self::Path => "distance of two robots between ticks >= distance_min_m",
-            Self::Decay => "h and distances lose no more than their share in a tick",
+            Self::Decay => "h and distances lose no more than their fraction in a tick",
             Self::Mode => "guaranteed is said where it is true, and only there",
             Self::Untowed => "a robot moves no more than it wishes and its own needs demand",
             Self::Held => "a link that is counted on has rows, is no longer than radius_m and not cut",
