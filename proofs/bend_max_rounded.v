@@ -122,11 +122,6 @@ Definition near_fl := Rmax 0 (fl (d - fl (fl (2 * rho) + E))).
 Definition top_fl := fl (square_fl - fl (near_fl * near_fl)).
 Definition bend_max peak := if Rle_dec top_fl 0 then 0 else bend_max_fl q1 q2 square_fl far peak (low_fl radius d rho E) top_fl.
 
-Variables peak hat : R.
-Hypothesis is_peak : peak_of q1 q2 square_fl hat.
-Hypothesis peak_range : 0 <= peak <= square_fl.
-Hypothesis peak_high : curvature.K q1 q2 square_fl hat <= (1 + 1e-13) * curvature.K q1 q2 square_fl peak.
-
 Let n := Rmax 0 (d - (2 * rho + E)).
 Let F := d + (2 * rho + E).
 
@@ -154,10 +149,12 @@ assert (T := fl_error (2.05 * u * radius + 2.1 * eta)); rewrite (Rabs_pos_eq (2.
 apply Rabs_le; unfold Rmax; destruct (Rle_dec 0 (fl (d - b))); rewrite U in *; lra.
 Qed.
 
-Theorem bend_max_from_distance D : n * n <= D <= F * F -> D <= R2 ->
-  curvature.K q1 q2 R2 (R2 - D) <= bend_max peak + 1.2e-15 * R2 * (q1 * q2) * (3.2 + 6 * (sqrt q2 * R2)) + 1e-240.
+(* What the two ends are wrong by. *)
+Lemma ends_close D : n * n <= D <= F * F -> D <= R2 -> let s := R2 - D in let low := low_fl radius d rho E in
+  if Rle_dec top_fl 0 then Rabs s <= 1.2e-15 * R2 + 3e9 * eta
+  else 0 <= low <= top_fl /\ top_fl <= square_fl /\ Rabs (s - closest s low top_fl) <= 1.2e-15 * R2 + 3e9 * eta.
 Proof.
-intros [nD DF] DR; assert (U := u_value); assert (e := eta_pos); assert (small := eta_small); assert (l := least_small); assert (l0 := least_pos).
+intros [nD DF] DR; cbv zeta; assert (U := u_value); assert (e := eta_pos); assert (small := eta_small); assert (l := least_small); assert (l0 := least_pos).
 assert (r := R2_range radius radius_range); fold R2 in r; set (s := R2 - D); assert (s0 : 0 <= s) by (unfold s; lra).
 assert (n0 : 0 <= n) by apply Rmax_l; assert (F0 : 0 <= F) by (unfold F; lra); assert (F8 : F <= 1e8) by (unfold F; lra).
 assert (nR : n <= radius).
@@ -205,37 +202,7 @@ assert (low : low_fl radius d rho E <= s + 1.2e-15 * R2 + 3e9 * eta).
     assert (L3 := fl_of _ _ _ _ L1 L2); apply near in L3; rewrite U in L3; unfold s; lra.
   assert (neg : Rs - far2 <= 0) by (rewrite U in *; lra).
   assert (fl (Rs - far2) <= 0) by (rewrite <- fl_zero; apply fl_mono; exact neg); lra.
-assert (qq : 0 <= q1 * q2 <= 4e15) by (split; [apply Rmult_le_pos; lra | apply Rle_trans with (4 * 1e15); [apply Rmult_le_compat; lra | lra]]).
-assert (root0 := sqrt_pos q2); assert (root : sqrt q2 <= 1e8).
-  rewrite <- (sqrt_square 1e8) by lra; apply sqrt_le_1; lra.
-set (Q := q1 * q2 * sqrt q2) in *; assert (Q0 : 0 <= Q <= 4e23).
-  unfold Q; split; [apply Rmult_le_pos; lra | apply Rle_trans with (4e15 * 1e8); [apply Rmult_le_compat; lra | lra]].
-assert (moved : forall a, 0 <= a <= Rs -> Rabs (s - a) <= 1.2e-15 * R2 + 3e9 * eta -> curvature.K q1 q2 R2 s <= curvature.K q1 q2 Rs a + 1.2e-15 * R2 * (q1 * q2) * (3.2 + 6 * (sqrt q2 * R2)) + 1e-245).
-  intros a ain gap; assert (M := f_moved q1 q2 q1_range q2_range s a s0 (proj1 ain)); assert (B := m_moved s a s0 (proj1 ain)).
-  assert (ma := m_range a (proj1 ain)); assert (ms := m_range s s0); set (w := 1.2e-15 * R2 + 3e9 * eta) in *; assert (wp : 0 <= w) by (unfold w; lra).
-  assert (M' : q1 * q2 / 2 * Rabs (s - a) <= q1 * q2 / 2 * w) by (apply Rmult_le_compat_l; lra).
-  fold Q in B; assert (B' : 1.5 * Q * Rabs (s - a) <= 1.5 * Q * w) by (apply Rmult_le_compat_l; lra).
-  apply near in M; apply near in B; apply near in gap; unfold curvature.K; fold (m s) (m a); replace (R2 - s) with D by (unfold s; ring).
-  assert (c1 : D * m s <= D * (m a + 1.5 * Q * w)) by (apply Rmult_le_compat_l; lra).
-  assert (c2 : D * (1.5 * Q * w) <= R2 * (1.5 * Q * w)) by (apply Rmult_le_compat_r; [assert (0 <= Q * w) by (apply Rmult_le_pos; lra); lra | exact DR]).
-  assert (Da : D <= (Rs - a) + (w + u * R2 + eta)) by (apply near in G; unfold s in *; lra).
-  assert (c3 : D * m a <= ((Rs - a) + (w + u * R2 + eta)) * m a) by (apply Rmult_le_compat_r; lra).
-  assert (wu : 0 <= w + u * R2 + eta) by (assert (0 <= u * R2) by (apply Rmult_le_pos; [rewrite U |]; lra); lra).
-  assert (c4 : (w + u * R2 + eta) * m a <= (w + u * R2 + eta) * (q1 * q2 / 2)) by (apply Rmult_le_compat_l; lra).
-  assert (tq : q1 * q2 * eta <= 4e15 * eta) by (apply Rmult_le_compat_r; lra).
-  assert (QR : 0 <= Q * R2 <= 4e35) by (split; [apply Rmult_le_pos; lra | apply Rle_trans with (4e23 * 1e12); [apply Rmult_le_compat; lra | lra]]).
-  assert (tQ : Q * R2 * eta <= 4e35 * eta) by (apply Rmult_le_compat_r; lra).
-  assert (T3 : 1e46 * eta <= 1e-250).
-    assert (T4 := least_is 1e30 ltac:(lra)); lra.
-  assert (qR : 0 <= q1 * q2 * R2) by (apply Rmult_le_pos; lra).
-  assert (id : 1.2e-15 * R2 * (q1 * q2) * (3.2 + 6 * (sqrt q2 * R2)) = 3.84e-15 * (q1 * q2 * R2) + 7.2e-15 * (Q * R2 * R2)) by (unfold Q; lra).
-  rewrite id; unfold w in *; rewrite U in *; lra.
-unfold bend_max; destruct (Rle_dec top_fl 0) as [none | some].
-  assert (M := moved 0 ltac:(lra) ltac:(apply Rabs_le; unfold s in *; lra)).
-  assert (f00 : f q1 q2 0 = 0) by (unfold f; rewrite !Rmult_0_r; unfold Rdiv; rewrite !Rmult_0_l; reflexivity).
-  assert (m00 : m 0 = 0).
-    unfold m; rewrite Rmax_left; [reflexivity |]; unfold f'; rewrite !Rmult_0_r, Ropp_0, exp_0; unfold Rdiv; rewrite !Rmult_0_l; assert (0 <= q1 * q2) by lra; lra.
-  unfold curvature.K at 2 in M; fold (m 0) in M; rewrite f00, m00 in M; lra.
+destruct (Rle_dec top_fl 0) as [none | some]; [apply Rabs_le; unfold s in *; lra |].
 assert (lo0 : 0 <= low_fl radius d rho E) by apply Rmax_l.
 assert (nf0 : 0 <= near_fl) by apply Rmax_l.
 assert (ordered : low_fl radius d rho E <= top_fl).
@@ -248,16 +215,70 @@ assert (ordered : low_fl radius d rho E <= top_fl).
 assert (top : top_fl <= Rs).
   unfold top_fl; fold Rs; assert (c : 0 <= fl (near_fl * near_fl)) by (apply fl_nonneg, Rmult_le_pos; assumption).
   apply Rle_trans with (fl Rs); [apply fl_mono; lra | unfold Rs, square_fl; rewrite fl_twice; apply Rle_refl].
-assert (cin := closest_in s _ _ ordered); apply near in G.
-assert (Rs13 : 0 <= Rs <= 1e13) by (rewrite U in G; lra).
+split; [lra | split; [exact top |]].
+unfold closest; destruct (Rlt_dec s (low_fl radius d rho E)); [apply Rabs_le; lra |].
+destruct (Rlt_dec top_fl s); apply Rabs_le; unfold s in *; lra.
+Qed.
+
+(* And what K is wrong by for it. *)
+Lemma K_moved s a : 0 <= s <= R2 -> 0 <= a <= square_fl -> Rabs (s - a) <= 1.2e-15 * R2 + 3e9 * eta ->
+  curvature.K q1 q2 R2 s <= curvature.K q1 q2 square_fl a + 1.2e-15 * R2 * (q1 * q2) * (3.2 + 6 * (sqrt q2 * R2)) + 1e-245.
+Proof.
+intros sin; assert (U := u_value); assert (e := eta_pos); assert (small := eta_small); assert (l := least_small); assert (l0 := least_pos); assert (s0 := proj1 sin).
+assert (r := R2_range radius radius_range); fold R2 in r; assert (G := fl_error (radius * radius)); fold square_fl R2 in G; rewrite (Rabs_pos_eq R2) in G by lra; set (Rs := square_fl) in *.
+assert (T := least_is 1e9 ltac:(lra)); assert (T1 : 1e9 * eta <= 1e-6 * (1e9 * least)) by lra; set (D := R2 - s); assert (DR : D <= R2) by (unfold D; lra); assert (D0 : 0 <= D) by (unfold D; lra).
+assert (qq : 0 <= q1 * q2 <= 4e15) by (split; [apply Rmult_le_pos; lra | apply Rle_trans with (4 * 1e15); [apply Rmult_le_compat; lra | lra]]).
+assert (root0 := sqrt_pos q2); assert (root : sqrt q2 <= 1e8).
+  rewrite <- (sqrt_square 1e8) by lra; apply sqrt_le_1; lra.
+set (Q := q1 * q2 * sqrt q2) in *; assert (Q0 : 0 <= Q <= 4e23).
+  unfold Q; split; [apply Rmult_le_pos; lra | apply Rle_trans with (4e15 * 1e8); [apply Rmult_le_compat; lra | lra]].
+intros ain gap; assert (M := f_moved q1 q2 q1_range q2_range s a s0 (proj1 ain)); assert (B := m_moved s a s0 (proj1 ain)).
+assert (ma := m_range a (proj1 ain)); assert (ms := m_range s s0); set (w := 1.2e-15 * R2 + 3e9 * eta) in *; assert (wp : 0 <= w) by (unfold w; lra).
+assert (M' : q1 * q2 / 2 * Rabs (s - a) <= q1 * q2 / 2 * w) by (apply Rmult_le_compat_l; lra).
+fold Q in B; assert (B' : 1.5 * Q * Rabs (s - a) <= 1.5 * Q * w) by (apply Rmult_le_compat_l; lra).
+apply near in M; apply near in B; apply near in gap; unfold curvature.K; fold (m s) (m a); fold D.
+assert (c1 : D * m s <= D * (m a + 1.5 * Q * w)) by (apply Rmult_le_compat_l; lra).
+assert (c2 : D * (1.5 * Q * w) <= R2 * (1.5 * Q * w)) by (apply Rmult_le_compat_r; [assert (0 <= Q * w) by (apply Rmult_le_pos; lra); lra | exact DR]).
+assert (Da : D <= (Rs - a) + (w + u * R2 + eta)) by (apply near in G; unfold D in *; lra).
+assert (c3 : D * m a <= ((Rs - a) + (w + u * R2 + eta)) * m a) by (apply Rmult_le_compat_r; lra).
+assert (wu : 0 <= w + u * R2 + eta) by (assert (0 <= u * R2) by (apply Rmult_le_pos; [rewrite U |]; lra); lra).
+assert (c4 : (w + u * R2 + eta) * m a <= (w + u * R2 + eta) * (q1 * q2 / 2)) by (apply Rmult_le_compat_l; lra).
+assert (tq : q1 * q2 * eta <= 4e15 * eta) by (apply Rmult_le_compat_r; lra).
+assert (QR : 0 <= Q * R2 <= 4e35) by (split; [apply Rmult_le_pos; lra | apply Rle_trans with (4e23 * 1e12); [apply Rmult_le_compat; lra | lra]]).
+assert (tQ : Q * R2 * eta <= 4e35 * eta) by (apply Rmult_le_compat_r; lra).
+assert (T3 : 1e46 * eta <= 1e-250).
+    assert (T4 := least_is 1e30 ltac:(lra)); lra.
+assert (qR : 0 <= q1 * q2 * R2) by (apply Rmult_le_pos; lra).
+assert (id : 1.2e-15 * R2 * (q1 * q2) * (3.2 + 6 * (sqrt q2 * R2)) = 3.84e-15 * (q1 * q2 * R2) + 7.2e-15 * (Q * R2 * R2)) by (unfold Q; lra).
+rewrite id; unfold w in *; rewrite U in *; lra.
+Qed.
+
+Variables peak hat : R.
+Hypothesis is_peak : peak_of q1 q2 square_fl hat.
+Hypothesis peak_range : 0 <= peak <= square_fl.
+Hypothesis peak_high : curvature.K q1 q2 square_fl hat <= (1 + 1e-13) * curvature.K q1 q2 square_fl peak.
+
+Theorem bend_max_from_distance D : n * n <= D <= F * F -> D <= R2 ->
+  curvature.K q1 q2 R2 (R2 - D) <= bend_max peak + 1.2e-15 * R2 * (q1 * q2) * (3.2 + 6 * (sqrt q2 * R2)) + 1e-240.
+Proof.
+intros Din DR; assert (C := ends_close D Din DR); cbv zeta in C; assert (U := u_value); assert (e := eta_pos); assert (small := eta_small); assert (l := least_small).
+assert (r := R2_range radius radius_range); fold R2 in r; assert (D0 : 0 <= D) by (apply Rle_trans with (2 := proj1 Din); apply Rle_0_sqr); set (s := R2 - D) in *.
+assert (G := fl_error (radius * radius)); fold square_fl R2 in G; rewrite (Rabs_pos_eq R2) in G by lra; apply near in G; set (Rs := square_fl) in *.
+assert (Rs0 : 0 <= Rs) by (apply fl_nonneg; fold R2; lra); assert (sin : 0 <= s <= R2) by (unfold s; lra).
+unfold bend_max; destruct (Rle_dec top_fl 0) as [none | some].
+  assert (M := K_moved s 0 sin ltac:(fold Rs; lra) ltac:(rewrite Rminus_0_r; exact C)); fold Rs in M.
+  assert (f00 : f q1 q2 0 = 0) by (unfold f; rewrite !Rmult_0_r; unfold Rdiv; rewrite !Rmult_0_l; reflexivity).
+  assert (m00 : m 0 = 0).
+    unfold m; rewrite Rmax_left; [reflexivity |]; unfold f'; rewrite !Rmult_0_r, Ropp_0, exp_0; unfold Rdiv; rewrite !Rmult_0_l; assert (0 <= q1 * q2) by (apply Rmult_le_pos; lra); lra.
+  unfold curvature.K at 2 in M; fold (m 0) in M; rewrite f00, m00 in M; lra.
+destruct C as [ordered [top gap]]; assert (cin := closest_in s _ _ (proj2 ordered)).
+assert (Rs13 : 0 <= Rs <= 1e13) by (rewrite U in G; lra); assert (root0 := sqrt_pos q2).
 assert (st : sqrt q2 * Rs <= 151).
+  assert (root : sqrt q2 <= 1e8) by (rewrite <- (sqrt_square 1e8) by lra; apply sqrt_le_1; lra).
   assert (sqrt q2 * Rs <= sqrt q2 * (R2 + u * R2 + eta)) by (apply Rmult_le_compat_l; lra).
   assert (sqrt q2 * eta <= 1e8 * eta) by (apply Rmult_le_compat_r; lra); fold R2 in steep; rewrite U in *; lra.
-assert (M := bend_max_enough q1 q2 Rs q1_range q2_range Rs13 st far far_nonneg peak hat is_peak peak_range peak_high _ _ _ lo0 cin top).
-assert (gap : Rabs (s - closest s (low_fl radius d rho E) top_fl) <= 1.2e-15 * R2 + 3e9 * eta).
-  unfold closest; destruct (Rlt_dec s (low_fl radius d rho E)); [apply Rabs_le; lra |].
-  destruct (Rlt_dec top_fl s); apply Rabs_le; unfold s in *; lra.
-assert (A1 := moved (closest s (low_fl radius d rho E) top_fl) (conj (Rle_trans _ _ _ lo0 (proj1 cin)) (Rle_trans _ _ _ (proj2 cin) top)) gap).
-fold Rs; lra.
+assert (M := bend_max_enough q1 q2 Rs q1_range q2_range Rs13 st far far_nonneg peak hat is_peak peak_range peak_high _ _ _ (proj1 ordered) cin top).
+assert (A1 := K_moved s (closest s (low_fl radius d rho E) top_fl) sin (conj (Rle_trans _ _ _ (proj1 ordered) (proj1 cin)) (Rle_trans _ _ _ (proj2 cin) top)) gap).
+fold Rs in A1 |- *; lra.
 Qed.
 End Ends.

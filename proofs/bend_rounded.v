@@ -243,13 +243,23 @@ assert (eb : 0 <= e * b <= 4e13 * 1000e-299).
 assert (d := small_product (2 * c) (e * b) 16e15 _ ltac:(lra) eb); lra.
 Qed.
 
+Lemma bend_nonneg q : 0 <= q <= R2 -> 0 <= bend_fl q.
+Proof.
+intro qin; assert (te := tail_nonneg q2 q2_range far far_nonneg q (proj1 qin)); assert (ie := inverse_nonneg _ te).
+assert (pr : forall a b, 0 <= a -> 0 <= b -> 0 <= fl (a * b)) by (intros; apply fl_nonneg, Rmult_le_pos; assumption).
+assert (g0 : 0 <= factor_fl q1 q2 (tail_fl q2 far q)) by (unfold factor_fl; repeat (apply pr; try assumption); lra).
+unfold bend_fl; cbv zeta; apply pr; [apply pr; lra |]; apply fl_nonneg.
+assert (0 <= fl (fl (2 * fl (R2 - q)) * Rmax (fl (turn_fl q - 1)) 0)); [| lra].
+apply pr; [apply pr; [lra | apply fl_nonneg; lra] | apply Rmax_r].
+Qed.
+
 Variables peak hat : R.
 Hypothesis is_peak : peak_of q1 q2 R2 hat.
 Hypothesis hat_range : 0 <= hat <= R2.
 Hypothesis peak_range : 0 <= peak <= R2.
 Hypothesis peak_high : K hat <= (1 + 1e-13) * K peak.
 
-Theorem bend_max_enough lo hi s : 0 <= lo -> lo <= s <= hi -> hi <= R2 -> K s <= bend_max_fl peak lo hi + 1e-250.
+Theorem bend_max_room lo hi s : 0 <= lo -> lo <= s <= hi -> hi <= R2 -> (1 + 9e-14) * K s <= bend_max_fl peak lo hi + 1e-250.
 Proof.
 intros lo0 sin hiR; assert (le : lo <= hi) by lra; assert (M := largest_bend is_peak lo0 hiR sin); fold K in M.
 rewrite <- closest_is in M by exact le; set (p := closest hat lo hi) in *.
@@ -263,13 +273,7 @@ assert (kept : K p <= (1 + 1e-13) * K q).
       destruct (Rlt_dec hi hat); destruct (Rlt_dec hi peak); try (left; reflexivity); right; try apply Rle_refl; first [apply up; lra | apply down; lra].
   destruct pq as [-> | more]; lra.
 assert (rr := raise_range); assert (U := u_value); assert (Kq := K_nonneg q ltac:(lra)).
-assert (s0 : 0 <= q) by lra; assert (te := tail_nonneg q2 q2_range far far_nonneg q s0); assert (ie := inverse_nonneg _ te).
-assert (b0 : 0 <= bend_fl q).
-  assert (pr : forall a b, 0 <= a -> 0 <= b -> 0 <= fl (a * b)) by (intros; apply fl_nonneg, Rmult_le_pos; assumption).
-  assert (g0 : 0 <= factor_fl q1 q2 (tail_fl q2 far q)) by (unfold factor_fl; repeat (apply pr; try assumption); lra).
-  unfold bend_fl; cbv zeta; apply pr; [apply pr; lra |]; apply fl_nonneg.
-  assert (0 <= fl (fl (2 * fl (R2 - q)) * Rmax (fl (turn_fl q - 1)) 0)); [| lra].
-  apply pr; [apply pr; [lra | apply fl_nonneg; lra] | apply Rmax_r].
+assert (b0 := bend_nonneg q ltac:(lra)).
 assert (L0 : 0 <= raise * bend_fl q) by (apply Rmult_le_pos; lra); unfold bend_max_fl; fold q.
 destruct (Rle_lt_dec (q2 * (q * q)) 690) as [near_z | far_z].
   assert (B := bend_low q ltac:(lra) near_z); assert (F := fl_low _ L0).
@@ -277,4 +281,7 @@ destruct (Rle_lt_dec (q2 * (q * q)) 690) as [near_z | far_z].
   assert (n := eta_small); assert (l := least_is 1 ltac:(lra)); rewrite U in F; lra.
 assert (L := fl_nonneg _ L0); assert (tiny := K_far q ltac:(lra) far_z); lra.
 Qed.
+
+Theorem bend_max_enough lo hi s : 0 <= lo -> lo <= s <= hi -> hi <= R2 -> K s <= bend_max_fl peak lo hi + 1e-250.
+Proof. intros lo0 sin hiR; assert (H := bend_max_room lo hi s lo0 sin hiR); assert (P := K_nonneg s ltac:(lra)); lra. Qed.
 End Bend.
