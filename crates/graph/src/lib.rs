@@ -61,6 +61,7 @@ pub mod definition;
 pub mod effort;
 pub mod evidence;
 pub mod formats;
+pub(crate) mod generator;
 pub mod graph;
 pub mod hops;
 pub mod leaders;

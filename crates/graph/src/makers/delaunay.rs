@@ -4,9 +4,9 @@
 
 use alloc::vec::Vec;
 
-use super::generator::Generator;
 use super::mesh::{Mesh, Point};
 use super::{MakerError, require};
+use crate::generator::Generator;
 use crate::network::{NETWORK_LIMIT, Network};
 
 /// Points are in a square of so many steps a side.

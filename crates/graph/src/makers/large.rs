@@ -2,8 +2,8 @@
 
 use alloc::vec::Vec;
 
-use super::generator::Generator;
 use super::{MakerError, require};
+use crate::generator::Generator;
 use crate::network::{NETWORK_LIMIT, Network};
 
 /// A network with an order in which each node hears 2F + 1 earlier ones, drawn at random; the first 2F + 1 all hear each other. So it

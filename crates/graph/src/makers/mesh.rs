@@ -203,7 +203,7 @@ fn small(number: usize) -> u32 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::makers::generator::Generator;
+    use crate::generator::Generator;
 
     /// No circle around a triangle holds any point, all triangles are anticlockwise, and they cover the rim's inside.
     fn check(points: &[Point]) {

@@ -2,7 +2,6 @@
 
 pub mod delaunay;
 pub mod fixed;
-pub(crate) mod generator;
 pub mod large;
 mod mesh;
 pub mod minimal;

@@ -2,8 +2,8 @@
 
 use alloc::vec::Vec;
 
-use super::generator::Generator;
 use super::{MakerError, fixed, require};
+use crate::generator::Generator;
 use crate::graph::Graph;
 use crate::graph::set::NodeSet;
 

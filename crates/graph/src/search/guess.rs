@@ -7,8 +7,8 @@ use alloc::vec::Vec;
 
 use super::peel::Needs;
 use crate::effort::{Meter, Stopped};
+use crate::generator::Generator;
 use crate::graph::word::Word;
-use crate::makers::generator::Generator;
 
 /// Changes that are tried for each node that is counted; both take about as long.
 const CHANGES: i32 = 8;

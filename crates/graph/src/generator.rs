@@ -23,7 +23,7 @@ impl Generator {
     }
 
     /// Uniform in [0, 1), a multiple of 2⁻³².
-    pub(super) fn unit(&mut self) -> f64 {
+    pub(crate) fn unit(&mut self) -> f64 {
         let upper = u32::try_from(self.next() >> 32).unwrap_or(0);
         f64::from(upper) / 4_294_967_296.0
     }
