@@ -184,7 +184,7 @@ impl<'g> Robustness<'g> {
                 return Ok(());
             }
             let left = patience.saturating_sub(PLAIN);
-            meter.within(left, |meter| search::informed(graph, r, s, spectrum, ALIKE, meter))?
+            meter.within(left, |meter| search::long(graph, r, s, spectrum, ALIKE, meter))?
         };
         match found {
             Some(Some(witness)) => self.ledger.note_witness(r, witness.first, witness.second),

@@ -64,6 +64,7 @@ pub mod formats;
 pub(crate) mod generator;
 pub mod graph;
 pub mod hops;
+mod joint;
 pub mod leaders;
 pub mod local;
 pub mod makers;

@@ -79,6 +79,28 @@ fn a_witness_that_is_guessed_is_the_same_for_every_number_of_threads() {
     assert_eq!(decide(3), (verdict, nodes));
 }
 
+/// A question that is long enough for the search over both sets, and where limits end it: before, while sizes are ruled out, and after.
+//= theory sec:joint-search type=test
+#[test]
+fn both_sets_at_once_take_the_same_for_every_number_of_threads() {
+    let graph = random::regular(30, 20, 1).unwrap();
+    let decide = |nodes: u64, threads: usize| {
+        let mut go_on = |_: &Progress| ControlFlow::Continue(());
+        let threads = Threads(threads);
+        let mut meter = Meter::new(nodes, &mut go_on).with_workers(&threads);
+        let verdict = Robustness::new(&graph, &NO_TABLE).decide(9, 9, &mut meter);
+        (verdict, meter.nodes())
+    };
+    let (verdict, nodes) = decide(u64::MAX, 1);
+    // A search of one set after the other takes more than a million.
+    assert!(matches!(verdict, Verdict::Robust(_)) && nodes < 100_000, "{verdict:?}, {nodes}");
+    assert_eq!(decide(u64::MAX, 3), (verdict, nodes));
+    for limit in [18_000, 19_000, 25_000, 40_000] {
+        assert_eq!(decide(limit, 1), (Verdict::Unknown, limit));
+        assert_eq!(decide(limit, 3), (Verdict::Unknown, limit));
+    }
+}
+
 #[test]
 fn a_limit_on_the_count_ends_every_search_at_the_same_place() {
     for graph in graphs() {

@@ -3,7 +3,6 @@
 use alloc::vec::Vec;
 
 use super::peel::Needs;
-use super::side::Side;
 use super::symmetry;
 use crate::graph::Graph;
 use crate::graph::word::Word;
@@ -41,24 +40,20 @@ impl<'g, W: Word> Board<'g, W> {
         Self { graph, needs, sizes, symmetry: Some(Symmetry { twins, patience }) }
     }
 
-    /// The node and all found to which automorphisms take it that keep everything that is known: `side` and `field`.
+    /// The node and all found to which automorphisms take it that keep everything that is known, which the colours of nodes tell.
     ///
     /// If no sets are a witness with `node` taken, none are with one of these taken, by the same automorphism. The search without
     /// `node` has cost `spent` nodes, and looking for automorphisms costs less.
     //= theory sec:symmetry
-    pub(super) fn alike(&self, side: &Side<W>, field: W, node: usize, spent: u64) -> W {
+    pub(super) fn alike(&self, color: &dyn Fn(usize) -> usize, node: usize, spent: u64) -> W {
         let one = W::one(node);
         let Some(Symmetry { twins, patience }) = &self.symmetry else { return one };
         if spent >= *patience {
-            let color =
-                |node: usize| side.color(W::one(node)) + 16 * usize::from(W::one(node).is_within(field));
             let colors: Vec<usize> = (0..self.graph.node_count()).map(color).collect();
             let tries = usize::try_from(spent / 32).unwrap_or(TRIES).min(TRIES).max(1);
             return W::from_bits(symmetry::orbit(self.graph, &colors, node, tries).bits());
         }
-        let color = side.color(one);
-        let alike = twins[node].nodes().map(W::one).filter(|other| side.color(*other) == color);
-        let alike = alike.filter(|other| other.is_within(field) == one.is_within(field));
-        alike.fold(one, |all, other| all | other)
+        let alike = twins[node].nodes().filter(|other| color(*other) == color(node));
+        alike.map(W::one).fold(one, |all, other| all | other)
     }
 }

@@ -65,7 +65,7 @@ impl<W: Word> Choice<W> {
     /// What is known if neither the node is taken nor any of those that look like it, after `spent` nodes of search without it.
     pub(super) fn left(&self, board: &Board<'_, W>, spent: u64) -> Side<W> {
         let side = self.side;
-        let alike = board.alike(&side, self.room.field, self.node, spent);
+        let alike = board.alike(&|node| side.color_within(node, self.room.field), self.node, spent);
         if self.member {
             Side { allowed: side.allowed.without(alike), able: side.able.without(alike), ..side }
         } else {
@@ -175,11 +175,11 @@ impl<W: Word> Board<'_, W> {
     /// Who can still be content once nothing was found with `root`, nor therefore with any that look like it.
     pub(super) fn without_root(&self, side: &Side<W>, room: Room<W>, root: usize, spent: u64) -> W {
         let before = Side { members: W::NONE, content: W::NONE, ..*side };
-        side.able.without(self.alike(&before, room.field, root, spent))
+        side.able.without(self.alike(&|node| before.color_within(node, room.field), root, spent))
     }
 
     /// The node without which the fewest others can be content.
-    fn best_root(&self, allowed: W, able: W, own: i32) -> Option<usize> {
+    pub(super) fn best_root(&self, allowed: W, able: W, own: i32) -> Option<usize> {
         let rest = |node: usize| self.needs.peel(allowed, able.without(W::one(node)), W::NONE, own).count();
         able.nodes().min_by_key(|&node| (rest(node), -self.needs.heard_in(node, able)))
     }
@@ -256,7 +256,11 @@ impl<W: Word> Board<'_, W> {
 
     /// The neighbour of `node` to take or not.
     fn neighbor(&self, side: &Side<W>, node: usize) -> Option<usize> {
-        let open = self.needs.heard[node] & side.allowed.without(side.members);
+        self.worthiest(side, self.needs.heard[node] & side.allowed.without(side.members))
+    }
+
+    /// Of `open` the node that hears the most members, and few others.
+    pub(super) fn worthiest(&self, side: &Side<W>, open: W) -> Option<usize> {
         let worth = |neighbor: &usize| {
             4 * self.needs.heard_in(*neighbor, side.members) - self.needs.heard_in(*neighbor, side.allowed)
         };

@@ -17,6 +17,8 @@
 //!   node that keeps all that is known at this place (`board.rs`). Nodes with the same neighbours are seen at once, others after long
 //!   searches.
 //! * **Eigenvalues**: in long searches of undirected graphs both sets have as many members as their exempt ones ask for (`spectrum`).
+//! * **Sizes of both sets together**: searches that are longer still are begun again over both sets at once, for the numbers of members that
+//!   [`crate::joint`] does not rule out (`both`).
 //! * **Pieces**: what is long is cut into pieces, which threads that a caller lends may take at once (`pieces.rs`). The answer is that of
 //!   the first piece that has one.
 //! * **Sums**: in long searches what all content members lack together must be had from the nodes that are still taken (`sums.rs`), and a set
@@ -25,6 +27,7 @@
 //! * **Late exemption**: a member is branched on as content or exempt only when nothing else is open.
 
 mod board;
+mod both;
 mod grow;
 mod guess;
 pub(crate) mod ledger;
@@ -39,9 +42,12 @@ use crate::effort::{Meter, Stopped};
 use crate::graph::Graph;
 use crate::graph::set::NodeSet;
 use crate::graph::word::Word;
+use crate::joint::{self, Quadruple};
 use crate::spectrum::Spectrum;
 use board::Board;
+use both::Both;
 use grow::{Room, Search};
+use pieces::Below;
 
 /// A witness that `graph` is not (r,s)-robust, or `None` if it is, by exhaustive search and by nothing else.
 ///
@@ -50,15 +56,21 @@ use grow::{Room, Search};
 pub fn witness(graph: &Graph, r: usize, s: usize, meter: &mut Meter<'_>) -> Result<Option<Witness>, Stopped> {
     match meter.within(PLAIN, |meter| plain(graph, r, s, meter))? {
         Some(found) => Ok(found),
-        None => informed(graph, r, s, Spectrum::new(graph), ALIKE, meter),
+        None => long(graph, r, s, Spectrum::new(graph), ALIKE, meter),
     }
 }
 
 /// How long a search is before it is begun again with all that helps long ones. Nodes of the tree.
 pub(crate) const PLAIN: u64 = 2000;
 
+/// How long a search of one set after the other is before both are sought at once. Nodes of the tree.
+const INFORMED: u64 = 1 << 14;
+
 /// How long the search of one node is before its like are looked for. Nodes of the tree.
 pub(crate) const ALIKE: u64 = 2000;
+
+/// How much work may go into ruling out sizes before all further ones are left to the search. Nodes of the tree.
+const JOINT_NODES: u64 = 1 << 16;
 
 /// The search as it is for short questions.
 pub(crate) fn plain(
@@ -79,6 +91,28 @@ pub(crate) fn plain(
     Ok(sets.map(|sets| checked(graph, r, s, sets)))
 }
 
+/// The search for long questions: of one set after the other, and when that is long too, of both at once.
+pub(crate) fn long(
+    graph: &Graph,
+    r: usize,
+    s: usize,
+    spectrum: Option<Spectrum>,
+    alike: u64,
+    meter: &mut Meter<'_>,
+) -> Result<Option<Witness>, Stopped> {
+    let Some(bounds) = spectrum.filter(|_| s > 1) else {
+        return informed(graph, r, s, spectrum, alike, meter);
+    };
+    let short = meter.within(INFORMED, |meter| informed(graph, r, s, spectrum, alike, meter))?;
+    if let Some(found) = short {
+        return Ok(found);
+    }
+    match joint::quadruples(graph, bounds, r, count(s) - 1, JOINT_NODES, meter)? {
+        Some(quadruples) => both(graph, r, s, &quadruples, alike, meter),
+        None => informed(graph, r, s, spectrum, alike, meter),
+    }
+}
+
 /// The search in pieces, with symmetry once the search of a node was longer than `alike`, and with what the spectrum says of sizes.
 pub(crate) fn informed(
     graph: &Graph,
@@ -94,10 +128,35 @@ pub(crate) fn informed(
     meter.ask(r, s);
     let sets = if graph.node_count() <= 64 {
         let board = Board::<u64>::informed(graph, r, spectrum, alike);
-        pieces::search(&board, room(graph, s), meter)?.map(as_sets)
+        pieces::search(&Below { board: &board, room: room(graph, s) }, meter)?.map(as_sets)
     } else {
         let board = Board::<u128>::informed(graph, r, spectrum, alike);
-        pieces::search(&board, room(graph, s), meter)?.map(as_sets)
+        pieces::search(&Below { board: &board, room: room(graph, s) }, meter)?.map(as_sets)
+    };
+    Ok(sets.map(|sets| checked(graph, r, s, sets)))
+}
+
+/// The search over both sets at once, for sizes that are left to them.
+//= theory sec:joint-search
+fn both(
+    graph: &Graph,
+    r: usize,
+    s: usize,
+    quadruples: &[Quadruple],
+    alike: u64,
+    meter: &mut Meter<'_>,
+) -> Result<Option<Witness>, Stopped> {
+    if is_trivial(graph, r, s) {
+        return Ok(None);
+    }
+    meter.ask(r, s);
+    let effort = count(s) - 1;
+    let sets = if graph.node_count() <= 64 {
+        let board = Board::<u64>::informed(graph, r, None, alike);
+        pieces::search(&Both::new(&board, quadruples, effort), meter)?.map(as_sets)
+    } else {
+        let board = Board::<u128>::informed(graph, r, None, alike);
+        pieces::search(&Both::new(&board, quadruples, effort), meter)?.map(as_sets)
     };
     Ok(sets.map(|sets| checked(graph, r, s, sets)))
 }
@@ -157,14 +216,22 @@ mod tests {
         for r in 1..=graph.node_count().div_ceil(2) + 1 {
             for s in 1..=graph.node_count() {
                 let with = informed(graph, r, s, spectrum, 0, &mut meter).unwrap();
-                assert_eq!(with.is_none(), definition::is_robust(graph, r, s), "({r}, {s}), {graph:?}");
+                let is_robust = definition::is_robust(graph, r, s);
+                assert_eq!(with.is_none(), is_robust, "({r}, {s}), {graph:?}");
+                let Some(spectrum) = spectrum else { continue };
+                for nodes in [0, u64::MAX] {
+                    let sizes = joint::quadruples(graph, spectrum, r, count(s) - 1, nodes, &mut meter);
+                    let with = both(graph, r, s, &sizes.unwrap().unwrap(), 0, &mut meter).unwrap();
+                    assert_eq!(with.is_none(), is_robust, "({r}, {s}), {nodes} nodes, {graph:?}");
+                }
             }
         }
     }
 
     //= theory sec:symmetry type=test
+    //= theory sec:joint-search type=test
     #[test]
-    fn neither_symmetry_nor_eigenvalues_hide_a_witness() {
+    fn neither_symmetry_nor_eigenvalues_nor_sizes_hide_a_witness() {
         for code in 0..1_u32 << 10 {
             let pairs = (0..5).flat_map(|from| (from + 1..5).map(move |to| (from, to)));
             let chosen = pairs.enumerate().filter(|(bit, _)| code >> bit & 1 == 1).map(|(_, edge)| edge);

@@ -18,8 +18,55 @@ const DEPTH: u32 = 6;
 /// How many choices deep symmetries are looked for while it is cut.
 const DEPTH_OF_SYMMETRY: u32 = 2;
 
-/// A part of the tree.
+/// A part of the tree that grows one set after the other.
 type Part<W> = (Side<W>, Room<W>);
+
+/// A tree that can be searched in parts.
+pub(super) trait Tree<W>: Sync {
+    /// Where a part begins.
+    type Place: Copy + Send + Sync;
+
+    /// All parts, in the order in which a search without threads would come to them.
+    fn parts(&self, meter: &mut Meter<'_>) -> Result<Vec<Self::Place>, Stopped>;
+
+    /// Searches the part of that number.
+    fn search(
+        &self,
+        place: Self::Place,
+        number: usize,
+        meter: &mut Meter<'_>,
+    ) -> Result<Option<Pair<W>>, Stopped>;
+}
+
+/// The tree below a room.
+pub(super) struct Below<'b, 'g, W> {
+    pub(super) board: &'b Board<'g, W>,
+    pub(super) room: Room<W>,
+}
+
+impl<W: Word + Send + Sync> Tree<W> for Below<'_, '_, W> {
+    type Place = Part<W>;
+
+    fn parts(&self, meter: &mut Meter<'_>) -> Result<Vec<Part<W>>, Stopped> {
+        let (board, room) = (self.board, self.room);
+        let mut parts = Vec::new();
+        let mut able = room.field;
+        while let Some((root, side)) = board.root(able, room) {
+            cut(board, (side, room), DEPTH, &mut parts, meter)?;
+            able = board.without_root(&side, room, root, u64::MAX);
+        }
+        Ok(parts)
+    }
+
+    fn search(
+        &self,
+        (side, room): Part<W>,
+        number: usize,
+        meter: &mut Meter<'_>,
+    ) -> Result<Option<Pair<W>>, Stopped> {
+        Search::guessing(self.board, meter, number).extend(side, room)
+    }
+}
 
 /// What became of a part, and what it cost.
 struct Outcome<W> {
@@ -28,21 +75,15 @@ struct Outcome<W> {
     found: Result<Option<Pair<W>>, Stopped>,
 }
 
-/// All of the tree below `room`, in the order in which a search without threads would come to its parts.
-pub(super) fn search<W: Word + Send + Sync>(
-    board: &Board<'_, W>,
-    room: Room<W>,
+/// All of a tree.
+pub(super) fn search<W: Word + Send + Sync, T: Tree<W>>(
+    tree: &T,
     meter: &mut Meter<'_>,
 ) -> Result<Option<Pair<W>>, Stopped> {
-    let mut parts = Vec::new();
-    let mut able = room.field;
-    while let Some((root, side)) = board.root(able, room) {
-        cut(board, (side, room), DEPTH, &mut parts, meter)?;
-        able = board.without_root(&side, room, root, u64::MAX);
-    }
+    let parts = tree.parts(meter)?;
     match meter.workers() {
-        Some(workers) => at_once(board, &parts, workers, meter),
-        None => one_by_one(board, &parts, meter),
+        Some(workers) => at_once(tree, &parts, workers, meter),
+        None => one_by_one(tree, &parts, meter),
     }
 }
 
@@ -71,13 +112,13 @@ fn cut<W: Word>(
     Ok(())
 }
 
-fn one_by_one<W: Word>(
-    board: &Board<'_, W>,
-    parts: &[Part<W>],
+fn one_by_one<W: Word, T: Tree<W>>(
+    tree: &T,
+    parts: &[T::Place],
     meter: &mut Meter<'_>,
 ) -> Result<Option<Pair<W>>, Stopped> {
-    for (place, (side, room)) in parts.iter().enumerate() {
-        let found = Search::guessing(board, &mut *meter, place).extend(*side, *room)?;
+    for (number, place) in parts.iter().enumerate() {
+        let found = tree.search(*place, number, meter)?;
         if found.is_some() {
             return Ok(found);
         }
@@ -111,9 +152,9 @@ impl Shared {
     }
 }
 
-fn at_once<W: Word + Send + Sync>(
-    board: &Board<'_, W>,
-    parts: &[Part<W>],
+fn at_once<W: Word + Send + Sync, T: Tree<W>>(
+    tree: &T,
+    parts: &[T::Place],
     workers: &dyn Workers,
     meter: &mut Meter<'_>,
 ) -> Result<Option<Pair<W>>, Stopped> {
@@ -126,7 +167,7 @@ fn at_once<W: Word + Send + Sync>(
     };
     let (shared, left) = (&shared, meter.left());
     let mut outcomes: Vec<Vec<Outcome<W>>> = (0..workers.count()).map(|_| Vec::new()).collect();
-    let piece = |outcomes| -> Piece<'_> { Box::new(move || work(board, parts, shared, left, outcomes)) };
+    let piece = |outcomes| -> Piece<'_> { Box::new(move || work(tree, parts, shared, left, outcomes)) };
     workers.run(outcomes.iter_mut().map(piece).collect(), &mut || {
         if !meter.look(shared.visited.load(Relaxed) as u64) {
             shared.stop.store(true, Relaxed);
@@ -141,16 +182,16 @@ fn at_once<W: Word + Send + Sync>(
 }
 
 /// Takes one part after another until the search is over.
-fn work<W: Word>(
-    board: &Board<'_, W>,
-    parts: &[Part<W>],
+fn work<W: Word, T: Tree<W>>(
+    tree: &T,
+    parts: &[T::Place],
     shared: &Shared,
     left: u64,
     outcomes: &mut Vec<Outcome<W>>,
 ) {
     loop {
         let place = shared.next.fetch_add(1, Relaxed);
-        let Some((side, room)) = parts.get(place).filter(|_| !shared.is_over(place)) else { return };
+        let Some(part) = parts.get(place).filter(|_| !shared.is_over(place)) else { return };
         let mut told = 0;
         let mut look = |progress: &Progress| {
             let nodes = usize::try_from(progress.nodes).unwrap_or(usize::MAX);
@@ -159,7 +200,7 @@ fn work<W: Word>(
             if shared.is_over(place) { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
         };
         let mut meter = Meter::new(left.saturating_sub(shared.before(place)), &mut look);
-        let found = Search::guessing(board, &mut meter, place).extend(*side, *room);
+        let found = tree.search(*part, place, &mut meter);
         let nodes = meter.nodes();
         if !matches!(found, Ok(None)) {
             shared.end.fetch_min(place, Relaxed);

@@ -28,6 +28,12 @@ impl<W: Word> Side<W> {
         sets.iter().fold(0, |color, set| 2 * color + usize::from(node.is_within(*set)))
     }
 
+    /// What is known of a node of a search in `field`, as a number below 32.
+    pub(super) fn color_within(&self, node: usize, field: W) -> usize {
+        let one = W::one(node);
+        self.color(one) + 16 * usize::from(one.is_within(field))
+    }
+
     /// Draws every conclusion, for at most `effort` exempt members and at most `size` members in all.
     /// `None` if no such S is left.
     pub(super) fn conclude(mut self, needs: &Needs<W>, effort: i32, size: i32) -> Option<Self> {
