@@ -21,7 +21,7 @@
 //! | branch and bound (algorithm B) | [`search`] |
 //! | the table of all subsets (algorithm A) | [`table`] |
 //! | which nodes look alike | [`search::symmetry`] |
-//! | what eigenvalues say | [`spectrum`] |
+//! | what eigenvalues say, of one set and of both | [`spectrum`] |
 //! | what a question may cost; threads that a caller lends | [`effort`], [`workers`] |
 //! | leaders, and adversaries few in every neighbourhood | [`leaders`], [`local`] |
 //! | whether liars can split it, with a proof that others can check | [`roles`] |
@@ -75,4 +75,5 @@ pub mod search;
 pub mod spectrum;
 pub mod table;
 pub mod verdict;
-pub mod workers;
+
+pub use effort::workers;

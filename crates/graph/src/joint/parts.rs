@@ -34,6 +34,14 @@ impl Quadruple {
     }
 }
 
+/// A weighted sum of the numbers of links, and between what it lies.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Row {
+    pub(super) weights: [i128; PAIRS],
+    pub(super) low: Option<i128>,
+    pub(super) high: Option<i128>,
+}
+
 /// The place of a pair of parts in a row, in either order.
 pub(super) const fn pair(one: usize, other: usize) -> usize {
     let (low, high) = if one < other { (one, other) } else { (other, one) };

@@ -2,8 +2,8 @@
 
 use alloc::vec::Vec;
 
-use super::parts::{Counts, PAIRS, rooms};
-use super::rules::{Facts, Row, Rule};
+use super::parts::{Counts, PAIRS, Row, rooms};
+use super::rules::{Facts, Rule};
 
 /// Rules with multipliers: a positive one takes the upper bound of its row, a negative one the lower.
 #[derive(Clone, Debug, PartialEq, Eq)]

@@ -3,7 +3,7 @@
 use alloc::vec::Vec;
 
 use super::degrees::Degrees;
-use super::parts::{Counts, PAIRS, PARTS, REST, pair, pairs};
+use super::parts::{Counts, PAIRS, PARTS, REST, Row, pair, pairs};
 use super::strong::Strong;
 use crate::graph::Graph;
 use crate::spectrum::{SCALE, Spectrum};
@@ -26,14 +26,6 @@ pub(super) enum Rule {
     Most([i32; PARTS]),
     /// What a node of each part hears, weighted by the vector, is a whole number: none lies between the second number and the next one.
     Whole([i32; PARTS], [i32; PARTS]),
-}
-
-/// A weighted sum of the numbers of links, and between what it lies.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Row {
-    pub(super) weights: [i128; PAIRS],
-    pub(super) low: Option<i128>,
-    pub(super) high: Option<i128>,
 }
 
 /// What is known of one graph at one r.

@@ -2,9 +2,9 @@
 
 use alloc::vec::Vec;
 
-use super::parts::{PAIRS, Quadruple, rooms};
+use super::parts::{Counts, PAIRS, Quadruple, Row, rooms};
 use super::proof::Proof;
-use super::rules::{Facts, Row, Rule};
+use super::rules::{Facts, Rule};
 use super::simplex::{Outcome, Simplex, float};
 use super::vectors::eigenvalue_rules;
 use super::whole::whole_rules;
@@ -71,7 +71,7 @@ impl Sieve {
 /// A linear program over the numbers of links for one quadruple.
 struct Program<'f> {
     facts: &'f Facts,
-    counts: super::parts::Counts,
+    counts: Counts,
     simplex: Simplex,
     /// The rules of its rows, and what each row was multiplied by to have 1 as its largest weight.
     rules: Vec<(Rule, f64)>,

@@ -1,7 +1,6 @@
 //! Strongly regular graphs: how many others two nodes both hear depends only on whether they hear each other.
 
-use super::parts::{Counts, PAIRS, PARTS, pair, pairs};
-use super::rules::Row;
+use super::parts::{Counts, PAIRS, PARTS, Row, pair, pairs};
 use crate::graph::Graph;
 
 /// A² = d I + a A + b (J − I − A): what two nodes that hear each other, or do not, both hear.

@@ -1,7 +1,8 @@
 //! Which node a place is divided by.
 
 use super::known::Known;
-use super::limits::{Counts, EXEMPT, MEMBERS, range};
+use super::limits::{Counts, range};
+use super::roles::{EXEMPT, MEMBERS};
 use super::{Both, Place, SECOND};
 use crate::graph::word::Word;
 use crate::search::board::Board;

@@ -1,6 +1,6 @@
 //! What is known of both sets at once.
 
-use super::limits::{CONTENT, EXEMPT, REST};
+use super::roles::{CONTENT, EXEMPT, REST};
 use crate::graph::word::Word;
 use crate::search::peel::Needs;
 use crate::search::side::Side;

@@ -3,23 +3,15 @@
 use alloc::vec::Vec;
 
 use super::known::Known;
+use super::roles::{EXEMPT, ROLES};
 use crate::graph::word::Word;
 use crate::joint::Quadruple;
-
-/// What a node may be: content or exempt in S₁, content or exempt in S₂, in neither set.
-pub(super) const ROLES: usize = 5;
 
 /// Sets of roles, a bit for each.
 const SETS: usize = 1 << ROLES;
 
 /// A number of nodes for each set of roles.
 pub(super) type Counts = [u8; SETS];
-
-/// The bit of the content members of a set, of the exempt ones, and both.
-pub(super) const CONTENT: [usize; 2] = [1, 4];
-pub(super) const EXEMPT: [usize; 2] = [2, 8];
-pub(super) const REST: usize = 16;
-pub(super) const MEMBERS: [usize; 2] = [3, 12];
 
 /// How many nodes have one of some roles, by a quadruple.
 pub(super) fn counts(quadruple: &Quadruple, nodes: i32) -> Counts {

@@ -7,6 +7,7 @@
 mod choice;
 mod known;
 mod limits;
+mod roles;
 #[cfg(test)]
 mod tests;
 mod ways;
@@ -22,7 +23,8 @@ use crate::graph::word::Word;
 use crate::joint::Quadruple;
 use choice::Choice;
 use known::Known;
-use limits::{Counts, EXEMPT, MEMBERS, Roles, counts, merged};
+use limits::{Counts, Roles, counts, merged};
+use roles::{EXEMPT, MEMBERS};
 use ways::Ways;
 
 /// How many choices deep a tree is cut into pieces.
@@ -75,17 +77,27 @@ impl<'b, 'g, W: Word> Both<'b, 'g, W> {
     fn conclude(&self, place: Place<W>) -> Option<(Place<W>, Counts)> {
         let (needs, quadruples) = (&self.board.needs, &self.groups[place.group]);
         let mut known = place.known;
+        // Sides of which the same was asked before have nothing new to say.
+        let (mut asked, mut settled) = ([None; 2], [None; 2]);
         loop {
             let before = known;
             known.part(self.field)?;
             known.bound_by_largeness(needs, self.field);
-            known.exempt = [self.least_exempt(&known, 0)?, self.least_exempt(&known, 1)?];
+            for set in 0..2 {
+                if asked[set] != Some(known.sides[set]) {
+                    known.exempt[set] = self.least_exempt(&known, set)?;
+                    asked[set] = Some(known.sides[set]);
+                }
+            }
             let roles = Roles::new(&known, self.field);
             let most = roles.limits(quadruples, known.exempt)?;
             roles.bound(&mut known, &most);
             for (set, side) in known.sides.iter_mut().enumerate() {
                 let [exempt, size] = [EXEMPT[set], MEMBERS[set]].map(|roles| i32::from(most[roles]));
-                *side = side.conclude(needs, exempt, size)?;
+                if settled[set] != Some((*side, exempt, size)) {
+                    *side = side.conclude(needs, exempt, size)?;
+                    settled[set] = Some((*side, exempt, size));
+                }
             }
             if known == before {
                 return Some((Place { known, ..place }, most));

@@ -1,9 +1,11 @@
 //! How much work a question may cost, and who may stop it.
 
+pub mod workers;
+
 use core::fmt;
 use core::ops::ControlFlow;
 
-use crate::workers::Workers;
+use workers::Workers;
 
 /// Nodes between two calls of the progress callback.
 const REPORT_EVERY: u64 = 1 << 12;
