@@ -18,7 +18,7 @@
 //!   searches.
 //! * **Eigenvalues**: in long searches of undirected graphs both sets have as many members as their exempt ones ask for (`spectrum`).
 //! * **Sizes of both sets together**: searches that are longer still are begun again over both sets at once, for the numbers of members that
-//!   [`crate::joint`] does not rule out (`both`).
+//!   no numbers of links forbid (`joint`, `both`).
 //! * **Pieces**: what is long is cut into pieces, which threads that a caller lends may take at once (`pieces.rs`). The answer is that of
 //!   the first piece that has one.
 //! * **Sums**: in long searches what all content members lack together must be had from the nodes that are still taken (`sums.rs`), and a set
