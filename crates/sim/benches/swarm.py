@@ -15,7 +15,7 @@ import sys
 SCENARIO = "scenarios/swarm.toml"
 ROBOTS = [100, 300, 1_000, 3_000, 10_000]
 TICKS = (3, 23)
-WIDTH, HEIGHT, LEFT, TOP, RIGHT, BOTTOM = 560, 340, 84, 30, 20, 52
+WIDTH, HEIGHT, LEFT, TOP, RIGHT, BOTTOM = 560, 340, 84, 30, 32, 52
 LOOKS = {"links": ("#17507F", ""), "budget": ("#C0562B", "7 4")}
 
 
