@@ -228,6 +228,48 @@ mod tests {
         }
     }
 
+    fn by_both(graph: &Graph, r: usize, s: usize) -> bool {
+        let mut go_on = |_: &Progress| ControlFlow::Continue(());
+        let mut meter = Meter::new(u64::MAX, &mut go_on);
+        let spectrum = Spectrum::new(graph).unwrap();
+        let sizes = joint::quadruples(graph, spectrum, r, count(s) - 1, JOINT_NODES, &mut meter);
+        both(graph, r, s, &sizes.unwrap().unwrap(), ALIKE, &mut meter).unwrap().is_none()
+    }
+
+    //= theory sec:joint-search type=test
+    #[test]
+    fn both_sets_at_once_say_what_the_table_says() {
+        let mut go_on = |_: &Progress| ControlFlow::Continue(());
+        let mut meter = Meter::new(u64::MAX, &mut go_on);
+        for seed in 0..8 {
+            let degree = 4 + usize::try_from(seed).unwrap();
+            let chance = 0.5 + 0.05 * f64::from(u32::try_from(seed).unwrap());
+            let graphs = [
+                random::regular(14, degree, seed).unwrap(),
+                random::erdos_renyi(15, chance, false, seed).unwrap(),
+            ];
+            for (graph, r) in graphs.iter().flat_map(|graph| (1..7).map(move |r| (graph, r))) {
+                let (s, _) = crate::table::s_max(graph, r, 1 << 15, &mut meter).unwrap();
+                assert!((1..=s).rev().take(2).all(|s| by_both(graph, r, s)), "({r}, {s}), {graph:?}");
+                let more = (s + 1..=graph.node_count()).take(2);
+                assert!(more.into_iter().all(|s| !by_both(graph, r, s)), "({r}, {s}), {graph:?}");
+            }
+        }
+    }
+
+    #[test]
+    fn both_sets_at_once_take_more_than_64_nodes() {
+        let graph = symmetric::multipartite(11, 6).unwrap();
+        let robust: Vec<bool> = (24..=32).map(|r| by_both(&graph, r, 2)).collect();
+        let mut go_on = |_: &Progress| ControlFlow::Continue(());
+        let mut meter = Meter::new(u64::MAX, &mut go_on);
+        let spectrum = Spectrum::new(&graph);
+        let expected =
+            (24..=32).map(|r| informed(&graph, r, 2, spectrum, ALIKE, &mut meter).unwrap().is_none());
+        assert_eq!(robust, expected.collect::<Vec<_>>());
+        assert!(robust.contains(&true) && robust.contains(&false), "{robust:?}");
+    }
+
     //= theory sec:symmetry type=test
     //= theory sec:joint-search type=test
     #[test]
