@@ -18,6 +18,7 @@ use super::board::Board;
 use super::grow::Pair;
 use super::guess::{Guess, Guesses};
 use super::pieces::Tree;
+use super::symmetry;
 use crate::effort::{Meter, Stopped};
 use crate::graph::word::Word;
 use crate::joint::Quadruple;
@@ -29,9 +30,6 @@ use ways::Ways;
 
 /// How many choices deep a tree is cut into pieces.
 const DEPTH: u32 = 6;
-
-/// How many choices deep symmetries are looked for while it is cut.
-const DEPTH_OF_SYMMETRY: u32 = 2;
 
 /// The set with more exempt members, or as many.
 const SECOND: usize = 1;
@@ -45,6 +43,8 @@ pub(super) struct Both<'b, 'g, W> {
     effort: i32,
     field: W,
     ways: Ways,
+    /// Whether symmetries are looked for wherever the tree is cut.
+    is_symmetric: bool,
 }
 
 /// What is known, and for which of the groups.
@@ -70,7 +70,8 @@ impl<'b, 'g, W: Word> Both<'b, 'g, W> {
             merged(&group)
         };
         let groups = (1..=field.count()).map(of_size).filter(|group| !group.is_empty()).collect();
-        Self { board, groups, effort, field, ways: Ways::new(board.graph.node_count()) }
+        let is_symmetric = symmetry::orbits(board.graph).iter().any(|orbit| orbit.len() > 1);
+        Self { board, groups, effort, field, ways: Ways::new(board.graph.node_count()), is_symmetric }
     }
 
     /// All that follows from what is known.
@@ -188,7 +189,7 @@ impl<'b, 'g, W: Word> Both<'b, 'g, W> {
                 let is_root = choice.set == SECOND && !begun;
                 let below = if is_root { DEPTH } else { depth - 1 };
                 self.cut(choice.taken(), below, parts, meter)?;
-                let spent = if is_root || depth > DEPTH - DEPTH_OF_SYMMETRY { u64::MAX } else { 0 };
+                let spent = if self.is_symmetric { u64::MAX } else { 0 };
                 let left = choice.left(self.board, spent);
                 self.cut(left, if is_root { depth } else { depth - 1 }, parts, meter)?;
             }
