@@ -174,37 +174,42 @@ fn too_large_numbers_prove_nothing() {
     assert!(!refutes(1) && !refutes(i128::MAX) && !refutes(i128::MIN));
 }
 
-/// Of all quadruples those that are large enough by themselves, those that are left if whole numbers are not asked, and those that are left.
-fn numbers(graph: &Graph, r: usize, exempt: i32) -> [usize; 3] {
+/// Of all quadruples those that are large enough by themselves, those that are left if whole numbers are not asked, and those that are left;
+/// and the work of the last, in nodes of the search tree.
+fn numbers(graph: &Graph, r: usize, exempt: i32) -> ([usize; 3], u64) {
     let spectrum = Spectrum::new(graph).unwrap();
     let sizes = Sizes::new(graph, spectrum, r);
     let facts = Facts::new(graph, spectrum, r);
     let count = |facts: Facts| {
         let mut sieve = Sieve::new(facts);
-        all(graph, &sizes, exempt).filter(|quadruple| !sieve.rules_out(quadruple)).count()
+        let left = all(graph, &sizes, exempt).filter(|quadruple| !sieve.rules_out(quadruple)).count();
+        (left, sieve.nodes)
     };
-    let without = count(Facts { strong: None, ..facts.clone() });
-    [all(graph, &sizes, exempt).count(), without, count(facts)]
+    let (without, _) = count(Facts { strong: None, ..facts.clone() });
+    let (left, nodes) = count(facts);
+    ([all(graph, &sizes, exempt).count(), without, left], nodes)
 }
 
 /// The numbers of docs/robustness-performance.md.
 #[test]
 fn most_sizes_of_symmetric_graphs_are_ruled_out() {
     let kneser = |points| symmetric::kneser(points, 2).unwrap();
-    assert_eq!(numbers(&kneser(10), 14, 13), [24, 12, 9]);
-    assert_eq!(numbers(&symmetric::rook_complement(7, 7).unwrap(), 18, 17), [51, 28, 21]);
-    assert_eq!(numbers(&kneser(11), 18, 17), [93, 42, 34]);
+    assert_eq!(numbers(&kneser(10), 14, 13), ([24, 12, 9], 1904));
+    assert_eq!(numbers(&symmetric::rook_complement(7, 7).unwrap(), 18, 17), ([51, 28, 21], 3691));
+    assert_eq!(numbers(&kneser(11), 18, 17), ([93, 42, 34], 8771));
     let paley = symmetric::paley(53).unwrap();
-    assert_eq!(numbers(&paley, 13, 0), [2, 2, 2]);
-    assert_eq!(numbers(&paley, 12, 11), [1, 0, 0]);
-    for (nodes, degree, r, left) in
-        [(30, 20, 9, [27, 22, 22]), (32, 22, 10, [29, 24, 24]), (34, 22, 10, [208, 196, 196])]
-    {
+    assert_eq!(numbers(&paley, 13, 0), ([2, 2, 2], 64));
+    assert_eq!(numbers(&paley, 12, 11), ([1, 0, 0], 26));
+    for (nodes, degree, r, left) in [
+        (30, 20, 9, ([27, 22, 22], 1553)),
+        (32, 22, 10, ([29, 24, 24], 1772)),
+        (34, 22, 10, ([208, 196, 196], 14945)),
+    ] {
         let graph = random::regular(nodes, degree, 1).unwrap();
         assert_eq!(numbers(&graph, r, i32::try_from(r).unwrap() - 1), left, "{nodes}");
     }
     let half = random::regular(36, 18, 1).unwrap();
-    assert_eq!(numbers(&half, 8, 7), [337, 329, 329]);
+    assert_eq!(numbers(&half, 8, 7), ([337, 329, 329], 38209));
     let dense = random::erdos_renyi(42, 0.8, false, 1).unwrap();
-    assert_eq!(numbers(&dense, 15, 14), [468, 253, 253]);
+    assert_eq!(numbers(&dense, 15, 14), ([468, 253, 253], 19513));
 }
