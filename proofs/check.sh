@@ -38,40 +38,90 @@ if grep -nE '\b(Admitted|admit|Axiom|Parameter|Conjecture|Unset Guard Checking|b
   echo "nothing may be left open or assumed"; exit 1
 fi
 
-# A file is compiled unless it and all that it rests on are what they were.
-for file in $(coqdep -sort -R . Closeranks ./*.v 2> /dev/null); do
-  file=${file#./}; file=${file%.vo}; file=${file%.v}
-  keys=$(coqdep -R . Closeranks "$file.v" 2> /dev/null | sed -n "s/^$file\.vo [^:]*: //p" | tr ' ' '\n' \
-    | grep -vE '^/' | sed -n 's/\.vo$/.key/p')
-  # shellcheck disable=SC2086 # names of our own files
-  key=$(cat "$file.v" $keys | sha256sum)
+# Files are compiled side by side, each once all that it rests on is there, unless it and all that are what they were.
+cores=$(nproc)
+declare -A rests=() done=() running=()
+while read -r file on; do
+  rests[$file]=$on
+done < <(coqdep -R . Closeranks ./*.v 2> /dev/null | sed -nE 's/^(\.\/)?([a-z0-9_]+)\.vo [^:]*: /\2 /p' | while read -r file on; do
+  echo "$file" "$(tr ' ' '\n' <<< "$on" | grep -v '^/' | sed -nE 's/^(\.\/)?([a-z0-9_]+)\.vo$/\2/p' | tr '\n' ' ')"
+done)
+
+compile() {
+  local file=$1 key
+  shift
+  key=$(cat "$file.v" "${@/%/.key}" | sha256sum)
   if test -f "$file.vo" && test "$key" = "$(cat "$file.key" 2> /dev/null)"; then
     echo "== $file.v has not changed"
   else
     echo "== $file.v"
     rm -f "$file.key"
-    coqc -q -w none -R . Closeranks "$file.v"
+    coqc -q -w none -R . Closeranks "$file.v" || { echo "$file.v does not hold"; return 1; }
     echo "$key" > "$file.key"
+  fi
+}
+
+# A file that nothing keeps from being compiled, or nothing.
+ready() {
+  local file on
+  for file in "${!rests[@]}"; do
+    test -z "${done[$file]:-}${running[$file]:-}" || continue
+    for on in ${rests[$file]}; do
+      test -n "${done[$on]:-}" || continue 2
+    done
+    echo "$file"
+    return
+  done
+}
+
+while test "${#done[@]}" -lt "${#rests[@]}"; do
+  file=$(ready)
+  if test -n "$file" && test "${#running[@]}" -lt "$cores"; then
+    # shellcheck disable=SC2086 # names of our own files
+    compile "$file" ${rests[$file]} &
+    running[$file]=$!
+  elif test "${#running[@]}" -eq 0; then
+    echo "files rest on each other in a circle, or on one that is not there"; exit 1
+  else
+    wait -n -p ended || { wait || true; echo "a file does not hold"; exit 1; }
+    for file in "${!running[@]}"; do
+      if test "${running[$file]}" = "$ended"; then
+        done[$file]=yes
+        unset "running[$file]"
+      fi
+    done
   fi
 done
 
-# A theorem may rest on the axioms of Coq's real numbers and on nothing else.
-{
-  while read -r file theorem; do
-    case "$file" in "" | \#*) continue ;; esac
-    echo "From Closeranks Require $file."
-    echo "Eval compute in tt. Print Assumptions $file.$theorem."
-  done < main_theorems.txt
-} > assumptions_of_all.v
-coqtop -q -w none -R . Closeranks -batch -l assumptions_of_all.v > assumptions.txt 2>&1 || { cat assumptions.txt; exit 1; }
-rm assumptions_of_all.v
+# A theorem may rest on the axioms of Coq's real numbers and on nothing else. Each core asks about some of them.
+ask() {
+  {
+    while read -r file theorem; do
+      echo "From Closeranks Require $file."
+      echo "Eval compute in tt. Print Assumptions $file.$theorem."
+    done < "$1.txt"
+  } > "$1.v"
+  coqtop -q -w none -R . Closeranks -batch -l "$1.v" > "$1.out" 2>&1 || { cat "$1.out"; return 1; }
+}
+rm -f asked_*
+grep -vE '^(#|$)' main_theorems.txt | split -n "r/$cores" -d --additional-suffix=.txt - asked_
+asked=()
+for part in asked_*.txt; do
+  ask "${part%.txt}" &
+  asked+=($!)
+done
+for process in "${asked[@]}"; do
+  wait "$process"
+done
+cat asked_*.out > assumptions.txt
+rm -f asked_*.v
 theorems=$(grep -cvE '^(#|$)' main_theorems.txt)
-paste -d ' ' <(grep -vE '^(#|$)' main_theorems.txt) <(awk '
+paste -d ' ' <(cat asked_*.txt) <(awk '
   /= tt/ { if (n++) print line; line = ""; next }
   /^Closed under/ { line = line " (no axioms)" }
   /^[A-Za-z_.]+ *:/ { line = line " " $1 }
   /^[A-Za-z_.]+$/ { line = line " " $1 }
-  END { print line }' assumptions.txt) | sed 's/ Axioms:*//' | tee main_assumptions.txt
+  END { print line }' assumptions.txt) | sed 's/ Axioms:*//'
 checked=$(grep -c '= tt' assumptions.txt)
 test "$checked" -eq "$theorems" || { echo "$checked of $theorems theorems were found"; exit 1; }
 answered=$(grep -cE '^(Closed under|Axioms:)' assumptions.txt)
