@@ -9,15 +9,13 @@ use closeranks_core::num::Vector;
 use closeranks_core::robot::missing::Horizon;
 use closeranks_core::robot::neighbor::Slot;
 
+use crate::engine::held::spare::Spare;
 use crate::engine::roster::Roster;
 use crate::geometry::crowd::Crowd;
 use crate::geometry::near::small;
 
-/// So many more neighbours a robot has room for than it has when room is made, and so many more deals.
+/// So many more neighbours a robot has room for than it has when room is made.
 const SPARE: usize = 8;
-const SPARE_DEALS: usize = 4;
-/// Deals are read in every tick, and gaps between those of one robot and the next cost time: at most so many a robot are left, on average.
-const GAP_DEALS: usize = 6;
 
 /// Neighbours robot after robot, those of each in order of numbers. If one robot has another, that one has it too.
 #[derive(Clone, Debug)]
@@ -29,6 +27,7 @@ pub(crate) struct Lists<const D: usize> {
     deal_starts: Vec<u32>,
     deal_counts: Vec<u16>,
     dealt: usize,
+    spare: Spare,
     pub(super) rows: Rows,
     /// Those that are not sensed and keep their place, in the same order. There are hardly ever any.
     pub(super) unseen: Vec<Ghost<D>>,
@@ -95,6 +94,7 @@ impl<const D: usize> Lists<D> {
             deal_starts: vec![0; robots + 1],
             deal_counts: vec![0; robots],
             dealt: 0,
+            spare: Spare::NEW,
             rows: Rows::new(),
             unseen: Vec::new(),
             unseen_before: Vec::new(),
@@ -113,6 +113,7 @@ impl<const D: usize> Lists<D> {
         self.crowd.count(positions_m);
         let counts = self.crowd.counts();
         if (0..counts.len()).any(|robot| usize::from(counts[robot]) > self.room(robot).len()) {
+            self.spare.falls_short(rule.moment.tick());
             self.make_room(rule, |lists, robot| usize::from(lists.crowd.counts()[robot]));
         }
         core::mem::swap(&mut self.unseen, &mut self.unseen_before);
@@ -129,7 +130,8 @@ impl<const D: usize> Lists<D> {
     /// Ends a look around. Where deals take more room than they need, as when it was not known yet who counts for whom, they get less.
     pub(crate) fn looked(&mut self, positions_m: &[Vector<D>], rule: &Rule<'_, D>) {
         self.before_m.copy_from_slice(positions_m);
-        if self.rows.deals.len() > self.dealt + GAP_DEALS * self.counts.len() {
+        let (tick, room, robots) = (rule.moment.tick(), self.rows.deals.len(), self.counts.len());
+        if self.spare.suffices(tick, room, self.dealt, robots) {
             self.make_room(rule, |lists, robot| usize::from(lists.counts[robot]));
         }
     }
@@ -173,6 +175,7 @@ impl<const D: usize> Lists<D> {
     fn put(&mut self, robot: usize, rule: &Rule<'_, D>) {
         let (count, dealt) = (self.fresh.mates.len(), self.fresh.deals.len());
         if count > self.room(robot).len() || dealt > self.deal_room(robot).len() {
+            self.spare.falls_short(rule.moment.tick());
             self.make_room(
                 rule,
                 |lists, other| if other == robot { count } else { usize::from(lists.counts[other]) },
@@ -192,7 +195,10 @@ impl<const D: usize> Lists<D> {
             let [start, deal_start] = [rows.mates.len(), rows.deals.len()];
             let [known, dealt] = [self.counts[robot], self.deal_counts[robot]].map(usize::from);
             let new = needed(self, robot).saturating_sub(known);
-            rows.resize([start + known + new + SPARE, deal_start + dealt + new + SPARE_DEALS], &rule.moment);
+            rows.resize(
+                [start + known + new + SPARE, deal_start + dealt + new + self.spare.deals()],
+                &rule.moment,
+            );
             let deals = self.deal_starts[robot] as usize..self.deal_starts[robot] as usize + dealt;
             rows.copy([start, deal_start], &self.rows, [self.range(robot), deals]);
             starts.push(u32::try_from(rows.mates.len()).unwrap_or(u32::MAX));

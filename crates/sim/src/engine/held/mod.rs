@@ -6,6 +6,7 @@
 pub(crate) mod lent;
 mod lists;
 mod piece;
+mod spare;
 
 use closeranks_core::controller::links::bond::{Moment, Voice};
 use closeranks_core::controller::links::control::LinksController;
