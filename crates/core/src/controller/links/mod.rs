@@ -54,8 +54,8 @@ use crate::need::Need;
 use crate::num::length;
 use crate::time::Instant;
 
-/// Links are held so much below R, and distances so much above Δ_d, as fractions: far more than rounding, far less than anybody
-/// can see.
+/// Links are held so much below R, and distances so much above Δ_d, as fractions: far more than a tick rounds, far less than anybody
+/// can see. What many ticks round is in docs/theory/links.md.
 const HAIR: f64 = 1e-9;
 
 /// The parameters of the rows and of the rule who releases whom.
