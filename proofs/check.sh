@@ -5,7 +5,7 @@
 #
 #     coq libcoq-mathcomp-algebra libcoq-mathcomp-zify libcoq-interval libcoq-flocq ocaml-nox
 #
-# and Rust for the last step (`--no-rust` leaves it out). `--write` writes the committed table anew.
+# with its bash (5.1 or later), and Rust for the last step (`--no-rust` leaves it out). `--write` writes the committed table anew.
 set -euo pipefail
 cd "$(dirname "$0")"
 

@@ -44,7 +44,7 @@ pub enum Wrong {
     },
     /// A node of the core hears too few others of it, and no exact search proves the core.
     InCore {
-        /// Which.
+        /// The node.
         node: u32,
         /// How many it hears.
         heard: usize,
@@ -53,7 +53,7 @@ pub enum Wrong {
     },
     /// A node hears too few of those before it.
     Before {
-        /// Which.
+        /// The node.
         node: u32,
         /// How many it hears.
         heard: usize,
@@ -105,7 +105,7 @@ impl Order {
         self.complete(network, Self::check_part)
     }
 
-    /// The same by counting alone, without any search.
+    /// As [`check`](Self::check), by counting alone: no core is searched.
     pub fn counts(&self, network: &Network) -> Result<usize, Wrong> {
         self.complete(network, |order, network| {
             let layer = order.core_by_counts(network)?;
@@ -113,7 +113,7 @@ impl Order {
         })
     }
 
-    /// The same without the core: whether all others hear enough of those before them, and all nodes are there.
+    /// As [`check`](Self::check), without a look into the core: whether all others hear enough of those before them, and all nodes are there.
     pub fn around_core(&self, network: &Network) -> Result<usize, Wrong> {
         self.complete(network, |order, network| order.layers(network, order.core_layer(network)?))
     }

@@ -65,12 +65,12 @@ impl Deal {
         self.barred_s <= 0.0 && (stretched || self.lapsed_s <= 0.0)
     }
 
-    /// The share of what a promise was unused that is forgotten in this time.
+    /// The fraction of what a promise was unused that is forgotten in this time.
     pub(super) fn forgotten(elapsed_s: f64) -> f64 {
         cut(FORGET_PER_S * elapsed_s, 0.0, 1.0)
     }
 
-    /// Lets time pass, in which the share `forgotten` is [`forgotten`](Self::forgotten), after this `look` at the neighbour.
+    /// Lets time pass, in which the fraction `forgotten` is [`forgotten`](Self::forgotten), after this `look` at the neighbour.
     #[inline]
     pub(super) fn pass(&mut self, elapsed_s: f64, forgotten: f64, look: &Look) {
         self.lapsed_s = larger(self.lapsed_s - elapsed_s, 0.0);
