@@ -72,6 +72,61 @@ pub(crate) const ALIKE: u64 = 2000;
 /// How much work may go into ruling out sizes before all further ones are left to the search. Nodes of the tree.
 const JOINT_NODES: u64 = 1 << 16;
 
+/// How a question is searched.
+enum Way<'q> {
+    /// As it is for short questions.
+    Plain,
+    /// In pieces, with symmetry once the search of a node was longer than `alike`, and with what the spectrum says of sizes.
+    Informed { spectrum: Option<Spectrum>, alike: u64 },
+    /// Over both sets at once, for sizes that are left to them.
+    Both { quadruples: &'q [Quadruple], alike: u64 },
+}
+
+impl Way<'_> {
+    /// A witness that is found this way, or `None` if there is none.
+    fn search(
+        &self,
+        graph: &Graph,
+        r: usize,
+        s: usize,
+        meter: &mut Meter<'_>,
+    ) -> Result<Option<Witness>, Stopped> {
+        if r == 0 || s == 0 || graph.node_count() < 2 {
+            return Ok(None);
+        }
+        meter.ask(r, s);
+        let sets = if graph.node_count() <= 64 {
+            self.sets::<u64>(graph, r, s, meter)?
+        } else {
+            self.sets::<u128>(graph, r, s, meter)?
+        };
+        Ok(sets.map(|sets| checked(graph, r, s, sets)))
+    }
+
+    /// The two sets of such a witness, sought in words as wide as the graph needs.
+    fn sets<W: Word + Send + Sync>(
+        &self,
+        graph: &Graph,
+        r: usize,
+        s: usize,
+        meter: &mut Meter<'_>,
+    ) -> Result<Option<(NodeSet, NodeSet)>, Stopped> {
+        let found = match *self {
+            Self::Plain => Search::new(&Board::<W>::plain(graph, r), meter).roots(room(graph, s))?,
+            Self::Informed { spectrum, alike } => {
+                let board = Board::<W>::informed(graph, r, spectrum, alike);
+                pieces::search(&Below { board: &board, room: room(graph, s) }, meter)?
+            }
+            //= theory sec:joint-search
+            Self::Both { quadruples, alike } => {
+                let board = Board::<W>::informed(graph, r, None, alike);
+                pieces::search(&Both::new(&board, quadruples, count(s) - 1), meter)?
+            }
+        };
+        Ok(found.map(as_sets))
+    }
+}
+
 /// The search as it is for short questions.
 pub(crate) fn plain(
     graph: &Graph,
@@ -79,16 +134,7 @@ pub(crate) fn plain(
     s: usize,
     meter: &mut Meter<'_>,
 ) -> Result<Option<Witness>, Stopped> {
-    if is_trivial(graph, r, s) {
-        return Ok(None);
-    }
-    meter.ask(r, s);
-    let sets = if graph.node_count() <= 64 {
-        plain_sets::<u64>(graph, r, s, meter)?
-    } else {
-        plain_sets::<u128>(graph, r, s, meter)?
-    };
-    Ok(sets.map(|sets| checked(graph, r, s, sets)))
+    Way::Plain.search(graph, r, s, meter)
 }
 
 /// The search for long questions: of one set after the other, and when that is long too, of both at once.
@@ -108,7 +154,7 @@ pub(crate) fn long(
         return Ok(found);
     }
     match joint::quadruples(graph, bounds, r, count(s) - 1, JOINT_NODES, meter)? {
-        Some(quadruples) => both(graph, r, s, &quadruples, alike, meter),
+        Some(quadruples) => Way::Both { quadruples: &quadruples, alike }.search(graph, r, s, meter),
         None => informed(graph, r, s, spectrum, alike, meter),
     }
 }
@@ -122,64 +168,13 @@ pub(crate) fn informed(
     alike: u64,
     meter: &mut Meter<'_>,
 ) -> Result<Option<Witness>, Stopped> {
-    if is_trivial(graph, r, s) {
-        return Ok(None);
-    }
-    meter.ask(r, s);
-    let sets = if graph.node_count() <= 64 {
-        let board = Board::<u64>::informed(graph, r, spectrum, alike);
-        pieces::search(&Below { board: &board, room: room(graph, s) }, meter)?.map(as_sets)
-    } else {
-        let board = Board::<u128>::informed(graph, r, spectrum, alike);
-        pieces::search(&Below { board: &board, room: room(graph, s) }, meter)?.map(as_sets)
-    };
-    Ok(sets.map(|sets| checked(graph, r, s, sets)))
-}
-
-/// The search over both sets at once, for sizes that are left to them.
-//= theory sec:joint-search
-fn both(
-    graph: &Graph,
-    r: usize,
-    s: usize,
-    quadruples: &[Quadruple],
-    alike: u64,
-    meter: &mut Meter<'_>,
-) -> Result<Option<Witness>, Stopped> {
-    if is_trivial(graph, r, s) {
-        return Ok(None);
-    }
-    meter.ask(r, s);
-    let effort = count(s) - 1;
-    let sets = if graph.node_count() <= 64 {
-        let board = Board::<u64>::informed(graph, r, None, alike);
-        pieces::search(&Both::new(&board, quadruples, effort), meter)?.map(as_sets)
-    } else {
-        let board = Board::<u128>::informed(graph, r, None, alike);
-        pieces::search(&Both::new(&board, quadruples, effort), meter)?.map(as_sets)
-    };
-    Ok(sets.map(|sets| checked(graph, r, s, sets)))
-}
-
-fn is_trivial(graph: &Graph, r: usize, s: usize) -> bool {
-    r == 0 || s == 0 || graph.node_count() < 2
+    Way::Informed { spectrum, alike }.search(graph, r, s, meter)
 }
 
 fn checked(graph: &Graph, r: usize, s: usize, (first, second): (NodeSet, NodeSet)) -> Witness {
     let witness = Witness::new(graph, r, s, first, second);
     debug_assert!(witness.holds(graph), "{witness:?}");
     witness
-}
-
-fn plain_sets<W: Word>(
-    graph: &Graph,
-    r: usize,
-    s: usize,
-    meter: &mut Meter<'_>,
-) -> Result<Option<(NodeSet, NodeSet)>, Stopped> {
-    let board = Board::<W>::plain(graph, r);
-    let found = Search::new(&board, meter).roots(room(graph, s))?;
-    Ok(found.map(as_sets))
 }
 
 /// Two disjoint sets: S₁ is sought with no more exempt members than S₂, so with half of them or fewer; and if none may be exempt, with
@@ -221,7 +216,8 @@ mod tests {
                 let Some(spectrum) = spectrum else { continue };
                 for nodes in [0, u64::MAX] {
                     let sizes = joint::quadruples(graph, spectrum, r, count(s) - 1, nodes, &mut meter);
-                    let with = both(graph, r, s, &sizes.unwrap().unwrap(), 0, &mut meter).unwrap();
+                    let way = Way::Both { quadruples: &sizes.unwrap().unwrap(), alike: 0 };
+                    let with = way.search(graph, r, s, &mut meter).unwrap();
                     assert_eq!(with.is_none(), is_robust, "({r}, {s}), {nodes} nodes, {graph:?}");
                 }
             }
@@ -233,7 +229,8 @@ mod tests {
         let mut meter = Meter::new(u64::MAX, &mut go_on);
         let spectrum = Spectrum::new(graph).unwrap();
         let sizes = joint::quadruples(graph, spectrum, r, count(s) - 1, JOINT_NODES, &mut meter);
-        both(graph, r, s, &sizes.unwrap().unwrap(), ALIKE, &mut meter).unwrap().is_none()
+        let way = Way::Both { quadruples: &sizes.unwrap().unwrap(), alike: ALIKE };
+        way.search(graph, r, s, &mut meter).unwrap().is_none()
     }
 
     //= theory sec:joint-search type=test
